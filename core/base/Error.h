@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace core {
+
+/// What went wrong. The sentence for a person is made by ui::errorText() from code and arguments.
+enum class ErrorCode {
+    // Files and folders: argument 0 is the path, argument 1 (optional) the reason.
+    FileNotFound,
+    FileUnreadable,
+    FileTruncated,
+    FileExists,
+    FileUnwritable,
+    FolderEmpty,
+    NoImages,
+    UnsupportedFormat,
+    InvalidGeometry,
+    // A choice is needed: argument 0 is the path, the rest one line per candidate.
+    SeriesAmbiguous,
+    SeriesNotFound,
+    // Edits and recipes: argument 0 names the edit or field, argument 1 the reason.
+    UnknownEdit,
+    InvalidField,
+    SeedOutsideVolume,
+    UnknownSegment,
+    InvalidRecipe,
+    // Export: argument 0 is the file, argument 1 what does not agree.
+    ExportMismatch,
+    SegmentNotCoded,
+    NothingToExport,
+    // Session: argument 0 is the file, argument 1 the reason.
+    SessionDamaged,
+    SessionMismatch,
+    // Machine.
+    GraphicsUnavailable,
+    OutOfMemory,
+    Cancelled,
+    Internal,
+};
+
+/// A failure that crosses layers as a value.
+struct Error {
+    ErrorCode code = ErrorCode::Internal;
+    QStringList arguments;
+};
+
+} // namespace core

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/volume/Volume.h"
+
+#include <QJsonObject>
+#include <QString>
+
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// A concept from a coding scheme (DICOM PS3.3 table 8.8-1), e.g. SCT 89546000 "Skull".
+struct CodedConcept {
+    QString scheme;
+    QString value;
+    QString meaning;
+
+    [[nodiscard]] bool isSet() const { return !value.isEmpty(); }
+    bool operator==(const CodedConcept&) const = default;
+};
+
+/// One structure of the result: the voxels of `plane` that hold `label`.
+struct Segment {
+    std::uint8_t label = 0; ///< 1 … 255, unique in its plane and never used again
+    std::uint8_t plane = 0;
+    QString name;
+    std::uint32_t rgb = 0; ///< 0xRRGGBB
+    CodedConcept code;     ///< not set: "not coded yet", asked for at export
+    bool locked = false;   ///< no tool, growth or write-back changes its voxels
+    bool visible = true;   ///< display only: neither a step of undo nor part of the hash
+    std::int64_t voxels = 0; ///< kept up to date by the session; derived, not part of the hash
+};
+
+/// What hides part of the volume in the 3D view. Changes no segment and no statistic.
+struct SculptLayer {
+    std::uint8_t id = 0;
+    QString name;
+    bool muted = false;
+};
+
+/// The live growth of one label plane.
+struct Growth {
+    std::uint8_t plane = 0;
+    std::uint32_t generation = 0;
+};
+
+/// The model: everything a session holds besides voxels. Lists from the start; the window shows one
+/// volume and one plane at present.
+struct Document {
+    std::vector<Volume> volumes;
+    std::vector<Segment> segments;
+    std::vector<SculptLayer> layers;
+    std::vector<Growth> growths;
+
+    [[nodiscard]] const Segment* segment(int label) const;
+    [[nodiscard]] Segment* segment(int label);
+    /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
+    /// display state (core/session/README.md).
+    [[nodiscard]] QJsonObject hashedState() const;
+};
+
+/// News for views and item models.
+struct DocumentChange {
+    enum class What { Volume, Segments, Layers, Labels, Coverage, Growth, History };
+    What what = What::Volume;
+    VoxelBox box; ///< where voxels changed; empty for the rest
+};
+
+} // namespace core

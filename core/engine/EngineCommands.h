@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Error.h"
+#include "core/brick/BrickGrid.h"
+#include "core/sculpt/DrillCut.h"
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace core {
+
+/// Names one submitted command; tickets grow by one.
+using Ticket = std::uint64_t;
+
+// --- Edits as an engine sees them: integers only, everything they read is in them. -------------
+
+/// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word is
+/// not a member's.
+struct SeedPlacement {
+    std::uint8_t plane = 0;
+    std::uint8_t label = 0;
+    std::vector<glm::ivec3> voxels; ///< inside the volume
+};
+
+/// Grow all labels of a plane at once (seed A §5.3), ring by ring.
+///
+/// accept(label, q): lowCode ≤ code(q) ≤ highCode, and the label plane as it was at the opening
+/// holds at q 0, the label itself, or a label in `overwritable`.
+/// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
+/// was one, the generation is now one more. Then each step: every voxel that is no member and has a
+/// face neighbour that was a member before the step and whose label it accepts becomes
+/// member(generation + 1, label, direction), the smallest such word; if there was one, the
+/// generation is one more, else the growth is at closure and further steps do nothing.
+/// Closing with commit: the label plane receives the label of every member whose generation is
+/// greater than at the opening. `EngineResult::generation` tells where it stopped.
+struct GrowBurst {
+    std::uint8_t plane = 0;
+    int lowCode = 0;
+    int highCode = -1;
+    int connectivity = 6;
+    std::uint32_t generation = 0; ///< the generation counter at the opening
+    std::bitset<256> overwritable;
+};
+
+/// Cut with the drill into the coverage of one sculpt layer (rules: DrillCut.h).
+struct DrillCut {
+    std::uint8_t layer = 0;
+    DrillFrame frame;
+};
+
+using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut>;
+
+// --- What an open edit can be told while it runs. ------------------------------------------------
+
+struct DrillPath {
+    std::vector<DrillSample> samples;
+};
+
+/// Advance a growth. Steps run in slices between which other commands and frames are served.
+struct GrowAdvance {
+    static constexpr int toClosure = -1;
+    int steps = toClosure;
+    double generationsPerSecond = 0.0; ///< pace; 0: as fast as it goes. Never changes the result.
+};
+
+/// Forget steps that were asked for and not yet done.
+struct GrowPause { };
+
+using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause>;
+
+// --- Commands -------------------------------------------------------------------------------------
+
+/// Open a transaction. There is at most one; its ticket names it until EndEdit.
+struct BeginEdit {
+    EngineEdit edit;
+};
+struct ExtendEdit {
+    EngineExtension extension;
+};
+enum class Ending : std::uint8_t { Commit, Rollback };
+/// Close the open transaction; a commit waits for the steps that were asked for. Its result (which
+/// bears the ticket of this command) lists every brick that changed since BeginEdit; after a
+/// rollback none, and the voxels are as before.
+struct EndEdit {
+    Ending ending = Ending::Commit;
+};
+/// Put these images in place of what the bricks hold (undo, redo, opening a session).
+struct SwapBricks {
+    std::vector<BrickImage> bricks;
+};
+/// Fetch bricks; the result lists each with `after` filled and `before` empty, in this order.
+struct ReadBricks {
+    std::vector<BrickKey> keys;
+};
+/// Codes and labels at voxels, for readouts.
+struct ProbeVoxels {
+    std::vector<glm::ivec3> voxels;
+};
+
+/// How a ray finds what the user sees.
+enum class SeenBy : std::uint8_t {
+    Surface,     ///< first sample that is material (DrillCut.h rule 3)
+    Opacity,     ///< first sample where accumulated opacity reaches one half
+    BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
+};
+
+/// Cast rays into what is seen; integers, so a pick is the same everywhere.
+/// A hit names the voxel nearest to the position found. Opacity: each sample inside and not carved
+/// adds opacityOfCode[code >> 8] (0 … 65535, per sample) front to back:
+/// T = T·(65535 − o) / 65535 from T = 65535, seen when T ≤ 32767. BrightestVoxel: the interpolated
+/// value Z of rule 3 over samples inside and not carved.
+struct PickVoxels {
+    struct Ray {
+        glm::ivec3 origin {0}; ///< index16 at sample 0
+        glm::ivec3 step {0};   ///< index16 per sample
+        int samples = 0;
+    };
+    std::vector<Ray> rays;
+    SeenBy seenBy = SeenBy::Surface;
+    int thresholdCode = 0;
+    std::vector<std::uint32_t> opacityOfCode; ///< 256 entries, only for Opacity
+};
+
+using EngineCommand
+    = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, ReadBricks, ProbeVoxels, PickVoxels>;
+
+// --- Results ----------------------------------------------------------------------------------------
+
+struct EditStatistics {
+    std::int64_t voxelsChanged = 0; ///< over all fields but seed words
+    int bricks = 0;                 ///< changed, all fields but seed words
+    int generations = 0;            ///< steps a growth advanced (its opening included)
+    double milliseconds = 0.0;      ///< engine time; never part of a hash
+};
+
+struct ProbedVoxel {
+    int code = 0;
+    std::uint8_t label = 0;
+};
+
+/// What became of one command. BeginEdit and ExtendEdit yield none unless they fail.
+struct EngineResult {
+    Ticket ticket = 0;
+    std::optional<Error> error;
+    std::vector<BrickChange> changes; ///< sorted by key
+    EditStatistics statistics;
+    std::uint32_t generation = 0;     ///< EndEdit of a growth: the counter at its end
+    bool atClosure = false;           ///< EndEdit of a growth: nothing is left to grow
+    std::vector<ProbedVoxel> probes;
+    std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
+};
+
+/// Where a running growth stands; a snapshot for the window.
+struct GrowthProgress {
+    bool open = false;
+    bool running = false;
+    bool atClosure = false;
+    std::uint32_t generation = 0;
+    std::int64_t members = 0;             ///< added since the burst was opened
+    std::vector<std::uint32_t> frontSizes; ///< voxels added per generation of this burst
+};
+
+} // namespace core

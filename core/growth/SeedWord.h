@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace core::seedWord {
+
+/// One 32-bit word per voxel of a live growth (DESIGN §4; seed A §5.1 "seed map").
+///
+///   bit 31      1: not a member
+///   bits 30..13 generation, 1 … 262143 for members
+///   bits 12..5  label of the segment it grows
+///   bits 4..0   direction to the parent, see below; 31: seed
+///
+/// Members are claimed by `min`, so of all claims on a voxel the earliest generation wins, then the
+/// lowest label, then the lowest direction: the result does not depend on scheduling.
+///
+/// Direction d means that the parent is the neighbour at −offset(d), where the offsets are
+/// 0: +x  1: −x  2: +y  3: −y  4: +z  5: −z (the step from parent to child).
+constexpr std::uint32_t unvisited = 0xFFFFFFFFu;
+constexpr std::uint32_t notMember = 0x80000000u;
+constexpr std::uint32_t seedDirection = 31;
+constexpr std::uint32_t maxGeneration = (1u << 18) - 1;
+
+constexpr std::uint32_t member(std::uint32_t generation, std::uint32_t label, std::uint32_t direction)
+{
+    return generation << 13 | label << 5 | direction;
+}
+/// A seed that was sketched and has not yet been admitted by a growth. It is no member.
+constexpr std::uint32_t pendingSeed(std::uint32_t label)
+{
+    return notMember | label << 5 | seedDirection;
+}
+constexpr bool isMember(std::uint32_t word) { return (word & notMember) == 0; }
+constexpr bool isPendingSeed(std::uint32_t word)
+{
+    return word != unvisited && !isMember(word) && (word & 31u) == seedDirection;
+}
+constexpr std::uint32_t generation(std::uint32_t word) { return word >> 13 & maxGeneration; }
+constexpr std::uint32_t label(std::uint32_t word) { return word >> 5 & 0xFFu; }
+constexpr std::uint32_t direction(std::uint32_t word) { return word & 31u; }
+
+} // namespace core::seedWord
