@@ -18,6 +18,7 @@ namespace core {
 struct WindowLevel {
     double centre = 40.0;
     double width = 400.0;
+    bool operator==(const WindowLevel&) const = default;
 };
 
 /// Whose study it is, as the source says; empty where it does not. Text is Unicode.

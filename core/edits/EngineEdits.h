@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/edits/Edits.h"
+#include "core/engine/EngineCommands.h"
+
+#include <vector>
+
+namespace core {
+
+// From an edit in millimetres and modality units to the integers an engine works with. Doubles are
+// used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.
+
+/// Errors: UnknownSegment, SeedOutsideVolume (names the point).
+[[nodiscard]] Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document);
+
+/// Errors: InvalidField (connectivity other than 6, lower > upper).
+[[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
+
+/// The frame of a drill stroke; its samples are not looked at. Errors: InvalidField.
+[[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
+
+/// Resamples a pen path by arc length (a quarter of the mask radius, at least half an element) so
+/// that the cut does not depend on the device's report rate. Pieces of a path may be converted one
+/// after the other: `from` is the last sample of the piece before (none for the first).
+[[nodiscard]] std::vector<DrillSample> drillPath(const DrillStroke& stroke, const DrillFrame& frame,
+    const PenSample* from, const std::vector<PenSample>& samples);
+
+} // namespace core

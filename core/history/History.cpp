@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/history/History.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+RowId History::redoTarget() const
+{
+    return m_lastChild[std::size_t(m_position)];
+}
+
+std::vector<RowId> History::pathTo(RowId id) const
+{
+    std::vector<RowId> path;
+    for (; id != 0; id = row(id).parent)
+        path.push_back(id);
+    std::reverse(path.begin(), path.end());
+    return path;
+}
+
+RowId History::append(HistoryRow row)
+{
+    row.id = RowId(m_rows.size()) + 1;
+    row.parent = m_position;
+    m_rows.push_back(std::move(row));
+    m_lastChild.push_back(0);
+    moveTo(m_rows.back().id);
+    return m_position;
+}
+
+void History::moveTo(RowId id)
+{
+    m_position = id;
+    for (; id != 0; id = row(id).parent)
+        m_lastChild[std::size_t(row(id).parent)] = id;
+}
+
+} // namespace core

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+#include "core/engine/EngineCommands.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace core {
+
+using RowId = std::int64_t; ///< 1, 2, 3 …; 0 stands for the beginning
+
+/// One command that was carried out.
+struct HistoryRow {
+    RowId id = 0;
+    RowId parent = 0;
+    QString name;   ///< for people: "Drill 6.2 mm, 214 bricks"
+    Edit edit;      ///< quantised; what replay applies
+    EditStatistics statistics;
+    std::size_t deltaBytes = 0; ///< compressed before-image; 0 while it is still being made
+    QByteArray stateHash;       ///< hex, of the state after this row; empty while it is being made
+};
+
+/// Our own append-only tree of rows with a current position (DESIGN §3.4). Knows nothing of voxels.
+///
+/// Undo moves the position to the parent, redo to the child last visited; nothing past is ever
+/// rewritten: a command after an undo starts a branch.
+class History {
+public:
+    [[nodiscard]] RowId position() const { return m_position; }
+    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return m_rows; }
+    [[nodiscard]] const HistoryRow& row(RowId id) const { return m_rows.at(std::size_t(id - 1)); }
+    [[nodiscard]] HistoryRow& row(RowId id) { return m_rows.at(std::size_t(id - 1)); }
+
+    [[nodiscard]] bool canUndo() const { return m_position != 0; }
+    [[nodiscard]] bool canRedo() const { return redoTarget() != 0; }
+    /// The child of the position that was visited last; 0 if there is none.
+    [[nodiscard]] RowId redoTarget() const;
+    /// Rows from the beginning to @p id, oldest first.
+    [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
+
+    /// Appends a child of the position and moves there; sets id and parent.
+    RowId append(HistoryRow row);
+    void moveTo(RowId id);
+
+private:
+    std::vector<HistoryRow> m_rows;
+    std::vector<RowId> m_lastChild {0}; ///< by parent id
+    RowId m_position = 0;
+};
+
+} // namespace core

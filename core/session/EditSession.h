@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/edits/Edits.h"
+#include "core/engine/EditEngine.h"
+#include "core/history/History.h"
+
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace core {
+
+/// The controller (DESIGN §2): stroke → command → engine → history → session file.
+///
+/// Owns the document and the history of one open volume; the engine is lent. Nothing here waits for
+/// the engine except settle(). One transaction is open at a time: apply(), undo(), redo() and
+/// settle() first close a running growth burst at its generation; a stroke under the pen is ended
+/// by whoever began it. All members belong to one thread.
+class EditSession {
+public:
+    struct Options {
+        QString file;        ///< session file; empty: history in memory only
+        bool replaceExisting = false;
+    };
+
+    /// Puts the volume on the engine and starts an empty history.
+    /// Errors: FileExists, FileUnwritable, and the engine's.
+    static Result<std::unique_ptr<EditSession>> create(
+        EditEngine& engine, LoadedVolume volume, Options options);
+    /// Continues a session file where it stopped; the volume is the one its references name.
+    /// Rows whose delta did not reach the disk are executed again. Errors: SessionDamaged,
+    /// SessionMismatch (the volume is not the one the session was made on).
+    static Result<std::unique_ptr<EditSession>> open(
+        EditEngine& engine, LoadedVolume volume, const QString& file);
+    ~EditSession();
+
+    [[nodiscard]] const Document& document() const;
+    [[nodiscard]] const History& history() const;
+    [[nodiscard]] EditEngine& engine();
+
+    /// A whole edit. Errors are told before anything changes. Its row follows once the engine is done.
+    Result<void> apply(const Edit& edit);
+
+    /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
+    Result<void> begin(const Edit& edit); ///< DrillStroke without samples, or GrowSteps
+    void extendDrill(const std::vector<PenSample>& samples);
+    void extendGrowth(GrowAdvance advance);
+    void pauseGrowth();
+    void end(Ending ending);
+    [[nodiscard]] bool transactionOpen() const;
+
+    Result<void> undo();
+    Result<void> redo();
+    /// Walks to a row of the history (0: the beginning), undoing and redoing what lies between.
+    Result<void> goTo(RowId row);
+
+    /// Take in what the engine has finished; call it when the engine wakes you.
+    void poll();
+    /// Wait until every command is carried out and on disk. The only member that waits.
+    Result<void> settle();
+
+    /// The incremental state hash (core/session/README.md), hex. Expects a settled session.
+    [[nodiscard]] QByteArray stateHash() const;
+
+    /// Labels of a plane, x fastest, as they are after settle(): for export and checks.
+    [[nodiscard]] Result<std::vector<std::uint8_t>> labels(std::uint8_t plane);
+
+    /// Display state is no step of undo.
+    void setSegmentVisible(int label, bool visible);
+
+    /// The listener lives as long as the session or until it is replaced by an empty one.
+    void setListener(std::function<void(const DocumentChange&)> listener);
+
+private:
+    class Implementation;
+    explicit EditSession(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace core

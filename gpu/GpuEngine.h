@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/engine/EditEngine.h"
+#include "core/volume/Volume.h"
+#include "gpu/frame/FrameSource.h"
+
+#include <QString>
+
+#include <memory>
+
+namespace gpu {
+
+/// The engine thread and all that lives on it: one GL 4.5 context, every texture, every kernel, the
+/// edit engine and the renderers. The rest of the program talks to the two interfaces.
+class GpuEngine {
+public:
+    /// Starts the thread with its own headless EGL context (first hardware device, else surfaceless
+    /// Mesa). Errors: GraphicsUnavailable with the driver's reason.
+    static core::Result<std::unique_ptr<GpuEngine>> create();
+    ~GpuEngine();
+
+    [[nodiscard]] core::EditEngine& edits();
+    [[nodiscard]] FrameSource& frames();
+    /// Where and what the codes are, for the renderers; call it beside EditEngine::openVolume().
+    void setVolumeGeometry(const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding);
+
+    [[nodiscard]] QString rendererName() const; ///< GL_RENDERER
+    [[nodiscard]] QString versionText() const;  ///< GL_VERSION
+
+private:
+    class Implementation;
+    explicit GpuEngine(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace gpu

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/Scene.h"
+
+#include <functional>
+
+namespace gpu {
+
+/// Pictures on demand. A view asks; finished frames come to the listener, first a coarse one, then
+/// a full one, then a refined (anti-aliased) one. While nothing changes nothing is drawn; when an
+/// edit changes voxels, the last request of every affected view is drawn again by itself.
+class FrameSource {
+public:
+    using Listener = std::function<void(const Frame&)>;
+
+    virtual ~FrameSource() = default;
+
+    /// Replaces the view's request. Never waits.
+    virtual void request(FrameRequest request) = 0;
+    /// The view is gone; no frame of it follows after this returns.
+    virtual void forget(ViewId view) = 0;
+    /// Called on the engine's thread; set it before the first request.
+    virtual void setListener(Listener listener) = 0;
+};
+
+} // namespace gpu

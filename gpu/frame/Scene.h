@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace gpu {
+
+// What a view wants to see, as plain data. Free of GL: ui fills it in.
+
+/// How the segments are drawn, by label.
+struct SegmentDisplay {
+    std::array<std::uint32_t, 256> rgb {};   ///< 0xRRGGBB
+    std::array<bool, 256> visible {};
+    float fillOpacity = 0.35f;               ///< of slices
+    float outlineWidthPixels = 2.0f;         ///< of slices
+    bool operator==(const SegmentDisplay&) const = default;
+};
+
+/// One plane through the volume, seen orthographically.
+struct SliceScene {
+    glm::dvec3 centreLps {0.0};  ///< at the middle of the frame
+    glm::dvec3 rightLps {1.0, 0.0, 0.0}; ///< unit, towards the frame's right
+    glm::dvec3 downLps {0.0, 1.0, 0.0};  ///< unit, towards the frame's bottom
+    double mmPerPixel = 1.0;
+    core::WindowLevel window;
+    bool inverted = false;       ///< dark is high
+    bool interpolated = true;    ///< false: nearest voxel
+    bool showCarved = true;      ///< carved voxels as a tinted outline
+    bool operator==(const SliceScene&) const = default;
+};
+
+enum class RenderMode : std::uint8_t { Surface, Dvr, Mip };
+
+/// Colour and opacity over modality values; piecewise linear.
+struct TransferFunction {
+    struct Point {
+        double value = 0.0; ///< modality units
+        std::uint32_t rgb = 0xFFFFFF;
+        double opacity = 0.0; ///< per millimetre of path, 0 … 1
+        bool operator==(const Point&) const = default;
+    };
+    std::vector<Point> points; ///< ascending by value
+    bool operator==(const TransferFunction&) const = default;
+};
+
+/// The 3D view.
+struct VolumeScene {
+    glm::dvec3 eyeLps {0.0, -500.0, 0.0};
+    glm::dvec3 targetLps {0.0};
+    glm::dvec3 up {0.0, 0.0, 1.0};
+    double heightMm = 300.0;        ///< what the frame's height shows in the target's plane
+    bool orthographic = true;       ///< else perspective from eyeLps
+    RenderMode mode = RenderMode::Surface;
+    double surfaceThreshold = 300.0; ///< modality units
+    TransferFunction transferFunction;
+    core::WindowLevel mipWindow;
+    bool operator==(const VolumeScene&) const = default;
+};
+
+using Scene = std::variant<SliceScene, VolumeScene>;
+
+/// Names a view for the life of a window.
+using ViewId = int;
+
+struct FrameRequest {
+    ViewId view = 0;
+    glm::ivec2 sizePixels {0}; ///< device pixels
+    Scene scene;
+    SegmentDisplay segments;
+    bool interacting = false; ///< coarse and fast now; refinement waits until false
+};
+
+/// A finished picture: RGBA bytes, top row first.
+struct Frame {
+    enum class Quality : std::uint8_t { Coarse, Full, Refined };
+    ViewId view = 0;
+    glm::ivec2 sizePixels {0};
+    std::shared_ptr<const std::vector<std::uint8_t>> rgba;
+    Quality quality = Quality::Coarse;
+    double renderMilliseconds = 0.0;
+    Scene scene; ///< what was drawn, so that overlays can be laid over it exactly
+};
+
+} // namespace gpu
+
