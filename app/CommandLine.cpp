@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/CommandLine.h"
+
+#include "app/Version.h"
+
+#include <QApplication>
+
+#include <vector>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <span>
+
+namespace app {
+
+namespace {
+
+std::span<const Command> commands()
+{
+    static const std::vector<Command> table {};
+    return table;
+}
+
+void printHelp(FILE* out)
+{
+    std::fprintf(out, "burin %s — segmentation workstation (research use; not a medical device)\n\n",
+        BURIN_VERSION);
+    for (const Command& command : commands())
+        std::fprintf(out, "  burin %s %s\n      %s\n", command.name, command.usage, command.summary);
+}
+
+} // namespace
+
+int runCommandLine(int argc, char** argv)
+{
+    const char* verb = argc > 1 ? argv[1] : "--help";
+    for (const Command& command : commands()) {
+        if (std::strcmp(verb, command.name) != 0)
+            continue;
+        std::unique_ptr<QCoreApplication> application;
+        if (command.needsWindow)
+            application = std::make_unique<QApplication>(argc, argv);
+        else
+            application = std::make_unique<QCoreApplication>(argc, argv);
+        QCoreApplication::setApplicationName(QStringLiteral("burin"));
+        return command.run(application->arguments().mid(2));
+    }
+    if (std::strcmp(verb, "--version") == 0) {
+        std::printf("burin %s\n", BURIN_VERSION);
+        return 0;
+    }
+    const bool askedForHelp = std::strcmp(verb, "--help") == 0 || std::strcmp(verb, "help") == 0;
+    if (!askedForHelp)
+        std::fprintf(stderr, "burin: unknown command '%s'\n\n", verb);
+    printHelp(askedForHelp ? stdout : stderr);
+    return askedForHelp ? 0 : 2;
+}
+
+} // namespace app

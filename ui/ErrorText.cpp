@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/ErrorText.h"
+
+namespace ui {
+
+QString errorText(const core::Error& error)
+{
+    using core::ErrorCode;
+    const QString first = error.arguments.value(0);
+    const QString second = error.arguments.value(1);
+    const QString reason = second.isEmpty() ? QString() : QStringLiteral(": ") + second;
+    switch (error.code) {
+    case ErrorCode::FileNotFound:
+        return QStringLiteral("%1: no such file or folder").arg(first);
+    case ErrorCode::FileUnreadable:
+        return QStringLiteral("%1: cannot be read%2").arg(first, reason);
+    case ErrorCode::FileTruncated:
+        return QStringLiteral("%1: the file is cut short%2").arg(first, reason);
+    case ErrorCode::FileExists:
+        return QStringLiteral("%1: exists already; --force replaces it").arg(first);
+    case ErrorCode::FileUnwritable:
+        return QStringLiteral("%1: cannot be written%2").arg(first, reason);
+    case ErrorCode::FolderEmpty:
+        return QStringLiteral("%1: the folder is empty").arg(first);
+    case ErrorCode::NoImages:
+        return QStringLiteral("%1: holds no image volume%2").arg(first, reason);
+    case ErrorCode::UnsupportedFormat:
+        return QStringLiteral("%1: not supported%2").arg(first, reason);
+    case ErrorCode::InvalidGeometry:
+        return QStringLiteral("%1: the slices do not form a volume%2").arg(first, reason);
+    case ErrorCode::SeriesAmbiguous:
+        return QStringLiteral("%1: holds more than one series; choose one with --series:\n  %2")
+            .arg(first, error.arguments.mid(1).join(QStringLiteral("\n  ")));
+    case ErrorCode::SeriesNotFound:
+        return QStringLiteral("%1: no such series%2").arg(first, reason);
+    case ErrorCode::UnknownEdit:
+        return QStringLiteral("unknown edit '%1'%2").arg(first, reason);
+    case ErrorCode::InvalidField:
+        return QStringLiteral("field '%1'%2").arg(first, reason);
+    case ErrorCode::SeedOutsideVolume:
+        return QStringLiteral("seed outside the volume: %1%2").arg(first, reason);
+    case ErrorCode::UnknownSegment:
+        return QStringLiteral("there is no segment %1%2").arg(first, reason);
+    case ErrorCode::InvalidRecipe:
+        return QStringLiteral("%1: not a recipe%2").arg(first, reason);
+    case ErrorCode::ExportMismatch:
+        return QStringLiteral("%1: the export was checked and does not agree%2").arg(first, reason);
+    case ErrorCode::SegmentNotCoded:
+        return QStringLiteral("segment '%1' is not coded yet").arg(first);
+    case ErrorCode::NothingToExport:
+        return QStringLiteral("%1: nothing to export%2").arg(first, reason);
+    case ErrorCode::SessionDamaged:
+        return QStringLiteral("%1: the session is damaged%2").arg(first, reason);
+    case ErrorCode::SessionMismatch:
+        return QStringLiteral("%1: the session belongs to another volume%2").arg(first, reason);
+    case ErrorCode::GraphicsUnavailable:
+        return QStringLiteral("no OpenGL 4.5 available: %1").arg(first);
+    case ErrorCode::OutOfMemory:
+        return QStringLiteral("not enough memory: %1").arg(first);
+    case ErrorCode::Cancelled:
+        return QStringLiteral("cancelled");
+    case ErrorCode::Internal:
+        return QStringLiteral("internal error: %1%2").arg(first, reason);
+    }
+    return {};
+}
+
+} // namespace ui

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Error.h"
+
+#include <QString>
+
+namespace ui {
+
+/// One sentence for a person: what went wrong, with which file or field, and why.
+[[nodiscard]] QString errorText(const core::Error& error);
+
+} // namespace ui

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/EditSession.h"
+#include "gpu/frame/FrameSource.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+
+namespace ui {
+
+class Tool;
+
+/// What all views, tools and panels of one window share: the open session and the state that is not
+/// a step of undo (crosshair, window/level, active segment, how the 3D view looks, tool settings).
+///
+/// Setters emit their signal only when the value changed.
+class Workspace : public QObject {
+    Q_OBJECT
+
+public:
+    struct DrillSettings {
+        double radiusMm = 8.0;
+        double depthMm = 8.0;
+        bool throughGaps = false;
+        bool operator==(const DrillSettings&) const = default;
+    };
+    struct GrowSettings {
+        double lower = 0.0; ///< modality units
+        double upper = 0.0;
+        bool overwriteUnlocked = false;
+        double generationsPerSecond = 0.0; ///< 0: as fast as it goes
+        bool operator==(const GrowSettings&) const = default;
+    };
+    /// How the 3D view draws.
+    struct VolumeDisplay {
+        gpu::RenderMode mode = gpu::RenderMode::Surface;
+        double surfaceThreshold = 300.0;
+        gpu::TransferFunction transferFunction;
+        bool operator==(const VolumeDisplay&) const = default;
+    };
+
+    explicit Workspace(gpu::FrameSource& frames, QObject* parent = nullptr);
+    ~Workspace() override;
+
+    [[nodiscard]] gpu::FrameSource& frames() { return m_frames; }
+    /// Null while nothing is open.
+    [[nodiscard]] core::EditSession* session() { return m_session.get(); }
+    [[nodiscard]] const core::Volume* volume() const; ///< the open volume, or null
+    void setSession(std::unique_ptr<core::EditSession> session);
+
+    [[nodiscard]] glm::dvec3 crosshairLps() const { return m_crosshairLps; }
+    void setCrosshairLps(const glm::dvec3& position);
+    [[nodiscard]] core::WindowLevel windowLevel() const { return m_windowLevel; }
+    void setWindowLevel(const core::WindowLevel& window);
+    [[nodiscard]] int activeSegment() const { return m_activeSegment; } ///< label; 0: none
+    void setActiveSegment(int label);
+    [[nodiscard]] const VolumeDisplay& volumeDisplay() const { return m_volumeDisplay; }
+    void setVolumeDisplay(const VolumeDisplay& display);
+    [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
+    [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
+    void setDrillSettings(const DrillSettings& settings);
+    [[nodiscard]] const GrowSettings& growSettings() const { return m_grow; }
+    void setGrowSettings(const GrowSettings& settings);
+
+    /// Null: navigate.
+    [[nodiscard]] Tool* activeTool() const { return m_tool; }
+    void setActiveTool(Tool* tool);
+
+    /// One sentence for the status line: what happened, to what, what to do.
+    void say(const QString& sentence) { Q_EMIT said(sentence); }
+    /// Pen pressure as it comes, 0 … 1.
+    void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
+
+Q_SIGNALS:
+    void sessionChanged();
+    void documentChanged(const core::DocumentChange& change);
+    void crosshairChanged();
+    void windowLevelChanged();
+    void activeSegmentChanged();
+    void volumeDisplayChanged();
+    void drillSettingsChanged();
+    void growSettingsChanged();
+    void activeToolChanged();
+    void said(const QString& sentence);
+    void pressureChanged(double pressure);
+
+private:
+    gpu::FrameSource& m_frames;
+    std::unique_ptr<core::EditSession> m_session;
+    glm::dvec3 m_crosshairLps {0.0};
+    core::WindowLevel m_windowLevel;
+    int m_activeSegment = 0;
+    VolumeDisplay m_volumeDisplay;
+    DrillSettings m_drill;
+    GrowSettings m_grow;
+    Tool* m_tool = nullptr;
+};
+
+} // namespace ui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/tools/ViewContext.h"
+
+#include <QObject>
+#include <QString>
+
+class QPainter;
+
+namespace ui {
+
+/// One reading of mouse or pen, in the view's logical pixels (made in ui/input/StylusGlue only).
+struct PointerSample {
+    QPointF position;
+    double pressure = 1.0; ///< 0 … 1; a mouse presses fully
+    double timeSeconds = 0.0;
+    Qt::KeyboardModifiers modifiers;
+    bool eraserEnd = false;
+};
+
+/// What the left button or the pen does now. By default it ignores everything; the view navigates
+/// with the other buttons meanwhile. A stroke runs press → drag* → release | cancel.
+class Tool : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] virtual QString name() const = 0;     ///< short, under the icon: "Drill"
+    [[nodiscard]] virtual QString iconName() const = 0; ///< resources/icons/<name>.svg
+    [[nodiscard]] virtual QString hint() const = 0;     ///< what it expects next, for the status line
+    [[nodiscard]] virtual QString target() const { return {}; } ///< "carves layer Sculpt 1"
+    [[nodiscard]] virtual bool worksIn(const ViewContext& view) const = 0;
+
+    virtual void press(const PointerSample&, const ViewContext&) { }
+    virtual void drag(const PointerSample&, const ViewContext&) { }
+    virtual void release(const PointerSample&, const ViewContext&) { }
+    virtual void cancel() { }
+    virtual void hover(const PointerSample&, const ViewContext&) { }
+    /// Shift + wheel and [ ]: @p steps is positive for greater.
+    virtual void changeRadius(int /*steps*/) { }
+    /// Alt + wheel.
+    virtual void changeDepth(int /*steps*/) { }
+
+    /// What the tool will do, drawn over the view the pointer is in.
+    virtual void paintOverlay(QPainter&, const ViewContext&) const { }
+
+Q_SIGNALS:
+    void overlayChanged();
+};
+
+} // namespace ui
