@@ -59,6 +59,11 @@ public:
     /// Walks to a row of the history (0: the beginning), undoing and redoing what lies between.
     Result<void> goTo(RowId row);
 
+    /// Ask the engine about voxels (ProbeVoxels or PickVoxels; read-only, no step of undo). The
+    /// answer is given by poll(), in order with the edits; it is dropped when the session closes.
+    using Answer = std::function<void(const EngineResult&)>;
+    void ask(EngineCommand question, Answer answer);
+
     /// Take in what the engine has finished; call it when the engine wakes you.
     void poll();
     /// Wait until every command is carried out and on disk. The only member that waits.
