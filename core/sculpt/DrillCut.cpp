@@ -42,7 +42,8 @@ std::int32_t elementDepth(
 ElementBox elementsUnder(const DrillFrame& frame, const DrillSample& sample)
 {
     const std::int64_t reach = std::int64_t(frame.maskRadius) + frame.pitch;
-    return {{floorDivide(sample.x - reach, frame.pitch), floorDivide(sample.y - reach, frame.pitch)},
+    return {
+        {floorDivide(sample.x - reach, frame.pitch), floorDivide(sample.y - reach, frame.pitch)},
         {floorDivide(sample.x + reach, frame.pitch), floorDivide(sample.y + reach, frame.pitch)}};
 }
 

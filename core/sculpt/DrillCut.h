@@ -28,20 +28,23 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    m = clamp((maskRadius − d)·256 / pitch + 128, 0, 256), d = ⌊√(dx² + dy²)⌋, dx, dy from the
 ///    sample to c; m = 0 wherever (maskRadius − d)·256 / pitch + 128 would be negative. 64-bit.
 /// 2. Rays. Every element with D > 0 is cast once. P₀ = round14(rayOrigin + a·rayPerA + b·rayPerB),
-///    S = round14(rayPerSample), per component. The position at sample n plus q sixteenths is
+///    S = round14(rayPerSample), per component; where P₀ leaves ±2³⁰ the element cuts nothing (it
+///    lies far from the volume). The position at sample n plus q sixteenths is
 ///    P(n, q) = P₀ + n·S + ((q·S) >> 4), its height z(n, q) = zStart + n·zPerSample +
 ///    ((q·zPerSample) >> 4).
-/// 3. Material at P (index16). Outside unless 0 ≤ P ≤ (size − 1)·2¹⁶ in every component. i = P >> 16,
+/// 3. Material at P (index16). Outside unless 0 ≤ P ≤ (size − 1)·2¹⁶ in every component. i = P >>
+/// 16,
 ///    f = (P & 0xFFFF) >> 8, neighbours clamped to size − 1. Codes are interpolated along x, y, z:
 ///    X = (c₀(256−f) + c₁f) >> 4, Y = (X₀(256−f) + X₁f) >> 4, Z = Y₀(256−f) + Y₁f, all in unsigned
 ///    32 bits; dense iff Z ≥ thresholdCode·2¹⁶ (thresholdCode 65536: never dense). Radiation (see
-///    Radiation.h) *as it was when the stroke began* is interpolated alike without the shifts; carved iff the result
-///    ≥ 128·2²⁴. Material = inside, dense and not carved.
+///    Radiation.h) *as it was when the stroke began* is interpolated alike without the shifts;
+///    carved iff the result ≥ 128·2²⁴. Material = inside, dense and not carved.
 /// 4. Surface. n₀ = the first sample 0 ≤ n < sampleCount with material at (n, 0); none: the element
 ///    cuts nothing. For n₀ > 0 four bisections of [(n₀−1)·16, n₀·16] in sixteenths (middle =
 ///    (low + high) / 2; material → high, else low) give (n, q) = (high / 16, high % 16);
 ///    for n₀ = 0 it is (0, 0). zSurface = z(n, q).
-/// 5. Gap. From n₀ + 1 on, while n < sampleCount and z(n, 0) ≤ zSurface + maxDepth: the first run of
+/// 5. Gap. From n₀ + 1 on, while n < sampleCount and z(n, 0) ≤ zSurface + maxDepth: the first run
+/// of
 ///    gapSamples consecutive samples without material (at (n, 0)) ends the cut at z(first of the
 ///    run, 0) =: zExit. A run cut short by the end of the march does not count. No such run, or
 ///    throughGaps: zExit = 2³¹ − 1.
@@ -53,37 +56,37 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    r = rampHalfWidth, cut = min(ramp(zEnd − z), ramp(z − (zSurface − 2r))).
 ///    coverage = max(coverage, cut).
 struct DrillFrame {
-    Fixed3 planeOrigin {}; ///< plane coordinates of voxel (0, 0, 0), mm · 2³⁰
-    Fixed3 planePerI {};   ///< change per voxel along i, mm · 2³⁰
-    Fixed3 planePerJ {};
-    Fixed3 planePerK {};
-    Fixed3 rayOrigin {}; ///< index coordinates of the centre of element (0, 0) at zStart, · 2³⁰
-    Fixed3 rayPerA {};
-    Fixed3 rayPerB {};
-    Fixed3 rayPerSample {};
-    std::int32_t pitch = 0;         ///< side of an element, mm16
-    std::int32_t zStart = 0;        ///< mm16; before the volume begins
-    std::int32_t zPerSample = 0;    ///< mm16
-    std::int32_t sampleCount = 0;   ///< up to behind the volume
+    Fixed3 planeOrigin{}; ///< plane coordinates of voxel (0, 0, 0), mm · 2³⁰
+    Fixed3 planePerI{}; ///< change per voxel along i, mm · 2³⁰
+    Fixed3 planePerJ{};
+    Fixed3 planePerK{};
+    Fixed3 rayOrigin{}; ///< index coordinates of the centre of element (0, 0) at zStart, · 2³⁰
+    Fixed3 rayPerA{};
+    Fixed3 rayPerB{};
+    Fixed3 rayPerSample{};
+    std::int32_t pitch = 0; ///< side of an element, mm16
+    std::int32_t zStart = 0; ///< mm16; before the volume begins
+    std::int32_t zPerSample = 0; ///< mm16
+    std::int32_t sampleCount = 0; ///< up to behind the volume
     std::int32_t rampHalfWidth = 0; ///< mm16, half the finest spacing
     std::int32_t thresholdCode = 0; ///< the surface: codes ≥ this are seen
-    std::int32_t maskRadius = 0;    ///< mm16
-    std::int32_t maxDepth = 0;      ///< mm16, depth at full pressure
-    std::int32_t gapSamples = 0;    ///< ≥ 1
+    std::int32_t maskRadius = 0; ///< mm16
+    std::int32_t maxDepth = 0; ///< mm16, depth at full pressure
+    std::int32_t gapSamples = 0; ///< ≥ 1
     bool throughGaps = false;
 };
 
 /// One point of the resampled path: where the mask stood and how deep it was pressed.
 struct DrillSample {
-    std::int32_t x = 0;     ///< mm16
-    std::int32_t y = 0;     ///< mm16
+    std::int32_t x = 0; ///< mm16
+    std::int32_t y = 0; ///< mm16
     std::int32_t depth = 0; ///< mm16, 0 … maxDepth
 };
 
 /// A stretch of mask elements, both ends included.
 struct ElementBox {
-    glm::ivec2 minimum {0};
-    glm::ivec2 maximum {-1};
+    glm::ivec2 minimum{0};
+    glm::ivec2 maximum{-1};
 };
 
 /// Rule 1: the depth of one element under one sample.

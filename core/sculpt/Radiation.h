@@ -22,7 +22,7 @@ namespace core::radiation {
 /// voxels, which the blur alone would lose, keep a drawn half-width of about 0.4 voxel or more,
 /// while flat and gently curved surfaces are left as the blur has them (there M ≥ thinBelow).
 constexpr int radius = 3;
-constexpr std::array<std::uint32_t, 7> weights {4, 21, 60, 86, 60, 21, 4};
+constexpr std::array<std::uint32_t, 7> weights{4, 21, 60, 86, 60, 21, 4};
 constexpr int thinBelow = 192;
 constexpr int thinLift = 88;
 /// Radiation within this distance (per axis) of a changed voxel may change: blur plus the 3×3×3.
