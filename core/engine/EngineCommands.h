@@ -35,14 +35,17 @@ struct SeedPlacement {
 /// face neighbour that was a member before the step and whose label it accepts becomes
 /// member(generation + 1, label, direction), the smallest such word; if there was one, the
 /// generation is one more, else the growth is at closure and further steps do nothing.
+/// At generation seedWord::maxGeneration nothing is added any more, by opening or step, and this is
+/// not called closure.
 /// Closing with commit: the label plane receives the label of every member whose generation is
 /// greater than at the opening. `EngineResult::generation` tells where it stopped.
+/// The label plane is written at the closing only: until then other commands see it as it was.
 struct GrowBurst {
     std::uint8_t plane = 0;
     int lowCode = 0;
     int highCode = -1;
     int connectivity = 6;
-    std::uint32_t generation = 0; ///< the generation counter at the opening
+    std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
     std::bitset<256> overwritable;
 };
 
@@ -63,7 +66,7 @@ struct DrillPath {
 /// Advance a growth. Steps run in slices between which other commands and frames are served.
 struct GrowAdvance {
     static constexpr int toClosure = -1;
-    int steps = toClosure;
+    int steps = toClosure; ///< on top of steps asked for before; negative: to closure
     double generationsPerSecond = 0.0; ///< pace; 0: as fast as it goes. Never changes the result.
 };
 
@@ -73,6 +76,13 @@ struct GrowPause { };
 using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause>;
 
 // --- Commands -------------------------------------------------------------------------------------
+
+// A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField: BeginEdit
+// while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of another kind
+// of edit; SwapBricks while a transaction is open; a brick or voxel that the volume does not have;
+// an image that is neither empty nor whole; a connectivity other than 6; a segment label of 0; a
+// frame whose pitch, rampHalfWidth or gapSamples is below 1; a table of opacities of another length
+// than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -84,11 +94,12 @@ struct ExtendEdit {
 enum class Ending : std::uint8_t { Commit, Rollback };
 /// Close the open transaction; a commit waits for the steps that were asked for. Its result (which
 /// bears the ticket of this command) lists every brick that changed since BeginEdit; after a
-/// rollback none, and the voxels are as before.
+/// rollback none, its statistics are zero, and voxels and generation are as before.
 struct EndEdit {
     Ending ending = Ending::Commit;
 };
-/// Put these images in place of what the bricks hold (undo, redo, opening a session).
+/// Put these images in place of what the bricks hold (undo, redo, opening a session). Each key stands
+/// once. The result lists the bricks that differ, with statistics, as EndEdit does.
 struct SwapBricks {
     std::vector<BrickImage> bricks;
 };
@@ -99,6 +110,7 @@ struct ReadBricks {
 /// Codes and labels at voxels, for readouts.
 struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
+    std::uint8_t plane = 0; ///< of the labels
 };
 
 /// How a ray finds what the user sees.
@@ -109,10 +121,11 @@ enum class SeenBy : std::uint8_t {
 };
 
 /// Cast rays into what is seen; integers, so a pick is the same everywhere.
-/// A hit names the voxel nearest to the position found. Opacity: each sample inside and not carved
-/// adds opacityOfCode[code >> 8] (0 … 65535, per sample) front to back:
-/// T = T·(65535 − o) / 65535 from T = 65535, seen when T ≤ 32767. BrightestVoxel: the interpolated
-/// value Z of rule 3 over samples inside and not carved.
+/// A hit names the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and
+/// Z are those of rule 3 in DrillCut.h, with the radiation as it stands at this command (what an open
+/// stroke has cut so far included). Opacity: each sample inside and not carved adds
+/// o = opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from
+/// T = 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.
 struct PickVoxels {
     struct Ray {
         glm::ivec3 origin {0}; ///< index16 at sample 0
@@ -131,7 +144,7 @@ using EngineCommand
 // --- Results ----------------------------------------------------------------------------------------
 
 struct EditStatistics {
-    std::int64_t voxelsChanged = 0; ///< over all fields but seed words
+    std::int64_t voxelsChanged = 0; ///< values that differ, over all fields but seed words
     int bricks = 0;                 ///< changed, all fields but seed words
     int generations = 0;            ///< steps a growth advanced (its opening included)
     double milliseconds = 0.0;      ///< engine time; never part of a hash
@@ -146,10 +159,11 @@ struct ProbedVoxel {
 struct EngineResult {
     Ticket ticket = 0;
     std::optional<Error> error;
-    std::vector<BrickChange> changes; ///< sorted by key
+    /// Sorted by key, only bricks that differ; an image that is all empty has no bytes.
+    std::vector<BrickChange> changes;
     EditStatistics statistics;
     std::uint32_t generation = 0;     ///< EndEdit of a growth: the counter at its end
-    bool atClosure = false;           ///< EndEdit of a growth: nothing is left to grow
+    bool atClosure = false;           ///< EndEdit of a growth: a step was asked for and found nothing
     std::vector<ProbedVoxel> probes;
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
 };
@@ -161,7 +175,7 @@ struct GrowthProgress {
     bool atClosure = false;
     std::uint32_t generation = 0;
     std::int64_t members = 0;             ///< added since the burst was opened
-    std::vector<std::uint32_t> frontSizes; ///< voxels added per generation of this burst
+    std::vector<std::uint32_t> frontSizes; ///< voxels added per generation, the opening's first
 };
 
 } // namespace core

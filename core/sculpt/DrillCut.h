@@ -25,8 +25,8 @@ using Fixed3 = std::array<std::int64_t, 3>;
 /// 1. Elements. The mask plane is a raster of square elements; element (a, b) covers
 ///    [a·pitch, (a+1)·pitch) × [b·pitch, (b+1)·pitch), centre c = (a·pitch + pitch/2, …) (integer
 ///    division). Its depth is D(a, b) = max over samples s of (depth_s · m) >> 8 with
-///    m = clamp((maskRadius − d)·256 / pitch + 128, 0, 256), d = ⌊√(dx² + dy²)⌋, dx, dy from the
-///    sample to c; m = 0 wherever (maskRadius − d)·256 / pitch + 128 would be negative. 64-bit.
+///    m = clamp(⌊((maskRadius − d)·256 + 128·pitch) / pitch⌋, 0, 256), d = ⌊√(dx² + dy²)⌋, dx, dy
+///    from the sample to c. 64-bit.
 /// 2. Rays. Every element with D > 0 is cast once. P₀ = round14(rayOrigin + a·rayPerA + b·rayPerB),
 ///    S = round14(rayPerSample), per component; where P₀ leaves ±2³⁰ the element cuts nothing (it
 ///    lies far from the volume). The position at sample n plus q sixteenths is

@@ -15,7 +15,8 @@ namespace core::radiation {
 ///
 ///   not a member (c < 128):  min(B, 127)
 ///   a member (c ≥ 128):      max(B, 128), and where M, the greatest B of the 3×3×3 voxels around
-///                            (and including) it, is below thinBelow, at least
+///                            (and including) it that lie inside the volume, is below thinBelow,
+///                            at least
 ///                            128 + thinLift·(thinBelow − M) / thinBelow
 ///
 /// so that "≥ 128" equals membership at every voxel centre, and parts thinner than about three
