@@ -39,7 +39,8 @@ struct SeedPlacement {
 /// not called closure.
 /// Closing with commit: the label plane receives the label of every member whose generation is
 /// greater than at the opening. `EngineResult::generation` tells where it stopped.
-/// The label plane is written at the closing only: until then other commands see it as it was.
+/// The label plane shows the members of every finished generation at once, so that pictures and
+/// readouts follow a running burst; a rollback takes them back.
 struct GrowBurst {
     std::uint8_t plane = 0;
     int lowCode = 0;
