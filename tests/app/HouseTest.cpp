@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace {
+
+/// What files of one room must not include (DESIGN §2).
+struct Rule {
+    QString room; ///< path prefix of the file, from the top of the tree
+    std::function<bool(const QString& file, const QString& included)> forbids;
+    QString reason;
+};
+
+bool inFolder(const QString& path, const QStringList& folders)
+{
+    for (const QString& folder : folders) {
+        if (path.startsWith(folder + QLatin1Char('/')))
+            return true;
+    }
+    return false;
+}
+
+bool ofQtModule(const QString& included, const QStringList& modules)
+{
+    static const QDir headers(QLibraryInfo::path(QLibraryInfo::HeadersPath));
+    for (const QString& module : modules) {
+        if (inFolder(included, {module}))
+            return true;
+        if (included.startsWith(QLatin1Char('Q'))
+            && headers.exists(module + QLatin1Char('/') + included))
+            return true;
+    }
+    return false;
+}
+
+bool isGl(const QString& included)
+{
+    static const QRegularExpression pattern(
+        QStringLiteral("^(GL|GLES\\d?|EGL|KHR|epoxy)/|^QOpenGL(Extra)?Functions"));
+    return pattern.match(included).hasMatch();
+}
+
+const std::vector<Rule>& rules()
+{
+    using S = const QString&;
+    const auto roomsAbove = [](QStringList rooms) {
+        return [rooms = std::move(rooms)](S, S included) { return inFolder(included, rooms); };
+    };
+    const auto qtModules = [](QStringList modules) {
+        return
+            [modules = std::move(modules)](S, S included) { return ofQtModule(included, modules); };
+    };
+    const auto gl = [](S, S included) { return isGl(included); };
+    const auto dcmtk = [](S file, S included) {
+        return inFolder(included, {QStringLiteral("dcmtk")})
+            && !(file.startsWith(QLatin1String("core/dicom/"))
+                && file.endsWith(QLatin1String(".cpp")));
+    };
+    const QString core = QStringLiteral("core"), gpu = QStringLiteral("gpu"),
+                  ui = QStringLiteral("ui"), app = QStringLiteral("app");
+    const QString gui = QStringLiteral("QtGui"), widgets = QStringLiteral("QtWidgets"),
+                  openGl = QStringLiteral("QtOpenGL"),
+                  openGlWidgets = QStringLiteral("QtOpenGLWidgets");
+    static const std::vector<Rule> table{
+        {core, roomsAbove({gpu, ui, app}), QStringLiteral("core knows no other room")},
+        {core, qtModules({gui, widgets, openGl, openGlWidgets}),
+            QStringLiteral("core knows no picture and no window")},
+        {core, gl, QStringLiteral("GL belongs to gpu")},
+        {gpu, roomsAbove({ui, app}), QStringLiteral("gpu knows core only")},
+        {gpu, qtModules({gui, widgets, openGl, openGlWidgets}),
+            QStringLiteral("gpu knows no window")},
+        {ui, roomsAbove({app}), QStringLiteral("app composes, nobody includes it")},
+        {ui, gl, QStringLiteral("GL belongs to gpu")},
+        {app, gl, QStringLiteral("GL belongs to gpu")},
+        {core, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp")},
+        {gpu, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp")},
+        {ui, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp")},
+        {app, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp")},
+        // The oracle is worth something only while it shares no kernel with what it judges.
+        {QStringLiteral("tests/reference"), roomsAbove({gpu, ui, app}),
+            QStringLiteral("the oracle knows core only")},
+    };
+    return table;
+}
+
+/// One sentence per broken rule. @p file is the path from the top of the tree.
+QStringList brokenRules(const QString& file, const QString& text)
+{
+    static const QRegularExpression include(
+        QStringLiteral("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]"),
+        QRegularExpression::MultilineOption);
+    // A loader may write the version line; code in GLSL has its own files.
+    static const QRegularExpression glsl(
+        QStringLiteral("layout *\\( *(local_size|binding|std430|location)|\\bgl_[A-Z]\\w+ID\\b"));
+    QStringList broken;
+    for (auto match = include.globalMatch(text); match.hasNext();) {
+        const QString included = match.next().captured(1);
+        for (const Rule& rule : rules()) {
+            if (inFolder(file, {rule.room}) && rule.forbids(file, included))
+                broken << QStringLiteral("%1 includes %2: %3").arg(file, included, rule.reason);
+        }
+    }
+    if (!inFolder(file, {QStringLiteral("tests")}) && glsl.match(text).hasMatch())
+        broken << QStringLiteral("%1 holds GLSL: shaders live in files of their own").arg(file);
+    return broken;
+}
+
+} // namespace
+
+/// The rooms know only what DESIGN §2 lets them know.
+class HouseTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ruleBites_data();
+    void ruleBites();
+    void ownFilesKeepTheRules();
+};
+
+void HouseTest::ruleBites_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("allowed");
+    const auto row = [](const char* file, const char* text, bool allowed) {
+        QTest::addRow("%s: %s", file, text)
+            << QString::fromUtf8(file) << QString::fromUtf8(text) << allowed;
+    };
+    row("core/a/A.cpp", "#include \"gpu/A.h\"", false);
+    row("core/a/A.cpp", "#include \"ui/A.h\"", false);
+    row("core/a/A.h", "#include \"app/A.h\"", false);
+    row("core/a/A.h", "#include <QImage>", false);
+    row("core/a/A.h", "#include <QtGui/qcolor.h>", false);
+    row("core/a/A.h", "#include <QWidget>", false);
+    row("core/a/A.h", "# include <epoxy/gl.h>", false);
+    row("core/a/A.h", "#include <QString>\n#include <QSqlQuery>\n#include \"core/b/B.h\"", true);
+    row("core/a/A.cpp", "#include <dcmtk/dcmdata/dctk.h>", false);
+    row("core/dicom/A.h", "#include <dcmtk/dcmdata/dctk.h>", false);
+    row("core/dicom/A.cpp", "#include <dcmtk/dcmdata/dctk.h>", true);
+    row("gpu/A.h", "#include \"ui/A.h\"", false);
+    row("gpu/A.h", "#include <QOpenGLContext>", false);
+    row("gpu/A.h", "#include <QApplication>", false);
+    row("gpu/A.cpp", "#include <epoxy/egl.h>\n#include \"core/a/A.h\"\n#include <QFile>", true);
+    row("gpu/A.cpp", "auto text = \"layout(local_size_x = 64) in;\";", false);
+    row("ui/A.h", "#include \"app/A.h\"", false);
+    row("ui/A.cpp", "#include <GL/gl.h>", false);
+    row("ui/A.cpp", "#include <QOpenGLFunctions_4_5_Core>", false);
+    row("ui/A.cpp", "#include \"gpu/A.h\"\n#include <QOpenGLContext>\n#include <QPainter>", true);
+    row("app/A.cpp", "#include <epoxy/gl.h>", false);
+    row("app/A.cpp", "#include \"ui/A.h\"\n#include \"gpu/A.h\"\n#include \"core/A.h\"", true);
+    row("tests/reference/A.cpp", "#include \"gpu/A.h\"", false);
+}
+
+void HouseTest::ruleBites()
+{
+    QFETCH(QString, file);
+    QFETCH(QString, text);
+    QFETCH(bool, allowed);
+    const QStringList broken = brokenRules(file, text);
+    QVERIFY2(broken.isEmpty() == allowed, qPrintable(broken.join(QLatin1Char('\n'))));
+}
+
+void HouseTest::ownFilesKeepTheRules()
+{
+    const QDir top(QStringLiteral(BURIN_SOURCE_DIR));
+    QStringList broken;
+    int files = 0;
+    for (const char* room : {"core", "gpu", "ui", "app", "tests"}) {
+        QDirIterator walk(top.filePath(QLatin1String(room)),
+            {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+            QDirIterator::Subdirectories);
+        while (walk.hasNext()) {
+            QFile file(walk.next());
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+            broken += brokenRules(
+                top.relativeFilePath(file.fileName()), QString::fromUtf8(file.readAll()));
+            ++files;
+        }
+    }
+    QVERIFY2(files > 20, "the walk found next to nothing: is BURIN_SOURCE_DIR right?");
+    QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QLatin1Char('\n'))));
+}
+
+QTEST_GUILESS_MAIN(HouseTest)
+#include "HouseTest.moc"

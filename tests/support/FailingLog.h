@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace test {
+
+/// For the test function that follows, a warning or critical message that it did not announce is a
+/// failure: what Qt, a driver or our own code complains of is a defect. Call it in init().
+///
+/// Announce an expected message with QTest::ignoreMessage(QtWarningMsg, …); a critical one counts
+/// as a warning here. Messages about the machine instead of Burin pass; the source lists them.
+/// Messages of any thread count.
+void failOnUnexpectedMessages();
+
+} // namespace test
