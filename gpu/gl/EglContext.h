@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "gpu/gl/GlContext.h"
+
+#include <memory>
+
+namespace gpu {
+
+struct EglContextOptions {
+    bool debug = false; ///< a debug context: errors are reported inside the call that made them
+};
+
+/// A context without a window: the first hardware device of EGL_EXT_platform_device that gives
+/// OpenGL 4.5 core, else Mesa's surfaceless platform (llvmpipe).
+class EglContext : public GlContext {
+public:
+    /// Errors: GraphicsUnavailable("EGL", reason). Any thread; not yet current.
+    static core::Result<std::unique_ptr<EglContext>> create(const EglContextOptions& options = {});
+    ~EglContext() override;
+
+    bool makeCurrent() override;
+    void doneCurrent() override;
+
+private:
+    struct Handles;
+    explicit EglContext(std::unique_ptr<Handles> handles);
+    std::unique_ptr<Handles> m_handles;
+};
+
+} // namespace gpu

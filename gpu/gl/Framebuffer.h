@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/gl/GlId.h"
+#include "gpu/gl/Texture2D.h"
+
+#include <initializer_list>
+
+namespace gpu {
+
+struct FramebufferOptions {
+    const char* label = "";
+    /// Draw buffer 0, 1, …; they must outlive the framebuffer.
+    std::initializer_list<const Texture2D*> colours;
+};
+
+/// A render target without depth: all our passes draw one full-screen triangle.
+class Framebuffer {
+public:
+    Framebuffer() = default;
+    explicit Framebuffer(const FramebufferOptions& options);
+
+    [[nodiscard]] GLuint id() const { return m_id.get(); }
+    /// Draw into it from now on, into the whole of it.
+    void bind() const;
+    /// Queue a copy of colour 0 into a buffer, tightly packed, rows bottom up; does not wait.
+    void readInto(GLuint packBuffer, std::size_t offset = 0) const;
+
+private:
+    GlId<glDelete::framebuffer> m_id;
+    glm::ivec2 m_size{0};
+    TexelLayout m_layout;
+};
+
+} // namespace gpu

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/gl/Buffer.h"
+#include "gpu/gl/GlId.h"
+#include "gpu/shaders/ShaderLibrary.h"
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gpu {
+
+struct ComputeProgramOptions {
+    const char* label = "";
+    const char* path = ""; ///< below gpu/, e.g. "edit/drill.comp"
+    ShaderDefines defines{};
+};
+
+struct GraphicsProgramOptions {
+    const char* label = "";
+    const char* vertexPath = "shaders/fullScreen.vert";
+    const char* fragmentPath = "";
+    ShaderDefines defines{}; ///< of both stages
+};
+
+/// A linked program. Constructors throw ShaderError with file:line (a driver's refusal; the engine
+/// turns it into an Error where its thread starts).
+///
+/// Uniforms are set by name, on the program itself, bound or not. A name that the linker dropped or
+/// never saw is ignored, so that variants by #define share their setters.
+/// Texture units, image units and buffer bindings are fixed in the shaders by layout(binding = n);
+/// gpu/README.md lists them.
+class Program {
+public:
+    Program() = default;
+    Program(const ShaderLibrary& library, const ComputeProgramOptions& options);
+    Program(const ShaderLibrary& library, const GraphicsProgramOptions& options);
+
+    [[nodiscard]] GLuint id() const { return m_id.get(); }
+    explicit operator bool() const { return bool(m_id); }
+    [[nodiscard]] bool hasUniform(std::string_view name) const { return location(name) >= 0; }
+
+    Program& set(std::string_view name, bool value);
+    Program& set(std::string_view name, int value);
+    Program& set(std::string_view name, unsigned value);
+    Program& set(std::string_view name, float value);
+    Program& set(std::string_view name, const glm::ivec2& value);
+    Program& set(std::string_view name, const glm::ivec3& value);
+    Program& set(std::string_view name, const glm::ivec4& value);
+    Program& set(std::string_view name, const glm::uvec2& value);
+    Program& set(std::string_view name, const glm::uvec3& value);
+    Program& set(std::string_view name, const glm::uvec4& value);
+    Program& set(std::string_view name, const glm::vec2& value);
+    Program& set(std::string_view name, const glm::vec3& value);
+    Program& set(std::string_view name, const glm::vec4& value);
+    Program& set(std::string_view name, const glm::mat3& value);
+    Program& set(std::string_view name, const glm::mat4& value);
+    /// Arrays, by the name without "[0]".
+    Program& set(std::string_view name, std::span<const int> values);
+    Program& set(std::string_view name, std::span<const unsigned> values);
+    Program& set(std::string_view name, std::span<const float> values);
+    Program& set(std::string_view name, std::span<const glm::vec4> values);
+    Program& set(std::string_view name, std::span<const glm::ivec4> values);
+
+    void use() const;
+    /// Uses it and queues work groups; the caller places memory barriers.
+    void dispatch(const glm::uvec3& groups) const;
+    /// Group counts from three words at @p offset.
+    void dispatchIndirect(const Buffer& groups, std::size_t offset = 0) const;
+
+private:
+    void link(const char* label, std::span<const GLuint> shaders);
+    [[nodiscard]] GLint location(std::string_view name) const;
+
+    struct Uniform {
+        std::string name;
+        GLint location = -1;
+    };
+    GlId<glDelete::program> m_id;
+    std::vector<Uniform> m_uniforms; ///< sorted by name
+};
+
+} // namespace gpu
