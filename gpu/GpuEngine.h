@@ -12,6 +12,8 @@
 
 namespace gpu {
 
+class GlContext;
+
 /// The engine thread and all that lives on it: one GL 4.5 context, every texture, every kernel, the
 /// edit engine and the renderers. The rest of the program talks to the two interfaces.
 class GpuEngine {
@@ -19,6 +21,8 @@ public:
     /// Starts the thread with its own headless EGL context (first hardware device, else surfaceless
     /// Mesa). Errors: GraphicsUnavailable with the driver's reason.
     static core::Result<std::unique_ptr<GpuEngine>> create();
+    /// The same with a context of the caller's making that is current nowhere.
+    static core::Result<std::unique_ptr<GpuEngine>> create(std::unique_ptr<GlContext> context);
     ~GpuEngine();
 
     [[nodiscard]] core::EditEngine& edits();

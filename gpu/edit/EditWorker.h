@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bitset>
+
+namespace gpu {
+
+/// The part of the edit engine that runs on the engine thread, as the thread's loop and the frame
+/// scheduler see it. Every member is called there, with the context current.
+class EditWorker {
+public:
+    virtual ~EditWorker() = default;
+
+    /// One slice of at most about 10 ms. @return whether more is to do at once; work that becomes
+    /// due later (a paced growth) asks EngineThread::wakeAt().
+    virtual bool work() = 0;
+
+    /// These labels are to be in VolumeTextures::segmentation() from now on. Does not wait: the map
+    /// follows by work(), which marks it dirty. None at first.
+    virtual void showSegments(const std::bitset<256>& labels) = 0;
+};
+
+} // namespace gpu

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/textures/VolumeTextures.h"
+
+#include <QString>
+
+#include <utility>
+
+namespace gpu {
+
+core::Result<void> VolumeTextures::open(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    // The old volume goes first: both at once may not fit.
+    m_intensity = {};
+    m_intensityCodes = {};
+    m_labels = {};
+    m_radiation = {};
+    m_segmentation = {};
+    m_cells = {};
+    m_replaced = true;
+
+    const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    if (size.x > largest || size.y > largest || size.z > largest)
+        return core::failure(core::ErrorCode::OutOfMemory, sizeText);
+
+    while (glGetError() != GL_NO_ERROR) { }
+    Texture3D intensity({.label = "intensity", .size = size, .format = GL_R16, .linear = true});
+    Texture3D labels({.label = "labels 0", .size = size, .format = GL_R8UI});
+    Texture3D radiation({.label = "radiation", .size = size, .format = GL_R8, .linear = true});
+    Texture3D segmentation(
+        {.label = "segmentation map", .size = size, .format = GL_R8, .linear = true});
+    if (glGetError() != GL_NO_ERROR)
+        return core::failure(core::ErrorCode::OutOfMemory, sizeText);
+
+    intensity.upload(codes);
+    m_intensityCodes = intensity.view(GL_R16UI, "intensity codes");
+    labels.clear();
+    radiation.clear();
+    segmentation.clear();
+    m_intensity = std::move(intensity);
+    m_labels = std::move(labels);
+    m_radiation = std::move(radiation);
+    m_segmentation = std::move(segmentation);
+    m_cells = MacroCells(size, codes);
+    m_dirty = {};
+    return {};
+}
+
+void VolumeTextures::setGeometry(
+    const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding)
+{
+    m_geometry = geometry;
+    m_encoding = encoding;
+    m_replaced = true;
+}
+
+void VolumeTextures::markDirty(VolumeField field, const core::VoxelBox& box)
+{
+    core::VoxelBox& dirty = m_dirty[std::size_t(field)];
+    dirty = dirty.united(box);
+}
+
+core::VoxelBox VolumeTextures::takeDirty(VolumeField field)
+{
+    return std::exchange(m_dirty[std::size_t(field)], {});
+}
+
+bool VolumeTextures::takeReplaced()
+{
+    return std::exchange(m_replaced, false);
+}
+
+std::size_t VolumeTextures::denseBytes(const glm::ivec3& size)
+{
+    const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+    constexpr std::size_t bytesPerVoxel = 2 + 1 + 1 + 1;
+    return voxels * bytesPerVoxel + MacroCells::bytesFor(size);
+}
+
+} // namespace gpu

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/brick/BrickGrid.h"
+#include "core/volume/VolumeGeometry.h"
+#include "core/volume/VoxelEncoding.h"
+#include "gpu/gl/Texture3D.h"
+#include "gpu/textures/MacroCells.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace gpu {
+
+/// What changes in an open volume, as the renderers see it.
+enum class VolumeField : std::uint8_t {
+    Labels, ///< label plane 0
+    Radiation, ///< of the composed sculpt layers; ≥ 0.5 is carved away
+    Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
+};
+
+/// The dense textures of the open volume (DESIGN §4). Edit kernels write labels, radiation and
+/// segmentation and tell markDirty(); renderers read. Everything here belongs to the engine thread.
+///
+/// All textures have the volume's size; texel (i, j, k) is voxel (i, j, k).
+class VolumeTextures {
+public:
+    /// Replace everything: codes as given, no labels, nothing carved, no segment shown.
+    /// @param codes x fastest, then y, then z
+    /// Errors: OutOfMemory(size in words); then nothing is open.
+    core::Result<void> open(const glm::ivec3& size, std::span<const std::uint16_t> codes);
+    /// Where the volume lies and what its codes mean. Renderers draw when it fits the open size.
+    void setGeometry(const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding);
+
+    [[nodiscard]] bool isOpen() const { return bool(m_intensity); }
+    [[nodiscard]] bool isDrawable() const { return isOpen() && m_geometry.size == size(); }
+    [[nodiscard]] glm::ivec3 size() const { return m_intensity.size(); }
+    [[nodiscard]] core::BrickGrid grid() const { return {size()}; }
+    [[nodiscard]] const core::VolumeGeometry& geometry() const { return m_geometry; }
+    [[nodiscard]] const core::VoxelEncoding& encoding() const { return m_encoding; }
+
+    [[nodiscard]] const Texture3D& intensity() const { return m_intensity; } ///< R16, linear
+    [[nodiscard]] const Texture3D& intensityCodes() const
+    {
+        return m_intensityCodes;
+    } ///< R16UI view
+    [[nodiscard]] Texture3D& labels() { return m_labels; } ///< R8UI
+    [[nodiscard]] Texture3D& radiation() { return m_radiation; } ///< R8, linear
+    [[nodiscard]] Texture3D& segmentation() { return m_segmentation; } ///< R8, linear
+    [[nodiscard]] MacroCells& cells() { return m_cells; }
+
+    /// The kernels that were queued before this call change these voxels of this field.
+    void markDirty(VolumeField field, const core::VoxelBox& box);
+    /// What was marked since the last call; empty: nothing.
+    [[nodiscard]] core::VoxelBox takeDirty(VolumeField field);
+    /// Another volume or geometry since the last call.
+    [[nodiscard]] bool takeReplaced();
+
+    /// GPU bytes of the dense textures above for a volume of this size.
+    [[nodiscard]] static std::size_t denseBytes(const glm::ivec3& size);
+
+private:
+    core::VolumeGeometry m_geometry;
+    core::VoxelEncoding m_encoding;
+    Texture3D m_intensity;
+    Texture3D m_intensityCodes;
+    Texture3D m_labels;
+    Texture3D m_radiation;
+    Texture3D m_segmentation;
+    MacroCells m_cells;
+    std::array<core::VoxelBox, 3> m_dirty;
+    bool m_replaced = false;
+};
+
+} // namespace gpu
