@@ -28,9 +28,9 @@ struct Segment {
     std::uint8_t plane = 0;
     QString name;
     std::uint32_t rgb = 0; ///< 0xRRGGBB
-    CodedConcept code;     ///< not set: "not coded yet", asked for at export
-    bool locked = false;   ///< no tool, growth or write-back changes its voxels
-    bool visible = true;   ///< display only: neither a step of undo nor part of the hash
+    CodedConcept code; ///< not set: "not coded yet", asked for at export
+    bool locked = false; ///< no tool, growth or write-back changes its voxels
+    bool visible = true; ///< display only: neither a step of undo nor part of the hash
     std::int64_t voxels = 0; ///< kept up to date by the session; derived, not part of the hash
 };
 
@@ -57,6 +57,8 @@ struct Document {
 
     [[nodiscard]] const Segment* segment(int label) const;
     [[nodiscard]] Segment* segment(int label);
+    /// The growth of a label plane; null if nothing has grown there.
+    [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
     /// display state (core/session/README.md).
     [[nodiscard]] QJsonObject hashedState() const;

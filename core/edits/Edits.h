@@ -16,38 +16,38 @@ namespace core {
 // Numbers that decide voxels are rounded once by quantised() (EditQuantise.h).
 
 struct AddSegment {
-    QString name;
+    QString name{};
     std::uint32_t rgb = 0;
-    CodedConcept code;
+    CodedConcept code{};
 };
 
 /// Rename, recolour or code a segment; absent fields stay.
 struct ChangeSegment {
     int segment = 0; ///< label
-    std::optional<QString> name;
-    std::optional<std::uint32_t> rgb;
-    std::optional<CodedConcept> code;
+    std::optional<QString> name{};
+    std::optional<std::uint32_t> rgb{};
+    std::optional<CodedConcept> code{};
 };
 
 /// Sketched seeds: the voxels nearest to these points.
 struct SeedStroke {
     int segment = 0;
-    std::vector<glm::dvec3> pointsLps;
+    std::vector<glm::dvec3> pointsLps{};
 };
 
 struct GrowSteps {
     double lower = 0.0; ///< modality units, inclusive
     double upper = 0.0;
     int connectivity = 6;
-    std::optional<int> steps; ///< none: to closure
+    std::optional<int> steps{}; ///< none: to closure
     bool overwriteUnlocked = false;
 };
 
 /// An orthographic camera; a perspective one is converted at the picked depth.
 struct OrthographicView {
-    glm::dvec3 eyeLps {0.0};
-    glm::dvec3 targetLps {0.0};
-    glm::dvec3 up {0.0, 0.0, 1.0};
+    glm::dvec3 eyeLps{0.0};
+    glm::dvec3 targetLps{0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
     double heightMm = 300.0; ///< what the view shows; decides no voxel
 };
 
@@ -60,13 +60,13 @@ struct PenSample {
 
 struct DrillStroke {
     int layer = 1;
-    OrthographicView view;
+    OrthographicView view{};
     double radiusMm = 8.0; ///< circle
-    double depthMm = 8.0;  ///< at full pressure
+    double depthMm = 8.0; ///< at full pressure
     int pressureExponent = 2;
     double surfaceThreshold = 0.0; ///< modality units: what is seen
     bool throughGaps = false;
-    std::vector<PenSample> samples;
+    std::vector<PenSample> samples{};
 };
 
 using Edit = std::variant<AddSegment, ChangeSegment, SeedStroke, GrowSteps, DrillStroke>;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/edits/Edits.h"
+
+namespace core {
+
+/// Whether an edit changes the document only, and no voxel.
+[[nodiscard]] bool changesDocumentOnly(const Edit& edit);
+
+/// Carries out an edit on the document; edits of voxels leave it as it is.
+/// @return whether anything is different now
+/// Errors: UnknownSegment; InvalidField (no label is left). Nothing is changed then.
+Result<bool> applyToDocument(const Edit& edit, Document& document);
+
+/// What would be refused later: segments, seeds, bounds and views that do not fit the document.
+/// Changes nothing. Errors: those of applyToDocument() and EngineEdits.h.
+[[nodiscard]] Result<void> checkAgainst(const Document& document, const Edit& edit);
+
+/// A document as a session begins with: one volume, one sculpt layer, one label plane, no segment.
+[[nodiscard]] Document initialDocument(Volume volume);
+
+} // namespace core

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+
+#include <QJsonValue>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace core::editFields {
+
+// What a field of an edit can hold. Each kind below knows one JSON form, one range and one
+// rounding:
+//
+//   type(), unit()   for the documentation
+//   write(value)     the JSON form
+//   read(json, out)  empty if it went well, else the reason ("must be a number")
+//   check(value)     empty if the value is allowed, else the reason
+//   rounded(value)   the nearest value of the field's grid; idempotent (EditQuantise.h)
+
+/// A number; NaN and infinities are never allowed.
+struct Number {
+    using Value = double;
+    const char* unitName = "";
+    double minimum = 0.0;
+    double maximum = 0.0;
+    double stepsPerUnit = 0.0; ///< values are multiples of 1 / stepsPerUnit; 0: kept exactly
+
+    [[nodiscard]] QString type() const;
+    [[nodiscard]] QString unit() const;
+    [[nodiscard]] QJsonValue write(Value value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const;
+};
+
+struct WholeNumber {
+    using Value = int;
+    int minimum = 0;
+    int maximum = 0;
+
+    [[nodiscard]] QString type() const;
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+struct Flag {
+    using Value = bool;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("true or false"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// A name: 1 to 256 characters of valid Unicode without control characters.
+struct Text {
+    using Value = QString;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("text"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// "#rrggbb".
+struct Colour {
+    using Value = std::uint32_t;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("\"#rrggbb\""); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// [scheme, value, meaning]; [] is "not coded yet".
+struct Code {
+    using Value = CodedConcept;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[scheme, value, meaning]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// [x, y, z], each by the same rule.
+struct Point {
+    using Value = glm::dvec3;
+    Number component;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[x, y, z]"); }
+    [[nodiscard]] QString unit() const { return component.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [[x, y, z], …], at least one.
+struct PointList {
+    using Value = std::vector<glm::dvec3>;
+    Point point;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], …]"); }
+    [[nodiscard]] QString unit() const { return point.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [[x, y, pressure, t], …], at least one, t never falling.
+struct SampleList {
+    using Value = std::vector<PenSample>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, pressure, t], …]"); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("mm, mm, 0 … 1, s"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// A count of growth steps, or "toClosure".
+struct StepCount {
+    using Value = std::optional<int>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("whole number or \"toClosure\""); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("steps"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+} // namespace core::editFields

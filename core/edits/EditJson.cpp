@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+
+#include "core/edits/EditSchema.h"
+
+#include <QStringList>
+
+#include <utility>
+
+namespace core {
+
+using editSchema::Presence;
+
+namespace {
+
+class Writer {
+public:
+    template <class Kind>
+    void field(
+        const char* name, Presence, typename Kind::Value& value, const Kind& kind, const char*)
+    {
+        m_object.insert(QLatin1String(name), kind.write(value));
+    }
+    template <class Kind>
+    void maybe(
+        const char* name, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    {
+        if (value)
+            m_object.insert(QLatin1String(name), kind.write(*value));
+    }
+    void constant(const char* name, Presence, const QJsonValue& value, const char*)
+    {
+        m_object.insert(QLatin1String(name), value);
+    }
+    template <class Inside> void group(const char* name, const char*, const Inside& visitInside)
+    {
+        Writer writer;
+        visitInside(writer);
+        m_object.insert(QLatin1String(name), writer.m_object);
+    }
+    QJsonObject m_object;
+};
+
+/// Takes fields out of an object; what is left over at the end is unknown. Keeps the first failure.
+class Reader {
+public:
+    Reader(QString path, QJsonObject object)
+        : m_path(std::move(path))
+        , m_object(std::move(object))
+    {
+    }
+
+    template <class Kind>
+    void field(const char* name, Presence presence, typename Kind::Value& value, const Kind& kind,
+        const char*)
+    {
+        if (const std::optional<QJsonValue> json = take(name, presence))
+            note(name, kind.read(*json, value));
+    }
+    template <class Kind>
+    void maybe(
+        const char* name, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    {
+        if (const std::optional<QJsonValue> json = take(name, Presence::Optional))
+            note(name, kind.read(*json, value.emplace()));
+    }
+    void constant(const char* name, Presence presence, const QJsonValue& only, const char*)
+    {
+        const std::optional<QJsonValue> json = take(name, presence);
+        if (json && *json != only)
+            note(name,
+                QStringLiteral("only %1 is supported")
+                    .arg(only.isBool() ? QStringLiteral("true") : only.toString()));
+    }
+    template <class Inside> void group(const char* name, const char*, const Inside& visitInside)
+    {
+        const std::optional<QJsonValue> json = take(name, Presence::Required);
+        if (!json)
+            return;
+        if (!json->isObject())
+            return note(name, QStringLiteral("must be an object"));
+        Reader reader(pathOf(name), json->toObject());
+        visitInside(reader);
+        reader.refuseTheRest();
+        if (!m_error)
+            m_error = reader.m_error;
+    }
+    void refuseTheRest()
+    {
+        if (!m_object.isEmpty())
+            noteAt(pathOf(m_object.constBegin().key()), QStringLiteral("unknown field"));
+    }
+    const std::optional<Error>& error() const { return m_error; }
+
+private:
+    QString pathOf(const QString& name) const { return m_path + QLatin1Char('.') + name; }
+    QString pathOf(const char* name) const { return pathOf(QString(QLatin1String(name))); }
+
+    std::optional<QJsonValue> take(const char* name, Presence presence)
+    {
+        const auto found = m_object.find(QLatin1String(name));
+        if (found == m_object.end()) {
+            if (presence == Presence::Required)
+                note(name, QStringLiteral("missing"));
+            return {};
+        }
+        const QJsonValue value = *found;
+        m_object.erase(found);
+        return value;
+    }
+    void note(const char* name, const QString& reason) { noteAt(pathOf(name), reason); }
+    void noteAt(const QString& path, const QString& reason)
+    {
+        if (!reason.isEmpty() && !m_error)
+            m_error = Error{ErrorCode::InvalidField, {path, reason}};
+    }
+
+    QString m_path;
+    QJsonObject m_object;
+    std::optional<Error> m_error;
+};
+
+class Checker {
+public:
+    Checker(QString path, bool atBegin)
+        : m_path(std::move(path))
+        , m_atBegin(atBegin)
+    {
+    }
+
+    template <class Kind>
+    void field(
+        const char* name, Presence, typename Kind::Value& value, const Kind& kind, const char*)
+    {
+        if constexpr (std::is_same_v<Kind, editFields::SampleList>) {
+            if (m_atBegin && value.empty())
+                return;
+        }
+        note(name, kind.check(value));
+    }
+    template <class Kind>
+    void maybe(
+        const char* name, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    {
+        if (value)
+            note(name, kind.check(*value));
+    }
+    void constant(const char*, Presence, const QJsonValue&, const char*) { }
+    template <class Inside> void group(const char* name, const char*, const Inside& visitInside)
+    {
+        Checker inside(m_path + QLatin1Char('.') + QLatin1String(name), m_atBegin);
+        visitInside(inside);
+        if (!m_error)
+            m_error = inside.m_error;
+    }
+    const std::optional<Error>& error() const { return m_error; }
+
+private:
+    void note(const char* name, const QString& reason)
+    {
+        if (!reason.isEmpty() && !m_error)
+            m_error = Error{
+                ErrorCode::InvalidField, {m_path + QLatin1Char('.') + QLatin1String(name), reason}};
+    }
+
+    QString m_path;
+    bool m_atBegin = false;
+    std::optional<Error> m_error;
+};
+
+Result<void> check(Edit edit, bool atBegin)
+{
+    return std::visit(
+        [atBegin](auto& fields) -> Result<void> {
+            using E = std::decay_t<decltype(fields)>;
+            Checker checker(QLatin1String(editSchema::editName<E>), atBegin);
+            editSchema::visitFields(checker, fields);
+            if (checker.error())
+                return tl::unexpected(*checker.error());
+            return {};
+        },
+        edit);
+}
+
+/// Fills @p edit if it is the one that is named so.
+template <class E>
+std::optional<Result<Edit>> readIfNamed(const QString& name, const QJsonObject& object)
+{
+    if (name != QLatin1String(editSchema::editName<E>))
+        return {};
+    E edit;
+    Reader reader(name, object);
+    editSchema::visitFields(reader, edit);
+    reader.refuseTheRest();
+    if (reader.error())
+        return tl::unexpected(*reader.error());
+    if (const Result<void> checked = check(edit, false); !checked)
+        return tl::unexpected(checked.error());
+    return Edit(std::move(edit));
+}
+
+template <class... Es> QStringList namesOf(const std::variant<Es...>*)
+{
+    return {QString(QLatin1String(editSchema::editName<Es>))...};
+}
+
+template <class... Es>
+Result<Edit> readAny(const QString& name, const QJsonObject& object, const std::variant<Es...>*)
+{
+    std::optional<Result<Edit>> result;
+    static_cast<void>(((result = readIfNamed<Es>(name, object)) || ...));
+    if (result)
+        return *std::move(result);
+    return failure(ErrorCode::UnknownEdit, name,
+        QStringLiteral("known are %1")
+            .arg(namesOf(static_cast<Edit*>(nullptr)).join(QStringLiteral(", "))));
+}
+
+} // namespace
+
+QJsonObject editToJson(const Edit& edit)
+{
+    Edit copy = edit;
+    Writer writer;
+    std::visit([&writer](auto& fields) { editSchema::visitFields(writer, fields); }, copy);
+    writer.m_object.insert(QStringLiteral("edit"), editName(edit));
+    return writer.m_object;
+}
+
+Result<Edit> editFromJson(const QJsonValue& json)
+{
+    if (!json.isObject())
+        return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
+            QStringLiteral("an edit must be an object"));
+    QJsonObject object = json.toObject();
+    const QJsonValue name = object.take(QStringLiteral("edit"));
+    if (!name.isString())
+        return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
+            name.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a text"));
+    return readAny(name.toString(), object, static_cast<Edit*>(nullptr));
+}
+
+Result<void> checkFields(const Edit& edit)
+{
+    return check(edit, false);
+}
+
+Result<void> checkFieldsAtBegin(const Edit& edit)
+{
+    return check(edit, true);
+}
+
+QString editName(const Edit& edit)
+{
+    return std::visit(
+        [](const auto& fields) -> QString {
+            return QLatin1String(editSchema::editName<std::decay_t<decltype(fields)>>);
+        },
+        edit);
+}
+
+} // namespace core

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditQuantise.h"
+
+#include "core/edits/EditSchema.h"
+
+namespace core {
+
+using editSchema::Presence;
+
+namespace {
+
+class Rounder {
+public:
+    template <class Kind>
+    void field(const char*, Presence, typename Kind::Value& value, const Kind& kind, const char*)
+    {
+        value = kind.rounded(value);
+    }
+    template <class Kind>
+    void maybe(
+        const char*, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    {
+        if (value)
+            value = kind.rounded(*value);
+    }
+    void constant(const char*, Presence, const QJsonValue&, const char*) { }
+    template <class Inside> void group(const char*, const char*, const Inside& visitInside)
+    {
+        visitInside(*this);
+    }
+};
+
+} // namespace
+
+Edit quantised(const Edit& edit)
+{
+    Edit result = edit;
+    Rounder rounder;
+    std::visit([&rounder](auto& fields) { editSchema::visitFields(rounder, fields); }, result);
+    return result;
+}
+
+std::vector<PenSample> quantised(const std::vector<PenSample>& samples)
+{
+    return editFields::SampleList().rounded(samples);
+}
+
+} // namespace core

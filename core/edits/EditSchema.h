@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/EditFields.h"
+#include "core/edits/EditQuantise.h"
+#include "core/edits/Edits.h"
+
+namespace core::editSchema {
+
+/// Whether a field may be left out; then it has the value of a default-constructed edit.
+enum class Presence { Required, Optional };
+
+// The one place that knows the fields of each edit. visitFields() shows them to a visitor, which
+// reads, writes, checks, rounds or documents them:
+//
+//   field(name, presence, value, kind, meaning)    kind: editFields
+//   maybe(name, std::optional value, kind, meaning)  absent means "stays as it is"
+//   constant(name, presence, json, meaning)        only this value is known
+//   group(name, meaning, visitInside)              an object of its own
+//
+// editName<E> is the value of "edit" in JSON, editMeaning<E> its line in the documentation.
+
+template <class E> inline constexpr const char* editName = nullptr;
+template <> inline constexpr const char* editName<AddSegment> = "addSegment";
+template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
+template <> inline constexpr const char* editName<SeedStroke> = "seed";
+template <> inline constexpr const char* editName<GrowSteps> = "grow";
+template <> inline constexpr const char* editName<DrillStroke> = "drill";
+
+template <class E> inline constexpr const char* editMeaning = nullptr;
+template <>
+inline constexpr const char* editMeaning<AddSegment> =
+    "Adds an empty segment. Segments are numbered 1, 2, 3 … in the order they are added.";
+template <>
+inline constexpr const char* editMeaning<ChangeSegment> =
+    "Renames, recolours or codes a segment; fields left out stay as they are.";
+template <>
+inline constexpr const char* editMeaning<SeedStroke> =
+    "Marks the voxels nearest to some points as seeds of a segment; the next growth starts there.";
+template <>
+inline constexpr const char* editMeaning<GrowSteps> =
+    "Grows all seeded segments breadth-first through voxels whose value lies in an interval.";
+template <>
+inline constexpr const char* editMeaning<DrillStroke> =
+    "Carves with a round drill along the view direction, from the visible surface inward.";
+
+inline constexpr editFields::WholeNumber segmentNumber{1, 255};
+inline constexpr editFields::Number modalityValue{
+    "modality units", -quantum::unbounded, quantum::unbounded, 0.0};
+inline constexpr editFields::Number millimetres{
+    "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
+inline constexpr editFields::Point positionLps{millimetres};
+
+template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "display colour");
+    visit.field("code", Presence::Optional, edit.code, editFields::Code{},
+        "what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] is \"not coded yet\"");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("color", edit.rgb, editFields::Colour{}, "new display colour");
+    visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
+        "patient coordinates (LPS), inside the volume");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
+{
+    visit.field(
+        "lower", Presence::Required, edit.lower, modalityValue, "smallest value, inclusive");
+    visit.field(
+        "upper", Presence::Required, edit.upper, modalityValue, "greatest value, inclusive");
+    visit.field("connectivity", Presence::Optional, edit.connectivity,
+        editFields::WholeNumber{6, 6}, "neighbours of a voxel: those that share a face");
+    visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{},
+        "rings to add after the seeds, or until nothing is left to add");
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether growth takes voxels of other segments that are not locked");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
+{
+    using namespace editFields;
+    visit.field("layer", Presence::Optional, edit.layer, WholeNumber{1, 255},
+        "the sculpt layer that is carved");
+    visit.group("view", "the camera, orthographic", [&](auto& inside) {
+        inside.field("eyeLps", Presence::Required, edit.view.eyeLps, positionLps,
+            "where the viewer stands, patient coordinates (LPS)");
+        inside.field("targetLps", Presence::Required, edit.view.targetLps, positionLps,
+            "the middle of the view plane, patient coordinates (LPS)");
+        inside.field("up", Presence::Required, edit.view.up,
+            Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
+            "a direction that points upwards in the view, patient coordinates (LPS)");
+        inside.field("heightMm", Presence::Required, edit.view.heightMm,
+            Number{"mm", 1.0 / quantum::perMillimetre, quantum::reachMm, quantum::perMillimetre},
+            "what the view's height shows; decides no voxel");
+        inside.constant(
+            "orthographic", Presence::Optional, true, "perspective views are converted");
+    });
+    visit.group("mask", "what is pressed into the volume, parallel to the view", [&](auto& inside) {
+        inside.constant("shape", Presence::Required, QStringLiteral("circle"), "a disc");
+        inside.field("radiusMm", Presence::Required, edit.radiusMm,
+            Number{"mm", 0.01, 200.0, quantum::perMillimetre}, "radius of the disc");
+    });
+    visit.field("depthMm", Presence::Required, edit.depthMm,
+        Number{"mm", 0.0, 500.0, quantum::perMillimetre},
+        "depth below the surface at full pressure");
+    visit.field("pressureExponent", Presence::Optional, edit.pressureExponent, WholeNumber{1, 3},
+        "depth = depthMm · pressure to this power");
+    visit.group("surface", "what is seen, hence where the drill starts", [&](auto& inside) {
+        inside.field("threshold", Presence::Required, edit.surfaceThreshold, modalityValue,
+            "values from here on are material");
+    });
+    visit.field("throughGaps", Presence::Optional, edit.throughGaps, Flag{},
+        "whether the drill goes on behind a gap in the material");
+    visit.field("samples", Presence::Required, edit.samples, SampleList{},
+        "pen path in the view plane, relative to the target: right, up, pressure, time");
+}
+
+} // namespace core::editSchema

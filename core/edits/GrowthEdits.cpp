@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EngineEdits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace core {
+
+namespace {
+
+QString pointText(const glm::dvec3& lps)
+{
+    return QStringLiteral("[%1, %2, %3]").arg(lps.x).arg(lps.y).arg(lps.z);
+}
+
+} // namespace
+
+Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document)
+{
+    const Segment* segment = document.segment(stroke.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(stroke.segment),
+            QStringLiteral("in field 'seed.segment'"));
+    if (segment->locked)
+        return failure(ErrorCode::InvalidField, QStringLiteral("seed.segment"),
+            QStringLiteral("segment %1 is locked").arg(stroke.segment));
+
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    const glm::dmat4 worldToIndex = geometry.worldToIndex();
+    SeedPlacement placement{.plane = segment->plane, .label = segment->label, .voxels = {}};
+    for (const glm::dvec3& point : stroke.pointsLps) {
+        // Cells reach half a voxel around their centres; a border belongs to the cell above it.
+        const glm::dvec3 nearest =
+            glm::floor(glm::dvec3(worldToIndex * glm::dvec4(point, 1.0)) + 0.5);
+        const glm::dvec3 size(geometry.size);
+        if (!(glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0)))
+                && glm::all(glm::lessThan(nearest, size))))
+            return failure(ErrorCode::SeedOutsideVolume, pointText(point),
+                QStringLiteral("in field 'seed.pointsLps'"));
+        placement.voxels.emplace_back(nearest);
+    }
+    const auto slicesFirst = [](const glm::ivec3& a, const glm::ivec3& b) {
+        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+    };
+    std::sort(placement.voxels.begin(), placement.voxels.end(), slicesFirst);
+    placement.voxels.erase(
+        std::unique(placement.voxels.begin(), placement.voxels.end()), placement.voxels.end());
+    return placement;
+}
+
+Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
+{
+    if (grow.connectivity != 6)
+        return failure(ErrorCode::InvalidField, QStringLiteral("grow.connectivity"),
+            QStringLiteral("%1 is not supported, only 6").arg(grow.connectivity));
+    if (!(grow.lower <= grow.upper))
+        return failure(ErrorCode::InvalidField, QStringLiteral("grow.upper"),
+            QStringLiteral("%1 is below lower, %2").arg(grow.upper).arg(grow.lower));
+
+    constexpr std::uint8_t plane = 0;
+    const VoxelEncoding& encoding = document.volumes.front().encoding;
+    GrowBurst burst{.plane = plane,
+        .lowCode = encoding.lowestCodeAtLeast(grow.lower),
+        .highCode = encoding.highestCodeAtMost(grow.upper),
+        .connectivity = grow.connectivity,
+        .generation = 0,
+        .overwritable = {}};
+    if (const Growth* growth = document.growth(plane))
+        burst.generation = growth->generation;
+    if (grow.overwriteUnlocked) {
+        for (const Segment& segment : document.segments) {
+            if (segment.plane == plane && !segment.locked)
+                burst.overwritable.set(segment.label);
+        }
+    }
+    return burst;
+}
+
+} // namespace core

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/edits/EditDocumentation.h"
+#include "core/edits/EditQuantise.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTest>
+
+#include <limits>
+
+using namespace core;
+
+namespace {
+
+/// @param text JSON with ' in place of "
+QJsonObject parse(QByteArray text)
+{
+    return QJsonDocument::fromJson(text.replace('\'', '"')).object();
+}
+
+const QByteArray drillText =
+    "{'edit':'drill',"
+    "'view':{'eyeLps':[0,-400,10],'targetLps':[0,0,10],'up':[0,0,1],'heightMm':300,'orthographic':"
+    "true},"
+    "'mask':{'shape':'circle','radiusMm':8},'depthMm':6,'surface':{'threshold':250},"
+    "'samples':[[0,0,0.5,0],[4,1,1,0.25]]}";
+
+/// The object with one value replaced; @p path as in error messages, e.g. "view.up".
+QJsonObject with(QJsonObject object, const QStringList& path, const QJsonValue& value)
+{
+    if (path.size() == 1) {
+        if (value.isUndefined())
+            object.remove(path[0]);
+        else
+            object.insert(path[0], value);
+        return object;
+    }
+    object.insert(path[0], with(object.value(path[0]).toObject(), path.mid(1), value));
+    return object;
+}
+
+} // namespace
+
+class EditJsonTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void readsTheRecipesOfTheManual()
+    {
+        const Result<Edit> add = editFromJson(parse("{'edit':'addSegment','name':'Skull','color':'#"
+                                                    "E0c068','code':['SCT','89546000','Skull']}"));
+        QVERIFY(add);
+        const auto& segment = std::get<AddSegment>(*add);
+        QCOMPARE(segment.name, QStringLiteral("Skull"));
+        QCOMPARE(segment.rgb, 0xE0C068u);
+        QCOMPARE(segment.code.value, QStringLiteral("89546000"));
+
+        const Result<Edit> seed =
+            editFromJson(parse("{'edit':'seed','segment':2,'pointsLps':[[1,2.5,-3],[4,5,6]]}"));
+        QVERIFY(seed);
+        QCOMPARE(std::get<SeedStroke>(*seed).segment, 2);
+        QCOMPARE(std::get<SeedStroke>(*seed).pointsLps.at(0).y, 2.5);
+
+        const Result<Edit> grow = editFromJson(parse(
+            "{'edit':'grow','lower':-10.5,'upper':300,'connectivity':6,'steps':'toClosure'}"));
+        QVERIFY(grow);
+        QCOMPARE(std::get<GrowSteps>(*grow).lower, -10.5);
+        QVERIFY(!std::get<GrowSteps>(*grow).steps);
+        QVERIFY(!std::get<GrowSteps>(*grow).overwriteUnlocked);
+
+        const Result<Edit> drill = editFromJson(parse(drillText));
+        QVERIFY(drill);
+        const auto& stroke = std::get<DrillStroke>(*drill);
+        QCOMPARE(stroke.view.eyeLps.y, -400.0);
+        QCOMPARE(stroke.radiusMm, 8.0);
+        QCOMPARE(stroke.surfaceThreshold, 250.0);
+        QCOMPARE(stroke.layer, 1);
+        QCOMPARE(stroke.pressureExponent, 2);
+        QCOMPARE(stroke.samples.size(), std::size_t(2));
+        QCOMPARE(stroke.samples[1].tSeconds, 0.25);
+
+        const Result<Edit> change =
+            editFromJson(parse("{'edit':'changeSegment','segment':1,'name':'Bone'}"));
+        QVERIFY(change);
+        QCOMPARE(*std::get<ChangeSegment>(*change).name, QStringLiteral("Bone"));
+        QVERIFY(!std::get<ChangeSegment>(*change).rgb);
+    }
+
+    void refusesUnknownEditsByName()
+    {
+        const Result<Edit> edit = editFromJson(parse("{'edit':'growl'}"));
+        QVERIFY(!edit);
+        QCOMPARE(edit.error().code, ErrorCode::UnknownEdit);
+        QCOMPARE(edit.error().arguments.value(0), QStringLiteral("growl"));
+    }
+
+    void namesTheFieldThatIsWrong_data()
+    {
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<QJsonValue>("value");
+        const auto row = [](const char* name, const char* field, const QJsonValue& value) {
+            QTest::newRow(name) << QString(QLatin1String(field)) << value;
+        };
+        const QJsonValue missing(QJsonValue::Undefined);
+        row("missing number", "depthMm", missing);
+        row("missing group", "mask", missing);
+        row("missing in group", "view.up", missing);
+        row("text for number", "depthMm", QStringLiteral("6"));
+        row("null for number", "depthMm", QJsonValue());
+        row("number for flag", "throughGaps", 1);
+        row("list for group", "view", QJsonArray());
+        row("unknown field", "depth", 6);
+        row("unknown field in a group", "mask.diameterMm", 6);
+        row("negative radius", "mask.radiusMm", -1.0);
+        row("radius of zero", "mask.radiusMm", 0.0);
+        row("huge position", "view.eyeLps", QJsonArray{0, 1e9, 0});
+        row("short point", "view.eyeLps", QJsonArray{0, 0});
+        row("text in point", "view.eyeLps", QJsonArray{0, 0, QStringLiteral("0")});
+        row("another shape", "mask.shape", QStringLiteral("square"));
+        row("perspective", "view.orthographic", false);
+        row("fraction for whole number", "pressureExponent", 1.5);
+        row("whole number out of range", "pressureExponent", 9);
+        row("layer zero", "layer", 0);
+        row("no samples", "samples", QJsonArray());
+        row("pressure above one", "samples", QJsonArray{QJsonArray{0, 0, 1.01, 0}});
+        row("three numbers in a sample", "samples", QJsonArray{QJsonArray{0, 0, 1}});
+        row("time runs backwards", "samples",
+            QJsonArray{QJsonArray{0, 0, 1, 1}, QJsonArray{0, 0, 1, 0.5}});
+    }
+    void namesTheFieldThatIsWrong()
+    {
+        QFETCH(QString, field);
+        QFETCH(QJsonValue, value);
+        const QJsonObject object = with(parse(drillText), field.split(QLatin1Char('.')), value);
+        const Result<Edit> edit = editFromJson(object);
+        QVERIFY(!edit);
+        QCOMPARE(edit.error().code, ErrorCode::InvalidField);
+        QCOMPARE(edit.error().arguments.value(0), QStringLiteral("drill.") + field);
+        QVERIFY(!edit.error().arguments.value(1).isEmpty());
+    }
+
+    void refusesWrongTexts_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("field");
+        QTest::newRow("colour") << QByteArray("{'edit':'addSegment','name':'a','color':'red'}")
+                                << QStringLiteral("addSegment.color");
+        QTest::newRow("sign in colour")
+            << QByteArray("{'edit':'addSegment','name':'a','color':'#+12345'}")
+            << QStringLiteral("addSegment.color");
+        QTest::newRow("empty name")
+            << QByteArray("{'edit':'addSegment','name':' ','color':'#000000'}")
+            << QStringLiteral("addSegment.name");
+        QTest::newRow("half a code")
+            << QByteArray("{'edit':'addSegment','name':'a','color':'#000000','code':['SCT','1']}")
+            << QStringLiteral("addSegment.code");
+        QTest::newRow("code without meaning") << QByteArray(
+            "{'edit':'addSegment','name':'a','color':'#000000','code':['SCT','1','']}")
+                                              << QStringLiteral("addSegment.code");
+        QTest::newRow("steps") << QByteArray("{'edit':'grow','lower':0,'upper':1,'steps':'all'}")
+                               << QStringLiteral("grow.steps");
+        QTest::newRow("connectivity")
+            << QByteArray("{'edit':'grow','lower':0,'upper':1,'connectivity':26,'steps':1}")
+            << QStringLiteral("grow.connectivity");
+        QTest::newRow("number too great")
+            << QByteArray("{'edit':'grow','lower':0,'upper':1e305,'steps':1}")
+            << QStringLiteral("grow.upper");
+        QTest::newRow("no name") << QByteArray("{'lower':0}") << QStringLiteral("edit");
+    }
+    void refusesWrongTexts()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, field);
+        QVERIFY(!parse(text).isEmpty());
+        const Result<Edit> edit = editFromJson(parse(text));
+        QVERIFY(!edit);
+        QCOMPARE(edit.error().code, ErrorCode::InvalidField);
+        QCOMPARE(edit.error().arguments.value(0), field);
+    }
+
+    void refusesNumbersThatAreNone()
+    {
+        GrowSteps grow{.lower = 0.0, .upper = 1.0};
+        QVERIFY(checkFields(grow));
+        grow.lower = std::numeric_limits<double>::quiet_NaN();
+        const Result<void> checked = checkFields(grow);
+        QVERIFY(!checked);
+        QCOMPARE(checked.error().arguments.value(0), QStringLiteral("grow.lower"));
+        grow.lower = -std::numeric_limits<double>::infinity();
+        QVERIFY(!checkFields(grow));
+    }
+
+    void aStrokeMayBeginWithoutSamples()
+    {
+        DrillStroke stroke = std::get<DrillStroke>(*editFromJson(parse(drillText)));
+        stroke.samples.clear();
+        QVERIFY(checkFieldsAtBegin(stroke));
+        QVERIFY(!checkFields(stroke));
+    }
+
+    void writesWhatItReads()
+    {
+        const Result<Edit> edit = editFromJson(parse(drillText));
+        QVERIFY(edit);
+        const QJsonObject written = editToJson(*edit);
+        const Result<Edit> again = editFromJson(written);
+        QVERIFY(again);
+        QCOMPARE(editToJson(*again), written);
+        QCOMPARE(written.value(QStringLiteral("edit")).toString(), QStringLiteral("drill"));
+    }
+
+    void documentsEveryFieldThatIsWritten()
+    {
+        // The documentation comes from the same visits: a required field that it does not call
+        // optional must be missed when it is not there.
+        int checkedFields = 0;
+        for (const EditDocumentation& documentation : editDocumentation()) {
+            QVERIFY(!documentation.meaning.isEmpty());
+            for (const FieldDocumentation& field : documentation.fields) {
+                QVERIFY2(!field.meaning.isEmpty(), qPrintable(field.name));
+                QVERIFY2(!field.type.isEmpty(), qPrintable(field.name));
+                if (documentation.name != QLatin1String("drill"))
+                    continue;
+                const QStringList path = field.name.split(QLatin1Char('.'));
+                const Result<Edit> edit =
+                    editFromJson(with(parse(drillText), path, QJsonValue(QJsonValue::Undefined)));
+                QCOMPARE(bool(edit), !field.fallback.isEmpty());
+                ++checkedFields;
+            }
+        }
+        QVERIFY(checkedFields > 10);
+    }
+};
+
+QTEST_GUILESS_MAIN(EditJsonTest)
+#include "EditJsonTest.moc"

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/EngineEdits.h"
+
+#include <QTest>
+
+using namespace core;
+
+namespace {
+
+/// 20 × 16 × 10 voxels of 0.5 × 0.5 × 2 mm, rotated so that i runs to the right (−x) and k down;
+/// value = 0.25 · code − 1024.
+Document smallDocument()
+{
+    Volume volume;
+    volume.geometry.size = {20, 16, 10};
+    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(-0.5, 0, 0, 0), glm::dvec4(0, 0.5, 0, 0),
+        glm::dvec4(0, 0, -2, 0), glm::dvec4(100, -50, 30, 1));
+    volume.encoding = {.rescaleSlope = 0.25, .rescaleIntercept = -1024};
+    Document document = initialDocument(volume);
+    for (int i = 0; i < 3; ++i)
+        static_cast<void>(applyToDocument(AddSegment{.name = QStringLiteral("S")}, document));
+    return document;
+}
+
+} // namespace
+
+class GrowthEditsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void seedsLandOnTheNearestVoxelOnce()
+    {
+        const Document document = smallDocument();
+        const SeedStroke stroke{.segment = 2,
+            .pointsLps = {{100 - 0.5 * 3, -50 + 0.5 * 4, 30 - 2.0 * 5},
+                {100 - 0.5 * 3 + 0.2, -50 + 0.5 * 4 - 0.2, 30 - 2.0 * 5 + 0.9}, {100, -50, 30},
+                {100 + 0.24, -50 - 0.24, 30 + 0.99}}};
+        const Result<SeedPlacement> placement = seedPlacement(stroke, document);
+        QVERIFY(placement);
+        QCOMPARE(int(placement->label), 2);
+        QCOMPARE(placement->voxels.size(), std::size_t(2));
+        QVERIFY(placement->voxels[0] == glm::ivec3(0, 0, 0));
+        QVERIFY(placement->voxels[1] == glm::ivec3(3, 4, 5));
+    }
+
+    void seedsOutsideAreRefusedWithTheirPoint()
+    {
+        const Document document = smallDocument();
+        for (const glm::dvec3& point : {glm::dvec3(100.26, -50, 30), glm::dvec3(100, -50, 31.1),
+                 glm::dvec3(100 - 0.5 * 19.6, -50, 30)}) {
+            const Result<SeedPlacement> placement =
+                seedPlacement({.segment = 1, .pointsLps = {{100, -50, 30}, point}}, document);
+            QVERIFY(!placement);
+            QCOMPARE(placement.error().code, ErrorCode::SeedOutsideVolume);
+            QVERIFY(placement.error().arguments.value(0).contains(QString::number(point.x)));
+        }
+    }
+
+    void seedsNeedTheirSegment()
+    {
+        Document document = smallDocument();
+        const SeedStroke stroke{.segment = 9, .pointsLps = {{100, -50, 30}}};
+        QCOMPARE(seedPlacement(stroke, document).error().code, ErrorCode::UnknownSegment);
+        document.segment(1)->locked = true;
+        QVERIFY(!seedPlacement({.segment = 1, .pointsLps = {{100, -50, 30}}}, document));
+    }
+
+    void boundsAreInclusive()
+    {
+        const Document document = smallDocument();
+        const Result<GrowBurst> burst = growBurst({.lower = -1023.75, .upper = -1023.0}, document);
+        QVERIFY(burst);
+        QCOMPARE(burst->lowCode, 1);
+        QCOMPARE(burst->highCode, 4);
+        const Result<GrowBurst> between = growBurst({.lower = -1023.7, .upper = -1023.1}, document);
+        QCOMPARE(between->lowCode, 2);
+        QCOMPARE(between->highCode, 3);
+    }
+
+    void overwritingSparesLockedSegments()
+    {
+        Document document = smallDocument();
+        document.segment(2)->locked = true;
+        document.growths.front().generation = 17;
+        QVERIFY(growBurst({.lower = 0, .upper = 1}, document)->overwritable.none());
+        const Result<GrowBurst> burst =
+            growBurst({.lower = 0, .upper = 1, .overwriteUnlocked = true}, document);
+        QVERIFY(burst->overwritable.test(1) && burst->overwritable.test(3));
+        QVERIFY(!burst->overwritable.test(2) && !burst->overwritable.test(0));
+        QCOMPARE(burst->generation, 17u);
+    }
+
+    void boundsMustNotCross()
+    {
+        const Result<GrowBurst> burst = growBurst({.lower = 2, .upper = 1}, smallDocument());
+        QVERIFY(!burst);
+        QCOMPARE(burst.error().code, ErrorCode::InvalidField);
+        QVERIFY(!growBurst({.lower = 0, .upper = 1, .connectivity = 26}, smallDocument()));
+    }
+
+    void segmentsAreNumberedInOrder()
+    {
+        Document document = initialDocument({});
+        for (int label = 1; label <= 255; ++label) {
+            QVERIFY(applyToDocument(AddSegment{.name = QStringLiteral("S")}, document));
+            QCOMPARE(int(document.segments.back().label), label);
+        }
+        const Result<bool> tooMany =
+            applyToDocument(AddSegment{.name = QStringLiteral("S")}, document);
+        QVERIFY(!tooMany);
+        QCOMPARE(document.segments.size(), std::size_t(255));
+    }
+
+    void changingSaysWhetherAnythingChanged()
+    {
+        Document document = smallDocument();
+        const ChangeSegment rename{.segment = 2, .name = QStringLiteral("Bone"), .rgb = 0x112233};
+        QVERIFY(*applyToDocument(rename, document));
+        QCOMPARE(document.segment(2)->name, QStringLiteral("Bone"));
+        QCOMPARE(document.segment(2)->rgb, 0x112233u);
+        QVERIFY(!*applyToDocument(rename, document));
+        QCOMPARE(applyToDocument(ChangeSegment{.segment = 8}, document).error().code,
+            ErrorCode::UnknownSegment);
+    }
+
+    void theHashedStateKnowsNoDisplayState()
+    {
+        Document document = smallDocument();
+        const QJsonObject before = document.hashedState();
+        document.segment(1)->visible = false;
+        document.segment(1)->voxels = 12;
+        QCOMPARE(document.hashedState(), before);
+        document.segment(1)->name = QStringLiteral("T");
+        QVERIFY(document.hashedState() != before);
+    }
+};
+
+QTEST_GUILESS_MAIN(GrowthEditsTest)
+#include "GrowthEditsTest.moc"
