@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/CommandLine.h"
 
+#include "app/EditsCommand.h"
 #include "app/Version.h"
 
 #include <QApplication>
@@ -17,7 +18,9 @@ namespace {
 
 std::span<const Command> commands()
 {
-    static const std::vector<Command> table {};
+    static const std::vector<Command> table {
+        {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false, runEdits},
+    };
     return table;
 }
 

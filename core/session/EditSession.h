@@ -24,8 +24,11 @@ namespace core {
 class EditSession {
 public:
     struct Options {
-        QString file;        ///< session file; empty: history in memory only
+        QString file; ///< session file; empty: history in memory only
         bool replaceExisting = false;
+        /// Called on another thread whenever poll() has something to take in; the engine's wake-up
+        /// is set to it.
+        std::function<void()> wakeUp{};
     };
 
     /// Puts the volume on the engine and starts an empty history.
@@ -35,15 +38,17 @@ public:
     /// Continues a session file where it stopped; the volume is the one its references name.
     /// Rows whose delta did not reach the disk are executed again. Errors: SessionDamaged,
     /// SessionMismatch (the volume is not the one the session was made on).
-    static Result<std::unique_ptr<EditSession>> open(
-        EditEngine& engine, LoadedVolume volume, const QString& file);
+    static Result<std::unique_ptr<EditSession>> open(EditEngine& engine, LoadedVolume volume,
+        const QString& file, std::function<void()> wakeUp = {});
+    /// Closes a running growth, waits for the disk and leaves one file.
     ~EditSession();
 
     [[nodiscard]] const Document& document() const;
     [[nodiscard]] const History& history() const;
     [[nodiscard]] EditEngine& engine();
 
-    /// A whole edit. Errors are told before anything changes. Its row follows once the engine is done.
+    /// A whole edit. Errors are told before anything changes. Its row follows once the engine is
+    /// done.
     Result<void> apply(const Edit& edit);
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
@@ -80,6 +85,9 @@ public:
 
     /// The listener lives as long as the session or until it is replaced by an empty one.
     void setListener(std::function<void(const DocumentChange&)> listener);
+    /// Told by poll(): what failed after the call that asked for it had returned (engine, disk).
+    /// settle() returns the first such failure since it was called last.
+    void setErrorListener(std::function<void(const Error&)> listener);
 
 private:
     class Implementation;
