@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/Workspace.h"
 
+#include "ui/InitialDisplay.h"
+
 #include <utility>
 
 namespace ui {
@@ -29,7 +31,25 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         m_session->setListener(
             [this](const core::DocumentChange& change) { Q_EMIT documentChanged(change); });
     }
+    m_cautionAccepted = false;
+    m_pointedLps.reset();
+    m_activeSegment = 0;
+    if (const core::Volume* opened = volume()) {
+        const core::VolumeGeometry& geometry = opened->geometry;
+        m_crosshairLps = geometry.toWorld(glm::dvec3(geometry.size / 2));
+        m_windowLevel = opened->defaultWindow;
+        m_volumeDisplay = initialVolumeDisplay(*opened);
+        m_viewOptions.inverted = opened->displayInverted;
+        if (!m_session->document().segments.empty())
+            m_activeSegment = m_session->document().segments.front().label;
+    }
     Q_EMIT sessionChanged();
+    Q_EMIT crosshairChanged();
+    Q_EMIT windowLevelChanged();
+    Q_EMIT volumeDisplayChanged();
+    Q_EMIT viewOptionsChanged();
+    Q_EMIT activeSegmentChanged();
+    Q_EMIT cautionAcceptedChanged();
 }
 
 void Workspace::setCrosshairLps(const glm::dvec3& position)
@@ -71,7 +91,7 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
         return display;
     for (const core::Segment& segment : m_session->document().segments) {
         display.rgb[segment.label] = segment.rgb;
-        display.visible[segment.label] = segment.visible;
+        display.visible[segment.label] = segment.visible && m_viewOptions.showSegments;
     }
     return display;
 }
@@ -90,6 +110,30 @@ void Workspace::setGrowSettings(const GrowSettings& settings)
         return;
     m_grow = settings;
     Q_EMIT growSettingsChanged();
+}
+
+void Workspace::setViewOptions(const ViewOptions& options)
+{
+    if (options == m_viewOptions)
+        return;
+    m_viewOptions = options;
+    Q_EMIT viewOptionsChanged();
+}
+
+void Workspace::acceptCaution()
+{
+    if (m_cautionAccepted)
+        return;
+    m_cautionAccepted = true;
+    Q_EMIT cautionAcceptedChanged();
+}
+
+void Workspace::setPointedLps(const std::optional<glm::dvec3>& position)
+{
+    if (position == m_pointedLps)
+        return;
+    m_pointedLps = position;
+    Q_EMIT pointedLpsChanged();
 }
 
 void Workspace::setActiveTool(Tool* tool)

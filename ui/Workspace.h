@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 
 namespace ui {
 
@@ -42,6 +43,15 @@ public:
         bool operator==(const VolumeDisplay&) const = default;
     };
 
+    /// What lies over the pictures, in every view.
+    struct ViewOptions {
+        bool showPatient = true; ///< name, ID and birth date in the corners
+        bool showCrosshair = true;
+        bool showSegments = true; ///< all segments at once; each keeps its own visibility
+        bool inverted = false; ///< of slices: grey scale the other way round
+        bool operator==(const ViewOptions&) const = default;
+    };
+
     explicit Workspace(gpu::FrameSource& frames, QObject* parent = nullptr);
     ~Workspace() override;
 
@@ -49,6 +59,8 @@ public:
     /// Null while nothing is open.
     [[nodiscard]] core::EditSession* session() { return m_session.get(); }
     [[nodiscard]] const core::Volume* volume() const; ///< the open volume, or null
+    /// Shows another study (or none): crosshair to its middle, grey scale and 3D view to what suits
+    /// it.
     void setSession(std::unique_ptr<core::EditSession> session);
 
     [[nodiscard]] glm::dvec3 crosshairLps() const { return m_crosshairLps; }
@@ -64,6 +76,16 @@ public:
     void setDrillSettings(const DrillSettings& settings);
     [[nodiscard]] const GrowSettings& growSettings() const { return m_grow; }
     void setGrowSettings(const GrowSettings& settings);
+
+    [[nodiscard]] const ViewOptions& viewOptions() const { return m_viewOptions; }
+    void setViewOptions(const ViewOptions& options);
+    /// Whether the user has accepted what is wrong with the open volume's geometry; until then
+    /// every view carries a caution bar. A new session starts unaccepted.
+    [[nodiscard]] bool cautionAccepted() const { return m_cautionAccepted; }
+    void acceptCaution();
+    /// Where the pointer is; none while it is over no picture. For the status line.
+    [[nodiscard]] const std::optional<glm::dvec3>& pointedLps() const { return m_pointedLps; }
+    void setPointedLps(const std::optional<glm::dvec3>& position);
 
     /// Null: navigate.
     [[nodiscard]] Tool* activeTool() const { return m_tool; }
@@ -83,6 +105,9 @@ Q_SIGNALS:
     void volumeDisplayChanged();
     void drillSettingsChanged();
     void growSettingsChanged();
+    void viewOptionsChanged();
+    void cautionAcceptedChanged();
+    void pointedLpsChanged();
     void activeToolChanged();
     void said(const QString& sentence);
     void pressureChanged(double pressure);
@@ -90,12 +115,15 @@ Q_SIGNALS:
 private:
     gpu::FrameSource& m_frames;
     std::unique_ptr<core::EditSession> m_session;
-    glm::dvec3 m_crosshairLps {0.0};
+    glm::dvec3 m_crosshairLps{0.0};
     core::WindowLevel m_windowLevel;
     int m_activeSegment = 0;
     VolumeDisplay m_volumeDisplay;
     DrillSettings m_drill;
     GrowSettings m_grow;
+    ViewOptions m_viewOptions;
+    bool m_cautionAccepted = false;
+    std::optional<glm::dvec3> m_pointedLps;
     Tool* m_tool = nullptr;
 };
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/InitialDisplay.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ui {
+
+namespace {
+
+constexpr double skinOverAirHu = -350.0;
+
+gpu::TransferFunction ctTransferFunction()
+{
+    // Skin faint, soft tissue warm, contrast and bone bright and dense.
+    return {{{-400.0, 0x6b3b2a, 0.0}, {-150.0, 0xc98f6a, 0.004}, {20.0, 0xb5654c, 0.012},
+        {90.0, 0xc76a54, 0.03}, {220.0, 0xe3c08e, 0.12}, {450.0, 0xf3e3c4, 0.45},
+        {1200.0, 0xffffff, 0.9}}};
+}
+
+gpu::TransferFunction rampTransferFunction(double from, double to)
+{
+    const double span = std::max(to - from, 1e-6);
+    return {{{from, 0x3a2a20, 0.0}, {from + 0.3 * span, 0xa8694c, 0.01},
+        {from + 0.6 * span, 0xd9ab7c, 0.05}, {to, 0xffffff, 0.35}}};
+}
+
+} // namespace
+
+double otsuThreshold(const core::Histogram& histogram)
+{
+    const std::size_t bins = histogram.counts.size();
+    if (bins < 2)
+        return 0.5 * (histogram.minimum + histogram.maximum);
+    double total = 0.0;
+    double sum = 0.0;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        total += histogram.counts[bin];
+        sum += double(bin) * histogram.counts[bin];
+    }
+    double below = 0.0;
+    double sumBelow = 0.0;
+    double best = -1.0;
+    std::size_t bestBin = bins / 2;
+    for (std::size_t bin = 0; bin + 1 < bins; ++bin) {
+        below += histogram.counts[bin];
+        sumBelow += double(bin) * histogram.counts[bin];
+        if (below == 0.0 || below == total)
+            continue;
+        const double difference = sumBelow / below - (sum - sumBelow) / (total - below);
+        const double between = below * (total - below) * difference * difference;
+        if (between > best) {
+            best = between;
+            bestBin = bin;
+        }
+    }
+    const double binWidth = (histogram.maximum - histogram.minimum) / double(bins);
+    return histogram.minimum + double(bestBin + 1) * binWidth;
+}
+
+Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
+{
+    Workspace::VolumeDisplay display;
+    if (volume.unit == QLatin1String("HU")) {
+        display.surfaceThreshold = skinOverAirHu;
+        display.transferFunction = ctTransferFunction();
+        return display;
+    }
+    // Anatomy starts well below the brightest tissue: half of what parts air from the rest.
+    const double threshold = otsuThreshold(volume.histogram);
+    display.surfaceThreshold = volume.minimum + 0.5 * (threshold - volume.minimum);
+    display.transferFunction = rampTransferFunction(display.surfaceThreshold, volume.maximum);
+    return display;
+}
+
+std::vector<WindowPreset> windowPresets(const core::Volume& volume)
+{
+    if (volume.unit == QLatin1String("HU")) {
+        return {{QStringLiteral("Soft tissue"), {40.0, 400.0}},
+            {QStringLiteral("Lung"), {-600.0, 1500.0}}, {QStringLiteral("Liver"), {90.0, 150.0}},
+            {QStringLiteral("Bone"), {480.0, 2500.0}}, {QStringLiteral("Brain"), {40.0, 80.0}},
+            {QStringLiteral("Mediastinum"), {50.0, 350.0}},
+            {QStringLiteral("Angio"), {300.0, 600.0}}, {QStringLiteral("Stroke"), {32.0, 12.0}},
+            {QStringLiteral("As stored"), volume.defaultWindow}};
+    }
+    const double range = std::max(volume.maximum - volume.minimum, 1e-6);
+    const auto share = [&](double part) {
+        return core::WindowLevel{volume.minimum + 0.5 * part * range, part * range};
+    };
+    return {{QStringLiteral("As stored"), volume.defaultWindow},
+        {QStringLiteral("Full range"), share(1.0)}, {QStringLiteral("Lower half"), share(0.5)},
+        {QStringLiteral("Lower quarter"), share(0.25)}};
+}
+
+} // namespace ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <glm/glm.hpp>
+
+namespace ui {
+
+// How whose study it is, and where in it one looks, is written; the same words everywhere.
+
+/// "Doe, Jane · ID 4711 · born 1961-03-02 · F"; says so when the source names nobody.
+[[nodiscard]] QString patientText(const core::StudyIdentity& identity);
+/// The same in two lines for the corner of a view: name; ID, birth date and sex.
+[[nodiscard]] QStringList patientLines(const core::StudyIdentity& identity);
+/// A DICOM person name as people write it: "DOE^JANE" is "DOE, JANE".
+[[nodiscard]] QString personName(const QString& dicomName);
+/// "CT · 2026-11-20".
+[[nodiscard]] QString studyText(const core::StudyIdentity& identity);
+/// "series 3 · Head bone".
+[[nodiscard]] QString seriesText(const core::StudyIdentity& identity);
+
+/// A modality value with its unit; as many decimals as @p span, the width of the range it is seen
+/// in, calls for.
+[[nodiscard]] QString valueText(double value, const QString& unit, double span);
+/// "−31.5, −12.2, 48.0 mm" (LPS).
+[[nodiscard]] QString positionText(const glm::dvec3& lps);
+/// A number with a true minus sign.
+[[nodiscard]] QString numberText(double value, int decimals);
+
+} // namespace ui

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/Theme.h"
+
+#include "ui/Icons.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QFontDatabase>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include <utility>
+
+namespace ui::theme {
+
+namespace {
+
+QString family()
+{
+    for (const QString& name : {QStringLiteral("Inter"), QStringLiteral("Inter Variable")}) {
+        if (QFontDatabase::hasFamily(name))
+            return name;
+    }
+    return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
+}
+
+QFont font(double pixels, QFont::Weight weight)
+{
+    QFont result(family());
+    // Fractional pixel sizes exist only through points; 96 logical dots per inch make 0.75.
+    result.setPointSizeF(pixels * 0.75);
+    result.setWeight(weight);
+    result.setHintingPreference(QFont::PreferVerticalHinting);
+    return result;
+}
+
+QPalette palette()
+{
+    QPalette result;
+    result.setColor(QPalette::Window, panel);
+    result.setColor(QPalette::WindowText, text);
+    result.setColor(QPalette::Base, window);
+    result.setColor(QPalette::AlternateBase, panel);
+    result.setColor(QPalette::Text, text);
+    result.setColor(QPalette::PlaceholderText, secondary);
+    result.setColor(QPalette::Button, raised);
+    result.setColor(QPalette::ButtonText, text);
+    result.setColor(QPalette::BrightText, bad);
+    result.setColor(QPalette::Highlight, accent);
+    result.setColor(QPalette::HighlightedText, window);
+    result.setColor(QPalette::Link, accent);
+    result.setColor(QPalette::ToolTipBase, raised);
+    result.setColor(QPalette::ToolTipText, text);
+    result.setColor(QPalette::Light, line);
+    result.setColor(QPalette::Midlight, line);
+    result.setColor(QPalette::Mid, line);
+    result.setColor(QPalette::Dark, window);
+    result.setColor(QPalette::Shadow, Qt::black);
+    const QColor disabled(0x5d, 0x65, 0x70);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        result.setColor(QPalette::Disabled, role, disabled);
+    return result;
+}
+
+QString styleSheet()
+{
+    QFile file(QStringLiteral(":/burin/style/burin.qss"));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QString sheet = QString::fromUtf8(file.readAll());
+    const std::pair<const char*, QColor> names[] = {{"@window", window}, {"@panel", panel},
+        {"@raised", raised}, {"@line", line}, {"@text", text}, {"@secondary", secondary},
+        {"@accent", accent}, {"@selected", selected}, {"@good", good}, {"@caution", caution},
+        {"@bad", bad}};
+    for (const auto& [name, colour] : names)
+        sheet.replace(QLatin1String(name), colour.name());
+    return sheet;
+}
+
+} // namespace
+
+QFont bodyFont()
+{
+    return font(13.0, QFont::Normal);
+}
+
+QFont headingFont()
+{
+    return font(12.5, QFont::DemiBold);
+}
+
+QFont smallFont()
+{
+    return font(11.5, QFont::Normal);
+}
+
+void apply(QApplication& application)
+{
+    registerResources();
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(palette());
+    QApplication::setFont(bodyFont());
+    application.setStyleSheet(styleSheet());
+}
+
+} // namespace ui::theme

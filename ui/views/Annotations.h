@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QRect>
+#include <QStringList>
+
+#include <glm/glm.hpp>
+
+class QPainter;
+
+namespace ui {
+
+/// The texts in the four corners of a view, line by line from the edge of the screen inwards where
+/// they are at the bottom and downwards where they are at the top.
+struct CornerTexts {
+    QString title;
+    QColor titleColour;
+    QStringList topLeft; ///< under the title
+    QStringList topRight;
+    QStringList bottomLeft;
+    QStringList bottomRight;
+};
+void paintCorners(QPainter& painter, const QRect& view, const CornerTexts& texts);
+
+/// Orientation letters at the middle of the four edges of a picture.
+void paintEdgeLetters(
+    QPainter& painter, const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps);
+
+/// A bar of a round length, right-aligned, its lower end at @p baseline.
+void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mmPerPixel);
+/// The longest of 1, 2 or 5 times a power of ten that fits, in millimetres.
+[[nodiscard]] double scaleBarLengthMm(double mmPerPixel, double maximumPixels);
+
+/// Dashed lines through @p centre, open in the middle so that they never cover what they mark.
+void paintCrosshair(QPainter& painter, const QRect& view, const QPointF& centre,
+    const QColor& horizontal, const QColor& vertical);
+
+/// Text that stays readable on any picture.
+void paintText(
+    QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour);
+
+} // namespace ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/FrameSource.h"
+
+#include <QObject>
+
+#include <map>
+#include <mutex>
+
+namespace ui {
+
+/// Brings finished frames from the engine's thread to the GUI's. Of several frames of one view that
+/// arrive before the GUI looks, the latest wins; one queued call is under way at a time.
+class FrameInbox : public QObject {
+    Q_OBJECT
+
+public:
+    /// Becomes the source's listener until it is destroyed.
+    explicit FrameInbox(gpu::FrameSource& source, QObject* parent = nullptr);
+    ~FrameInbox() override;
+
+Q_SIGNALS:
+    /// On the GUI thread.
+    void arrived(const gpu::Frame& frame);
+
+private:
+    void put(const gpu::Frame& frame); ///< any thread
+    void deliver();
+
+    gpu::FrameSource& m_source;
+    std::mutex m_mutex;
+    std::map<gpu::ViewId, gpu::Frame> m_waiting; ///< guarded by m_mutex
+};
+
+} // namespace ui

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/ImageView.h"
+
+#include "ui/Theme.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/CautionStrip.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr int restMilliseconds = 160;
+constexpr double clickSlackPixels = 4.0;
+
+/// Slices count in pixels: a scene of logical pixels is not one of device pixels.
+gpu::Scene scaled(gpu::Scene scene, double mmFactor)
+{
+    if (auto* slice = std::get_if<gpu::SliceScene>(&scene))
+        slice->mmPerPixel *= mmFactor;
+    return scene;
+}
+
+bool takesText(const QWidget* widget)
+{
+    return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
+}
+
+} // namespace
+
+ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_view(view)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMilliseconds);
+    connect(&m_rest, &QTimer::timeout, this, [this] { requestFrame(false); });
+
+    const auto refresh = [this] { requestFrame(); };
+    connect(&m_workspace, &Workspace::crosshairChanged, this, refresh);
+    connect(&m_workspace, &Workspace::windowLevelChanged, this, refresh);
+    connect(&m_workspace, &Workspace::viewOptionsChanged, this, refresh);
+    connect(&m_workspace, &Workspace::volumeDisplayChanged, this, refresh);
+    connect(&m_workspace, &Workspace::documentChanged, this, refresh);
+    connect(&m_workspace, &Workspace::activeToolChanged, this, &ImageView::followTool);
+    connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
+}
+
+ImageView::~ImageView()
+{
+    m_workspace.frames().forget(m_view);
+}
+
+ViewContext ImageView::context() const
+{
+    return {m_view, scene(), QSizeF(size())};
+}
+
+ViewContext ImageView::shownContext() const
+{
+    if (m_picture.isNull())
+        return context();
+    return {m_view, scaled(m_pictureScene, double(m_picture.width()) / std::max(width(), 1)),
+        QSizeF(size())};
+}
+
+QPointF ImageView::crosshairPixel() const
+{
+    return shownContext().toPixel(m_workspace.crosshairLps());
+}
+
+std::optional<gpu::Frame::Quality> ImageView::quality() const
+{
+    if (m_picture.isNull() || m_pictureScene != m_request.scene
+        || m_picture.size() != QSize(m_request.sizePixels.x, m_request.sizePixels.y))
+        return std::nullopt;
+    return m_pictureQuality;
+}
+
+void ImageView::takeFrame(const gpu::Frame& frame)
+{
+    const qsizetype bytes = qsizetype(frame.sizePixels.x) * frame.sizePixels.y * 4;
+    if (!m_workspace.volume() || !frame.rgba || qsizetype(frame.rgba->size()) != bytes)
+        return;
+    // The bytes live as long as the picture that shows them.
+    auto* keep = new std::shared_ptr<const std::vector<std::uint8_t>>(frame.rgba);
+    m_picture = QImage(
+        frame.rgba->data(), frame.sizePixels.x, frame.sizePixels.y, frame.sizePixels.x * 4,
+        QImage::Format_RGBX8888,
+        [](void* kept) {
+            delete static_cast<std::shared_ptr<const std::vector<std::uint8_t>>*>(kept);
+        },
+        keep);
+    m_pictureScene = frame.scene;
+    m_pictureQuality = frame.quality;
+    update();
+    Q_EMIT qualityChanged();
+}
+
+void ImageView::requestFrame(bool interacting)
+{
+    update();
+    if (!m_workspace.volume() || !isVisible() || width() <= 0 || height() <= 0) {
+        if (!m_workspace.volume())
+            m_picture = {};
+        return;
+    }
+    const double ratio = devicePixelRatioF();
+    gpu::FrameRequest request;
+    request.view = m_view;
+    request.sizePixels = {int(width() * ratio), int(height() * ratio)};
+    request.scene = scaled(scene(), 1.0 / ratio);
+    request.segments = m_workspace.segmentDisplay();
+    request.interacting = interacting || m_rest.isActive() || m_dragging;
+    const bool same = m_requested && request.sizePixels == m_request.sizePixels
+        && request.scene == m_request.scene && request.segments == m_request.segments
+        && request.interacting == m_request.interacting;
+    if (same)
+        return;
+    m_request = request;
+    m_requested = true;
+    m_workspace.frames().request(std::move(request));
+    Q_EMIT qualityChanged();
+}
+
+void ImageView::requestMovingFrame()
+{
+    m_rest.start();
+    requestFrame(true);
+}
+
+void ImageView::changeWindow(const QPointF& from, const QPointF& to)
+{
+    // The width moves in proportion to itself, so that narrow windows can be set finely.
+    core::WindowLevel window = m_workspace.windowLevel();
+    const double step = std::max(window.width, 1.0) / 250.0;
+    window.width = std::max(window.width + (to.x() - from.x()) * step, 1e-3);
+    window.centre += (to.y() - from.y()) * step;
+    m_workspace.setWindowLevel(window);
+}
+
+bool ImageView::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+        return handlePointer(*event);
+    case QEvent::Hide:
+        m_glue.forget();
+        break;
+    default:
+        break;
+    }
+    return QWidget::event(event);
+}
+
+bool ImageView::handlePointer(QEvent& event)
+{
+    const auto reading = m_glue.read(event);
+    event.accept();
+    if (!reading || !m_workspace.volume())
+        return true;
+    m_pointer = reading->sample.position;
+    if (reading->pen)
+        m_workspace.showPressure(reading->sample.pressure);
+    switch (reading->phase) {
+    case PointerReading::Phase::Press:
+        pointerPressed(*reading);
+        break;
+    case PointerReading::Phase::Move:
+        pointerMoved(*reading);
+        break;
+    case PointerReading::Phase::Release:
+        pointerReleased(*reading);
+        break;
+    }
+    return true;
+}
+
+bool ImageView::toolWorksHere() const
+{
+    return m_tool && !m_navigateKey && m_tool->worksIn(context());
+}
+
+void ImageView::pointerPressed(const PointerReading& reading)
+{
+    if (m_gesture != Gesture::None)
+        return; // one drag at a time; a second button does not change what the first began
+    setFocus(Qt::MouseFocusReason);
+    if (reading.doubleClick && reading.button == Qt::LeftButton && !toolWorksHere()) {
+        Q_EMIT maximiseToggled();
+        return;
+    }
+    m_gesture = gestureFor(reading.button, toolWorksHere());
+    if (m_navigateKey && reading.button == Qt::LeftButton && m_gesture == Gesture::Window)
+        m_gesture = Gesture::Pan;
+    m_gestureButton = reading.button;
+    m_pressedAt = m_lastAt = reading.sample.position;
+    m_dragging = false;
+    if (m_gesture == Gesture::Tool) {
+        m_workspace.showPressure(reading.sample.pressure);
+        m_tool->press(reading.sample, context());
+    }
+}
+
+void ImageView::pointerMoved(const PointerReading& reading)
+{
+    const QPointF at = reading.sample.position;
+    if (m_gesture == Gesture::Tool) {
+        if (m_tool)
+            m_tool->drag(reading.sample, context());
+    } else if (m_gesture != Gesture::None) {
+        const QPointF moved = at - m_pressedAt;
+        m_dragging = m_dragging || std::hypot(moved.x(), moved.y()) > clickSlackPixels;
+        if (m_dragging) {
+            dragged(m_gesture, m_lastAt, at);
+            m_lastAt = at;
+        }
+    } else if (reading.hovering()) {
+        if (toolWorksHere())
+            m_tool->hover(reading.sample, context());
+        hovered(reading.sample);
+    }
+    if (context().isSlice() && rect().contains(at.toPoint()))
+        m_workspace.setPointedLps(context().toLps(at));
+}
+
+void ImageView::pointerReleased(const PointerReading& reading)
+{
+    if (m_gesture == Gesture::None || reading.button != m_gestureButton)
+        return;
+    const Gesture gesture = m_gesture;
+    const bool click = !m_dragging;
+    m_gesture = Gesture::None;
+    m_gestureButton = Qt::NoButton;
+    m_dragging = false;
+    if (gesture == Gesture::Tool) {
+        if (m_tool)
+            m_tool->release(reading.sample, context());
+    } else if (click && reading.button == Qt::LeftButton) {
+        clicked(reading.sample.position);
+    }
+    requestFrame();
+}
+
+void ImageView::followTool()
+{
+    if (m_gesture == Gesture::Tool) {
+        if (m_tool)
+            m_tool->cancel();
+        m_gesture = Gesture::None;
+    }
+    if (m_tool)
+        disconnect(m_tool, nullptr, this, nullptr);
+    m_tool = m_workspace.activeTool();
+    if (m_tool)
+        connect(m_tool, &Tool::overlayChanged, this, [this] { update(); });
+    setCursor(toolWorksHere() ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+}
+
+void ImageView::wheelEvent(QWheelEvent* event)
+{
+    // Alt turns a wheel sideways on some systems.
+    const QPoint angle = event->angleDelta();
+    const double steps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    event->accept();
+    if (steps == 0.0 || !m_workspace.volume() || m_gesture == Gesture::Tool)
+        return;
+    const int whole = steps > 0.0 ? std::max(1, int(steps)) : std::min(-1, int(steps));
+    if (toolWorksHere() && (event->modifiers() & Qt::ShiftModifier))
+        m_tool->changeRadius(whole);
+    else if (toolWorksHere() && (event->modifiers() & Qt::AltModifier))
+        m_tool->changeDepth(whole);
+    else
+        wheelTurned(steps, event->position(), event->modifiers());
+}
+
+void ImageView::enterEvent(QEnterEvent* event)
+{
+    QWidget::enterEvent(event);
+    // Keys go to the picture under the pointer, but never out of a field that is being typed in.
+    if (!takesText(QApplication::focusWidget()))
+        setFocus(Qt::MouseFocusReason);
+}
+
+void ImageView::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    m_pointer.reset();
+    m_workspace.setPointedLps(std::nullopt);
+    update();
+}
+
+void ImageView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        m_navigateKey = true;
+        setCursor(Qt::OpenHandCursor);
+    } else if (event->key() == Qt::Key_Escape && m_gesture == Gesture::Tool && m_tool) {
+        m_tool->cancel();
+        m_gesture = Gesture::None;
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void ImageView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        m_navigateKey = false;
+        setCursor(toolWorksHere() ? Qt::CrossCursor : Qt::ArrowCursor);
+    } else {
+        QWidget::keyReleaseEvent(event);
+    }
+}
+
+void ImageView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    requestFrame();
+}
+
+void ImageView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_requested = false;
+    requestFrame();
+}
+
+void ImageView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), theme::picture);
+    if (!m_picture.isNull() && m_workspace.volume()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(QRectF(rect()), m_picture);
+    }
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    if (const core::Volume* volume = m_workspace.volume()) {
+        const ViewContext shown = shownContext();
+        if (m_tool && (m_pointer || m_gesture == Gesture::Tool) && !m_navigateKey
+            && m_tool->worksIn(shown)) {
+            painter.save();
+            m_tool->paintOverlay(painter, shown);
+            painter.restore();
+        }
+        paintAnnotations(painter, shown);
+        if (volume->needsCaution() && !m_workspace.cautionAccepted())
+            paintCautionStrip(painter, rect(), *volume);
+    }
+    painter.fillRect(QRect(0, 0, width(), theme::viewBarHeight), barColour());
+}
+
+} // namespace ui

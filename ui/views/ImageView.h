@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/Workspace.h"
+#include "ui/input/StylusGlue.h"
+#include "ui/tools/ViewContext.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <optional>
+
+namespace ui {
+
+/// A picture of the open volume with what is written over it. Asks for frames at device pixels,
+/// shows the last finished one and lays overlays over exactly what that frame shows.
+///
+/// Pointer: the left button and the pen belong to the active tool where it works; otherwise, and
+/// for the other buttons, the view navigates (UX §4.3).
+class ImageView : public QWidget {
+    Q_OBJECT
+
+public:
+    ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent = nullptr);
+    ~ImageView() override;
+
+    [[nodiscard]] gpu::ViewId viewId() const { return m_view; }
+    [[nodiscard]] virtual QString title() const = 0;
+    [[nodiscard]] virtual QColor barColour() const = 0;
+
+    /// What the user has asked to see, in logical pixels.
+    [[nodiscard]] ViewContext context() const;
+    /// What the picture on the screen shows; the same once the engine has caught up.
+    [[nodiscard]] ViewContext shownContext() const;
+    /// Where the crosshair is drawn.
+    [[nodiscard]] QPointF crosshairPixel() const;
+    [[nodiscard]] const QImage& picture() const { return m_picture; }
+    /// None until there is a picture of what is asked for.
+    [[nodiscard]] std::optional<gpu::Frame::Quality> quality() const;
+
+    void takeFrame(const gpu::Frame& frame);
+    /// Zoom, pan and camera back to the whole volume.
+    virtual void resetView() = 0;
+
+Q_SIGNALS:
+    void maximiseToggled();
+    void qualityChanged();
+
+protected:
+    /// What a drag does.
+    enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate };
+
+    [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+    [[nodiscard]] bool penOverPicture() const { return m_pointer.has_value(); }
+    /// The scene in logical pixels.
+    [[nodiscard]] virtual gpu::Scene scene() const = 0;
+    [[nodiscard]] virtual Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const = 0;
+    virtual void dragged(Gesture gesture, const QPointF& from, const QPointF& to) = 0;
+    /// A left click without a drag and without a tool.
+    virtual void clicked(const QPointF&) { }
+    /// Moved with no button down.
+    virtual void hovered(const PointerSample&) { }
+    virtual void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) = 0;
+    virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
+
+    /// Ask for a frame of scene() if it is not what was asked for last.
+    void requestFrame(bool interacting = false);
+    /// The same while something turns or moves; full quality follows when it rests.
+    void requestMovingFrame();
+    void changeWindow(const QPointF& from, const QPointF& to);
+
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+
+private:
+    bool handlePointer(QEvent& event);
+    void pointerPressed(const PointerReading& reading);
+    void pointerMoved(const PointerReading& reading);
+    void pointerReleased(const PointerReading& reading);
+    [[nodiscard]] bool toolWorksHere() const;
+    void followTool();
+
+    Workspace& m_workspace;
+    gpu::ViewId m_view;
+    StylusGlue m_glue;
+
+    gpu::FrameRequest m_request; ///< the last one
+    bool m_requested = false;
+    QImage m_picture;
+    gpu::Scene m_pictureScene; ///< in device pixels, as it came
+    gpu::Frame::Quality m_pictureQuality = gpu::Frame::Quality::Coarse;
+    QTimer m_rest;
+
+    Gesture m_gesture = Gesture::None;
+    Qt::MouseButton m_gestureButton = Qt::NoButton;
+    QPointF m_pressedAt;
+    QPointF m_lastAt;
+    bool m_dragging = false; ///< moved farther than a click does
+    bool m_navigateKey = false; ///< Space: the left button navigates with a tool in hand
+    std::optional<QPointF> m_pointer; ///< over this view
+    Tool* m_tool = nullptr;
+};
+
+} // namespace ui

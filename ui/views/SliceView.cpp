@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/SliceView.h"
+
+#include "ui/InitialDisplay.h"
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/views/Annotations.h"
+#include "ui/views/OrientationLetters.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr double fitMarginPixels = 26.0; // room for the letters at the edges
+
+QColor colourOf(SliceOrientation orientation)
+{
+    switch (orientation) {
+    case SliceOrientation::Axial:
+        return theme::axial;
+    case SliceOrientation::Sagittal:
+        return theme::sagittal;
+    case SliceOrientation::Coronal:
+        break;
+    }
+    return theme::coronal;
+}
+
+} // namespace
+
+SliceView::SliceView(
+    Workspace& workspace, gpu::ViewId view, SliceOrientation orientation, QWidget* parent)
+    : ImageView(workspace, view, parent)
+    , m_orientation(orientation)
+    , m_axes(sliceAxes(orientation))
+{
+    connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
+    openVolume();
+}
+
+QString SliceView::title() const
+{
+    switch (m_orientation) {
+    case SliceOrientation::Axial:
+        return QStringLiteral("AXIAL");
+    case SliceOrientation::Sagittal:
+        return QStringLiteral("SAGITTAL");
+    case SliceOrientation::Coronal:
+        break;
+    }
+    return QStringLiteral("CORONAL");
+}
+
+QColor SliceView::barColour() const
+{
+    return colourOf(m_orientation);
+}
+
+void SliceView::openVolume()
+{
+    if (const core::Volume* volume = workspace().volume())
+        m_stack = sliceStack(volume->geometry, m_orientation);
+    resetView();
+}
+
+void SliceView::resetView()
+{
+    m_fitted = true;
+    if (const core::Volume* volume = workspace().volume()) {
+        m_centreLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
+        m_mmPerPixel = fittingMmPerPixel();
+    }
+    requestFrame();
+}
+
+double SliceView::fittingMmPerPixel() const
+{
+    const core::Volume* volume = workspace().volume();
+    if (!volume)
+        return 1.0;
+    glm::dvec2 half(0.0);
+    for (const glm::dvec3& corner : volume->geometry.cornersLps()) {
+        const glm::dvec3 offset = corner - m_centreLps;
+        half.x = std::max(half.x, std::abs(glm::dot(offset, m_axes.rightLps)));
+        half.y = std::max(half.y, std::abs(glm::dot(offset, m_axes.downLps)));
+    }
+    const double across = std::max(width() - 2.0 * fitMarginPixels, 32.0);
+    const double along = std::max(height() - 2.0 * fitMarginPixels, 32.0);
+    return std::max(2.0 * half.x / across, 2.0 * half.y / along);
+}
+
+int SliceView::sliceNumber() const
+{
+    return m_stack.numberAt(workspace().crosshairLps());
+}
+
+int SliceView::sliceCount() const
+{
+    return m_stack.count;
+}
+
+void SliceView::goToSlice(int number)
+{
+    workspace().setCrosshairLps(m_stack.movedTo(workspace().crosshairLps(), number));
+}
+
+gpu::Scene SliceView::scene() const
+{
+    gpu::SliceScene scene;
+    // The pan decides where in the plane, the crosshair which plane.
+    const double depth = glm::dot(workspace().crosshairLps() - m_centreLps, m_axes.normalLps);
+    scene.centreLps = m_centreLps + depth * m_axes.normalLps;
+    scene.rightLps = m_axes.rightLps;
+    scene.downLps = m_axes.downLps;
+    scene.mmPerPixel = m_mmPerPixel;
+    scene.window = workspace().windowLevel();
+    scene.inverted = workspace().viewOptions().inverted;
+    return scene;
+}
+
+ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
+{
+    switch (button) {
+    case Qt::LeftButton:
+        if (toolWorksHere)
+            return Gesture::Tool;
+        // A stroke that misses its view must not change the grey scale (UX §4.2).
+        return workspace().activeTool() ? Gesture::Pan : Gesture::Window;
+    case Qt::MiddleButton:
+        return Gesture::Pan;
+    case Qt::RightButton:
+        return workspace().activeTool() ? Gesture::Window : Gesture::Zoom;
+    default:
+        return Gesture::None;
+    }
+}
+
+void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
+{
+    const QPointF moved = to - from;
+    switch (gesture) {
+    case Gesture::Window:
+        changeWindow(from, to);
+        break;
+    case Gesture::Pan:
+        m_fitted = false;
+        m_centreLps -= (m_axes.rightLps * moved.x() + m_axes.downLps * moved.y()) * m_mmPerPixel;
+        requestMovingFrame();
+        break;
+    case Gesture::Zoom:
+        zoomBy(std::exp(-moved.y() * 0.008), rect().toRectF().center());
+        break;
+    default:
+        break;
+    }
+}
+
+void SliceView::zoomBy(double factor, const QPointF& at)
+{
+    const glm::dvec3 held = context().toLps(at);
+    m_fitted = false;
+    m_mmPerPixel = std::clamp(m_mmPerPixel / factor, 1e-3, 100.0);
+    m_centreLps += held - context().toLps(at);
+    requestMovingFrame();
+}
+
+void SliceView::clicked(const QPointF& at)
+{
+    if (!workspace().activeTool())
+        workspace().setCrosshairLps(context().toLps(at));
+}
+
+void SliceView::hovered(const PointerSample& sample)
+{
+    if (sample.modifiers & Qt::ShiftModifier)
+        workspace().setCrosshairLps(context().toLps(sample.position));
+    if (workspace().activeTool())
+        update();
+}
+
+void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers)
+{
+    if (modifiers & Qt::ControlModifier) {
+        zoomBy(std::pow(1.15, steps), at);
+        return;
+    }
+    // Touchpads turn in fractions of a step.
+    m_wheelRest += -steps * ((modifiers & Qt::ShiftModifier) ? 5.0 : 1.0);
+    const int whole = int(m_wheelRest);
+    m_wheelRest -= whole;
+    if (whole != 0)
+        goToSlice(sliceNumber() + whole);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Up:
+        return goToSlice(sliceNumber() - 1);
+    case Qt::Key_Down:
+        return goToSlice(sliceNumber() + 1);
+    case Qt::Key_PageUp:
+        return goToSlice(sliceNumber() - 10);
+    case Qt::Key_PageDown:
+        return goToSlice(sliceNumber() + 10);
+    case Qt::Key_Home:
+        return goToSlice(0);
+    case Qt::Key_End:
+        return goToSlice(sliceCount() - 1);
+    default:
+        ImageView::keyPressEvent(event);
+    }
+}
+
+void SliceView::resizeEvent(QResizeEvent* event)
+{
+    if (m_fitted)
+        m_mmPerPixel = fittingMmPerPixel();
+    ImageView::resizeEvent(event);
+}
+
+QString SliceView::windowText() const
+{
+    const core::Volume& volume = *workspace().volume();
+    const core::WindowLevel window = workspace().windowLevel();
+    const double span = volume.maximum - volume.minimum;
+    QString text = QStringLiteral("W %1  L %2")
+                       .arg(valueText(window.width, QString(), span),
+                           valueText(window.centre, volume.unit, span));
+    for (const WindowPreset& preset : windowPresets(volume)) {
+        if (preset.window == window)
+            return text + QStringLiteral(" · ") + preset.name;
+    }
+    return text;
+}
+
+void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
+{
+    const core::Volume& volume = *workspace().volume();
+    const Workspace::ViewOptions& options = workspace().viewOptions();
+    const auto& slice = std::get<gpu::SliceScene>(shown.scene);
+
+    if (options.showCrosshair) {
+        const bool axial = m_orientation == SliceOrientation::Axial;
+        const bool sagittal = m_orientation == SliceOrientation::Sagittal;
+        paintCrosshair(painter, rect(), crosshairPixel(), axial ? theme::coronal : theme::axial,
+            sagittal ? theme::coronal : theme::sagittal);
+    }
+    paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
+
+    const double position = glm::dot(slice.centreLps, m_axes.normalLps);
+    const glm::dvec3 side = position < 0.0 ? -m_axes.normalLps : m_axes.normalLps;
+    const int number = m_stack.numberAt(slice.centreLps);
+    // Screen pixels per voxel of the volume.
+    const glm::dvec3 spacing = volume.geometry.spacingMm();
+    const double zoom = std::min({spacing.x, spacing.y, spacing.z}) / slice.mmPerPixel;
+
+    CornerTexts texts;
+    texts.title = title();
+    texts.titleColour = barColour();
+    if (options.showPatient)
+        texts.topLeft = patientLines(volume.identity);
+    texts.topRight = {studyText(volume.identity), seriesText(volume.identity)};
+    texts.bottomLeft = {QStringLiteral("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
+    texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
+                             .arg(number + 1)
+                             .arg(m_stack.count)
+                             .arg(directionLetters(side), numberText(std::abs(position), 1))};
+    paintCorners(painter, rect(), texts);
+    paintScaleBar(painter, rect(), height() - 34, slice.mmPerPixel);
+}
+
+} // namespace ui

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/VolumeView.h"
+
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/views/Annotations.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr double degreesPerPixel = 0.4;
+
+/// The camera that a picture was drawn with.
+Camera cameraOf(const gpu::VolumeScene& scene)
+{
+    Camera camera;
+    camera.targetLps = scene.targetLps;
+    camera.towardsViewer = glm::normalize(scene.eyeLps - scene.targetLps);
+    camera.up = scene.up;
+    camera.heightMm = scene.heightMm;
+    return camera;
+}
+
+} // namespace
+
+VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
+    : ImageView(workspace, view, parent)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
+    openVolume();
+}
+
+QString VolumeView::title() const
+{
+    return QStringLiteral("3D");
+}
+
+QColor VolumeView::barColour() const
+{
+    return theme::volume;
+}
+
+void VolumeView::openVolume()
+{
+    resetView();
+}
+
+void VolumeView::resetView()
+{
+    // From the front, a little from the patient's left and above: depth shows at once.
+    m_camera = {};
+    m_camera.orbit(-24.0, 12.0);
+    m_fitted = true;
+    if (const core::Volume* volume = workspace().volume()) {
+        m_camera.targetLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
+        fit();
+    }
+    requestFrame();
+}
+
+void VolumeView::fit()
+{
+    const core::Volume* volume = workspace().volume();
+    if (!volume)
+        return;
+    // The mean extent rather than the box's corners: these are air in nearly every study.
+    glm::dvec2 half(0.0);
+    const glm::dvec3 middle = m_camera.targetLps;
+    for (const glm::dvec3& corner : volume->geometry.cornersLps()) {
+        half.x = std::max(half.x, std::abs(glm::dot(corner - middle, m_camera.right())));
+        half.y = std::max(half.y, std::abs(glm::dot(corner - middle, m_camera.up)));
+    }
+    const double aspect = double(std::max(width(), 1)) / std::max(height(), 1);
+    m_camera.heightMm = 2.0 * std::max(half.y, half.x / aspect);
+}
+
+void VolumeView::setCamera(const Camera& camera)
+{
+    m_camera = camera;
+    m_fitted = false;
+    requestFrame();
+}
+
+void VolumeView::lookFrom(const glm::dvec3& sideLps)
+{
+    m_camera.lookFrom(sideLps);
+    requestFrame();
+}
+
+gpu::Scene VolumeView::scene() const
+{
+    const Workspace::VolumeDisplay& display = workspace().volumeDisplay();
+    gpu::VolumeScene scene;
+    scene.eyeLps = m_camera.eyeLps();
+    scene.targetLps = m_camera.targetLps;
+    scene.up = m_camera.up;
+    scene.heightMm = m_camera.heightMm;
+    scene.mode = display.mode;
+    scene.surfaceThreshold = display.surfaceThreshold;
+    scene.transferFunction = display.transferFunction;
+    // Grey values matter to one mode only; the others are not drawn again when they change.
+    if (display.mode == gpu::RenderMode::Mip)
+        scene.mipWindow = workspace().windowLevel();
+    return scene;
+}
+
+ImageView::Gesture VolumeView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
+{
+    const bool grey = workspace().volumeDisplay().mode == gpu::RenderMode::Mip;
+    switch (button) {
+    case Qt::LeftButton:
+        return toolWorksHere ? Gesture::Tool : Gesture::Rotate;
+    case Qt::MiddleButton:
+        return Gesture::Pan;
+    case Qt::RightButton:
+        return workspace().activeTool() && grey ? Gesture::Window : Gesture::Zoom;
+    default:
+        return Gesture::None;
+    }
+}
+
+void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
+{
+    const QPointF moved = to - from;
+    const double mmPerPixel = context().mmPerPixel();
+    switch (gesture) {
+    case Gesture::Rotate:
+        m_camera.orbit(moved.x() * degreesPerPixel, moved.y() * degreesPerPixel);
+        break;
+    case Gesture::Pan:
+        m_camera.pan(moved.x() * mmPerPixel, moved.y() * mmPerPixel);
+        break;
+    case Gesture::Zoom:
+        m_camera.heightMm = std::clamp(m_camera.heightMm * std::exp(moved.y() * 0.008), 1.0, 1e4);
+        break;
+    case Gesture::Window:
+        return changeWindow(from, to);
+    default:
+        return;
+    }
+    m_fitted = m_fitted && gesture == Gesture::Rotate;
+    requestMovingFrame();
+}
+
+void VolumeView::clicked(const QPointF& at)
+{
+    if (const auto side = cube(m_camera).sideAt(at))
+        lookFrom(*side);
+}
+
+void VolumeView::hovered(const PointerSample&)
+{
+    if (workspace().activeTool())
+        update();
+}
+
+void VolumeView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers)
+{
+    const glm::dvec3 held = context().toLps(at);
+    m_camera.heightMm = std::clamp(m_camera.heightMm * std::pow(1.15, -steps), 1.0, 1e4);
+    m_camera.targetLps += held - context().toLps(at);
+    m_fitted = false;
+    requestMovingFrame();
+}
+
+void VolumeView::resizeEvent(QResizeEvent* event)
+{
+    if (m_fitted)
+        fit();
+    ImageView::resizeEvent(event);
+}
+
+OrientationCube VolumeView::cube(const Camera& camera) const
+{
+    return {camera, QPointF(width() - 54.0, height() - 58.0), 40.0};
+}
+
+QString VolumeView::modeText() const
+{
+    const core::Volume& volume = *workspace().volume();
+    const double span = volume.maximum - volume.minimum;
+    switch (workspace().volumeDisplay().mode) {
+    case gpu::RenderMode::Surface:
+        return QStringLiteral("surface at %1")
+            .arg(valueText(workspace().volumeDisplay().surfaceThreshold, volume.unit, span));
+    case gpu::RenderMode::Dvr:
+        return QStringLiteral("volume rendering");
+    case gpu::RenderMode::Mip:
+        break;
+    }
+    return QStringLiteral("maximum intensity");
+}
+
+QString VolumeView::qualityText() const
+{
+    const auto shown = quality();
+    if (!shown || *shown == gpu::Frame::Quality::Coarse)
+        return QStringLiteral("drawing …");
+    return *shown == gpu::Frame::Quality::Full ? QStringLiteral("refining …")
+                                               : QStringLiteral("full quality");
+}
+
+void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
+{
+    const core::Volume& volume = *workspace().volume();
+    const Workspace::ViewOptions& options = workspace().viewOptions();
+    const Camera camera = cameraOf(std::get<gpu::VolumeScene>(shown.scene));
+
+    if (options.showCrosshair) {
+        QColor faint = theme::text;
+        faint.setAlpha(150);
+        const QPointF at = crosshairPixel();
+        painter.save();
+        painter.setPen(QPen(faint, 1.2));
+        for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(at + arm * 5.0, at + arm * 11.0);
+        painter.restore();
+    }
+    paintEdgeLetters(painter, rect(), camera.right(), -camera.up);
+
+    CornerTexts texts;
+    texts.title = title();
+    texts.titleColour = barColour();
+    if (options.showPatient)
+        texts.topLeft = patientLines(volume.identity);
+    texts.topRight = {qualityText(), studyText(volume.identity), seriesText(volume.identity)};
+    texts.bottomLeft = {modeText()};
+    paintCorners(painter, rect(), texts);
+    cube(camera).paint(painter);
+}
+
+} // namespace ui

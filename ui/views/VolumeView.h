@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/views/Camera.h"
+#include "ui/views/ImageView.h"
+#include "ui/views/OrientationCube.h"
+
+namespace ui {
+
+/// The 3D view: the sculpted volume and its segments, seen orthographically.
+class VolumeView : public ImageView {
+    Q_OBJECT
+
+public:
+    VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QColor barColour() const override;
+    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    void setCamera(const Camera& camera);
+    /// Look at the patient from a side, e.g. (0, −1, 0): from the front.
+    void lookFrom(const glm::dvec3& sideLps);
+    void resetView() override;
+
+protected:
+    [[nodiscard]] gpu::Scene scene() const override;
+    [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
+    void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
+    void clicked(const QPointF& at) override;
+    void hovered(const PointerSample& sample) override;
+    void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
+    void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void openVolume();
+    void fit();
+    [[nodiscard]] OrientationCube cube(const Camera& camera) const;
+    [[nodiscard]] QString modeText() const;
+    [[nodiscard]] QString qualityText() const;
+
+    Camera m_camera;
+    bool m_fitted = true;
+};
+
+} // namespace ui
