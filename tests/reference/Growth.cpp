@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/Growth.h"
+
+#include "core/growth/SeedWord.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace reference {
+
+namespace seedWord = core::seedWord;
+
+namespace {
+
+const std::array<glm::ivec3, 6> offsets{glm::ivec3(1, 0, 0), glm::ivec3(-1, 0, 0),
+    glm::ivec3(0, 1, 0), glm::ivec3(0, -1, 0), glm::ivec3(0, 0, 1), glm::ivec3(0, 0, -1)};
+
+template <class Visit> void forEachVoxel(const glm::ivec3& size, Visit visit)
+{
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                visit(glm::ivec3(x, y, z));
+}
+
+} // namespace
+
+void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement)
+{
+    auto& words = fields.seedWords(placement.plane);
+    for (const glm::ivec3& voxel : placement.voxels) {
+        std::uint32_t& word = words.at(voxel);
+        if (!seedWord::isMember(word))
+            word = std::min(word, seedWord::pendingSeed(placement.label));
+    }
+}
+
+Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::GrowBurst burst)
+    : m_codes(codes)
+    , m_burst(std::move(burst))
+    , m_words(fields.seedWords(m_burst.plane))
+    , m_labels(fields.labels(m_burst.plane))
+    , m_generation(m_burst.generation)
+{
+    std::uint32_t admitted = 0;
+    forEachVoxel(m_codes.size, [&](const glm::ivec3& voxel) {
+        std::uint32_t& word = m_words.at(voxel);
+        const std::uint32_t label = seedWord::label(word);
+        if (seedWord::isPendingSeed(word) && m_generation < seedWord::maxGeneration
+            && accepts(label, voxel)) {
+            word = seedWord::member(m_generation + 1, label, seedWord::seedDirection);
+            ++admitted;
+        }
+        if (seedWord::isMember(word))
+            m_front.push_back(voxel);
+    });
+    if (admitted > 0) {
+        ++m_generation;
+        m_frontSizes.push_back(admitted);
+    }
+}
+
+bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
+{
+    const int code = m_codes.at(voxel);
+    const std::uint8_t held = m_labels.at(voxel); // written at the closing only
+    return m_burst.lowCode <= code && code <= m_burst.highCode
+        && (held == 0 || held == label || m_burst.overwritable.test(held));
+}
+
+bool Growth::step()
+{
+    // A member that was there two steps ago has no neighbour left that it could take: what it is
+    // accepted by, it took one step later. So only the last step's additions are asked.
+    std::vector<glm::ivec3> added;
+    for (const glm::ivec3& parent : m_front) {
+        const std::uint32_t label = seedWord::label(m_words.at(parent));
+        for (std::uint32_t direction = 0; direction < offsets.size(); ++direction) {
+            const glm::ivec3 child = parent + offsets[direction];
+            if (!m_words.contains(child) || !accepts(label, child))
+                continue;
+            std::uint32_t& word = m_words.at(child);
+            const std::uint32_t claim = seedWord::member(m_generation + 1, label, direction);
+            if (!seedWord::isMember(word)) {
+                word = claim;
+                added.push_back(child);
+            } else if (seedWord::generation(word) == m_generation + 1) {
+                word = std::min(word, claim);
+            }
+        }
+    }
+    if (added.empty())
+        return false;
+    ++m_generation;
+    m_frontSizes.push_back(std::uint32_t(added.size()));
+    m_front = std::move(added);
+    return true;
+}
+
+void Growth::advance(int steps)
+{
+    for (int done = 0; steps < 0 || done < steps; ++done) {
+        if (m_atClosure || m_generation >= seedWord::maxGeneration)
+            return;
+        m_atClosure = !step();
+    }
+}
+
+void Growth::close()
+{
+    forEachVoxel(m_codes.size, [&](const glm::ivec3& voxel) {
+        const std::uint32_t word = m_words.at(voxel);
+        if (seedWord::isMember(word) && seedWord::generation(word) > m_burst.generation)
+            m_labels.at(voxel) = std::uint8_t(seedWord::label(word));
+    });
+}
+
+} // namespace reference

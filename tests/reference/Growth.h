@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "tests/reference/DenseFields.h"
+
+namespace reference {
+
+/// Marks pending seeds (core::SeedPlacement).
+void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement);
+
+/// One open burst of growth (core::GrowBurst). Codes and fields are borrowed.
+class Growth {
+public:
+    /// Admits the pending seeds.
+    Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::GrowBurst burst);
+
+    /// @param steps negative: to closure
+    void advance(int steps);
+    /// Writes the labels of what was added.
+    void close();
+
+    [[nodiscard]] std::uint32_t openedAt() const { return m_burst.generation; }
+    [[nodiscard]] std::uint32_t generation() const { return m_generation; }
+    [[nodiscard]] bool atClosure() const { return m_atClosure; }
+    [[nodiscard]] const std::vector<std::uint32_t>& frontSizes() const { return m_frontSizes; }
+
+private:
+    [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
+    /// True if anything was added.
+    bool step();
+
+    const DenseArray<std::uint16_t>& m_codes;
+    core::GrowBurst m_burst;
+    DenseArray<std::uint32_t>& m_words;
+    DenseArray<std::uint8_t>& m_labels;
+    std::vector<glm::ivec3> m_front; ///< members that may have neighbours to take
+    std::uint32_t m_generation = 0;
+    bool m_atClosure = false;
+    std::vector<std::uint32_t> m_frontSizes;
+};
+
+} // namespace reference

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "tests/reference/DenseFields.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace reference {
+
+/// A position in index16: voxels, 16.16 fixed point.
+using Index16 = std::array<std::int64_t, 3>;
+
+/// What a ray meets (core/sculpt/DrillCut.h, rule 3). Both fields are borrowed.
+struct Tissue {
+    const DenseArray<std::uint16_t>& codes;
+    const DenseArray<std::uint8_t>& radiation;
+
+    [[nodiscard]] bool inside(const Index16& position) const;
+    /// Z of rule 3: the interpolated code · 2¹⁶. Only inside.
+    [[nodiscard]] std::uint64_t density(const Index16& position) const;
+    /// Only inside.
+    [[nodiscard]] bool carved(const Index16& position) const;
+    [[nodiscard]] bool material(const Index16& position, int thresholdCode) const;
+};
+
+/// The voxel that one ray of a pick finds.
+[[nodiscard]] std::optional<glm::ivec3> pick(
+    const Tissue& tissue, const core::PickVoxels& pick, const core::PickVoxels::Ray& ray);
+
+} // namespace reference

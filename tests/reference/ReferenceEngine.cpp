@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/ReferenceEngine.h"
+
+#include "tests/reference/Radiation.h"
+
+#include <algorithm>
+
+namespace reference {
+
+namespace {
+
+auto refuse(const char* field, const char* reason)
+{
+    return core::failure(
+        core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+}
+
+core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
+{
+    core::EditStatistics statistics;
+    for (const core::BrickChange& change : changes) {
+        if (change.key.field == core::Field::SeedWords)
+            continue;
+        ++statistics.bricks;
+        for (std::size_t i = 0; i < core::BrickGrid::voxelsPerBrick; ++i) {
+            const int before = change.before.empty() ? 0 : change.before[i];
+            const int after = change.after.empty() ? 0 : change.after[i];
+            statistics.voxelsChanged += before != after ? 1 : 0;
+        }
+    }
+    return statistics;
+}
+
+} // namespace
+
+core::Result<void> ReferenceEngine::openVolume(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    if (size.x < 1 || size.y < 1 || size.z < 1
+        || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+        return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"));
+    m_open.reset();
+    m_codes = {size, {codes.begin(), codes.end()}};
+    m_fields = DenseFields(size);
+    return {};
+}
+
+core::Ticket ReferenceEngine::submit(core::EngineCommand command)
+{
+    const core::Ticket ticket = ++m_lastTicket;
+    Outcome outcome = std::visit([this](auto& known) { return carryOut(known); }, command);
+    if (outcome && !*outcome)
+        return ticket;
+    core::EngineResult result = outcome ? std::move(**outcome) : core::EngineResult{};
+    if (!outcome)
+        result.error = outcome.error();
+    result.ticket = ticket;
+    m_results.push_back(std::move(result));
+    if (m_wakeUp)
+        m_wakeUp();
+    return ticket;
+}
+
+std::vector<core::EngineResult> ReferenceEngine::collect()
+{
+    return std::exchange(m_results, {});
+}
+
+core::GrowthProgress ReferenceEngine::growthProgress() const
+{
+    core::GrowthProgress progress;
+    const Growth* growth = m_open ? std::get_if<Growth>(&m_open->work) : nullptr;
+    if (!growth)
+        return progress;
+    progress.open = true;
+    progress.atClosure = growth->atClosure();
+    progress.generation = growth->generation();
+    progress.frontSizes = growth->frontSizes();
+    for (const std::uint32_t size : progress.frontSizes)
+        progress.members += size;
+    return progress;
+}
+
+core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> ReferenceEngine::begin(
+    core::SeedPlacement& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    for (const glm::ivec3& voxel : edit.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+    }
+    placeSeeds(m_fields, edit);
+    return SeedsPlaced{};
+}
+
+core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> ReferenceEngine::begin(
+    core::GrowBurst& edit)
+{
+    if (edit.connectivity != 6)
+        return refuse("connectivity", "only 6 is known");
+    return Growth(m_codes, m_fields, std::move(edit));
+}
+
+core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> ReferenceEngine::begin(
+    core::DrillCut& edit)
+{
+    if (edit.frame.pitch < 1 || edit.frame.rampHalfWidth < 1 || edit.frame.gapSamples < 1)
+        return refuse("frame", "pitch, rampHalfWidth and gapSamples are at least 1");
+    return Drill(m_codes, m_fields, edit);
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::BeginEdit& command)
+{
+    if (m_open)
+        return refuse("transaction", "another edit is open");
+    DenseFields before = m_fields;
+    auto work = std::visit([this](auto& edit) { return begin(edit); }, command.edit);
+    if (!work)
+        return tl::unexpected(work.error());
+    m_open.emplace(Transaction{std::move(before), std::move(*work)});
+    return std::nullopt;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
+{
+    if (!m_open)
+        return refuse("transaction", "no edit is open");
+    if (const auto* path = std::get_if<core::DrillPath>(&command.extension)) {
+        Drill* drill = std::get_if<Drill>(&m_open->work);
+        if (!drill)
+            return refuse("extension", "the open edit is no drill stroke");
+        drill->extend(path->samples);
+        return std::nullopt;
+    }
+    Growth* growth = std::get_if<Growth>(&m_open->work);
+    if (!growth)
+        return refuse("extension", "the open edit is no growth");
+    if (const auto* advance = std::get_if<core::GrowAdvance>(&command.extension))
+        growth->advance(advance->steps);
+    return std::nullopt;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
+{
+    if (!m_open)
+        return refuse("transaction", "no edit is open");
+    core::EngineResult result;
+    Growth* growth = std::get_if<Growth>(&m_open->work);
+    if (command.ending == core::Ending::Rollback) {
+        if (growth)
+            result.generation = growth->openedAt();
+        m_fields = std::move(m_open->before);
+    } else {
+        if (growth) {
+            growth->close();
+            result.generation = growth->generation();
+            result.atClosure = growth->atClosure();
+        }
+        result.changes = DenseFields::changes(m_open->before, m_fields);
+        result.statistics = statisticsOf(result.changes);
+        if (growth)
+            result.statistics.generations = int(growth->frontSizes().size());
+    }
+    m_open.reset();
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::SwapBricks& command)
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    for (const core::BrickImage& image : command.bricks) {
+        if (!m_fields.holds(image.key))
+            return refuse("brick", "not in this volume");
+        const std::size_t whole =
+            std::size_t(core::BrickGrid::voxelsPerBrick * core::bytesPerVoxel(image.key.field));
+        if (!image.bytes.empty() && image.bytes.size() != whole)
+            return refuse("bytes", "neither none nor a whole brick");
+    }
+    const DenseFields before = m_fields;
+    for (const core::BrickImage& image : command.bricks)
+        m_fields.writeBrick(image.key, image.bytes);
+    core::EngineResult result;
+    result.changes = DenseFields::changes(before, m_fields);
+    result.statistics = statisticsOf(result.changes);
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ReadBricks& command)
+{
+    core::EngineResult result;
+    for (const core::BrickKey& key : command.keys) {
+        if (!m_fields.holds(key))
+            return refuse("brick", "not in this volume");
+        result.changes.push_back({key, {}, m_fields.readBrick(key)});
+    }
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
+{
+    core::EngineResult result;
+    for (const glm::ivec3& voxel : command.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+        result.probes.push_back({m_codes.at(voxel), m_fields.labels(command.plane).at(voxel)});
+    }
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
+{
+    if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
+        return refuse("opacityOfCode", "has 256 entries");
+    const DenseArray<std::uint8_t> carved = radiation(m_fields.composedCoverage());
+    core::EngineResult result;
+    for (const core::PickVoxels::Ray& ray : command.rays)
+        result.picks.push_back(pick({m_codes, carved}, command, ray));
+    return result;
+}
+
+} // namespace reference

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EditEngine.h"
+#include "tests/reference/DenseFields.h"
+#include "tests/reference/Drill.h"
+#include "tests/reference/Growth.h"
+
+#include <optional>
+#include <variant>
+
+namespace reference {
+
+/// The oracle: the seam's second implementation, dense, sequential and slow, written from the rules
+/// in core/engine and core/sculpt alone. It carries a command out inside submit(), so a paced
+/// growth runs at once and a pause never finds steps to forget. It wakes on the caller's thread,
+/// inside submit(). Its results take no time: `milliseconds` is 0.
+class ReferenceEngine final : public core::EditEngine {
+public:
+    core::Result<void> openVolume(
+        const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
+    core::Ticket submit(core::EngineCommand command) override;
+    [[nodiscard]] std::vector<core::EngineResult> collect() override;
+    void finish() override { }
+    void setWakeUp(std::function<void()> wakeUp) override { m_wakeUp = std::move(wakeUp); }
+    [[nodiscard]] core::GrowthProgress growthProgress() const override;
+
+    [[nodiscard]] const DenseFields& fields() const { return m_fields; }
+
+private:
+    struct SeedsPlaced { };
+    /// The open edit and the state at its beginning.
+    struct Transaction {
+        DenseFields before;
+        std::variant<SeedsPlaced, Growth, Drill> work;
+    };
+    using Outcome = core::Result<std::optional<core::EngineResult>>;
+
+    [[nodiscard]] Outcome carryOut(core::BeginEdit& command);
+    [[nodiscard]] Outcome carryOut(core::ExtendEdit& command);
+    [[nodiscard]] Outcome carryOut(core::EndEdit& command);
+    [[nodiscard]] Outcome carryOut(core::SwapBricks& command);
+    [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
+    [[nodiscard]] Outcome carryOut(core::ProbeVoxels& command);
+    [[nodiscard]] Outcome carryOut(core::PickVoxels& command);
+
+    [[nodiscard]] core::Result<std::variant<SeedsPlaced, Growth, Drill>> begin(
+        core::SeedPlacement& edit);
+    [[nodiscard]] core::Result<std::variant<SeedsPlaced, Growth, Drill>> begin(
+        core::GrowBurst& edit);
+    [[nodiscard]] core::Result<std::variant<SeedsPlaced, Growth, Drill>> begin(
+        core::DrillCut& edit);
+
+    DenseArray<std::uint16_t> m_codes;
+    DenseFields m_fields;
+    std::optional<Transaction> m_open;
+    std::vector<core::EngineResult> m_results;
+    core::Ticket m_lastTicket = 0;
+    std::function<void()> m_wakeUp;
+};
+
+} // namespace reference
