@@ -23,7 +23,7 @@ using Ticket = std::uint64_t;
 struct SeedPlacement {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
-    std::vector<glm::ivec3> voxels; ///< inside the volume
+    std::vector<glm::ivec3> voxels {}; ///< inside the volume
 };
 
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
@@ -47,7 +47,7 @@ struct GrowBurst {
     int highCode = -1;
     int connectivity = 6;
     std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
-    std::bitset<256> overwritable;
+    std::bitset<256> overwritable {};
 };
 
 /// Cut with the drill into the coverage of one sculpt layer (rules: DrillCut.h).
@@ -133,10 +133,10 @@ struct PickVoxels {
         glm::ivec3 step {0};   ///< index16 per sample
         int samples = 0;
     };
-    std::vector<Ray> rays;
+    std::vector<Ray> rays {};
     SeenBy seenBy = SeenBy::Surface;
     int thresholdCode = 0;
-    std::vector<std::uint32_t> opacityOfCode; ///< 256 entries, only for Opacity
+    std::vector<std::uint32_t> opacityOfCode {}; ///< 256 entries, only for Opacity
 };
 
 using EngineCommand

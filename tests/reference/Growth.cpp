@@ -43,28 +43,28 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core
     , m_labels(fields.labels(m_burst.plane))
     , m_generation(m_burst.generation)
 {
-    std::uint32_t admitted = 0;
+    std::vector<glm::ivec3> olderMembers;
+    std::vector<glm::ivec3> admitted;
     forEachVoxel(m_codes.size, [&](const glm::ivec3& voxel) {
         std::uint32_t& word = m_words.at(voxel);
         const std::uint32_t label = seedWord::label(word);
-        if (seedWord::isPendingSeed(word) && m_generation < seedWord::maxGeneration
+        if (seedWord::isMember(word)) {
+            olderMembers.push_back(voxel);
+        } else if (seedWord::isPendingSeed(word) && m_generation < seedWord::maxGeneration
             && accepts(label, voxel)) {
             word = seedWord::member(m_generation + 1, label, seedWord::seedDirection);
-            ++admitted;
+            admitted.push_back(voxel);
         }
-        if (seedWord::isMember(word))
-            m_front.push_back(voxel);
     });
-    if (admitted > 0) {
-        ++m_generation;
-        m_frontSizes.push_back(admitted);
-    }
+    if (!admitted.empty())
+        finishGeneration(std::move(admitted));
+    m_front.insert(m_front.end(), olderMembers.begin(), olderMembers.end());
 }
 
 bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
 {
     const int code = m_codes.at(voxel);
-    const std::uint8_t held = m_labels.at(voxel); // written at the closing only
+    const std::uint8_t held = m_labels.at(voxel); // changes only where members are
     return m_burst.lowCode <= code && code <= m_burst.highCode
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
@@ -92,10 +92,17 @@ bool Growth::step()
     }
     if (added.empty())
         return false;
+    finishGeneration(std::move(added));
+    return true;
+}
+
+void Growth::finishGeneration(std::vector<glm::ivec3> added)
+{
     ++m_generation;
     m_frontSizes.push_back(std::uint32_t(added.size()));
+    for (const glm::ivec3& voxel : added)
+        m_labels.at(voxel) = std::uint8_t(seedWord::label(m_words.at(voxel)));
     m_front = std::move(added);
-    return true;
 }
 
 void Growth::advance(int steps)
@@ -105,15 +112,6 @@ void Growth::advance(int steps)
             return;
         m_atClosure = !step();
     }
-}
-
-void Growth::close()
-{
-    forEachVoxel(m_codes.size, [&](const glm::ivec3& voxel) {
-        const std::uint32_t word = m_words.at(voxel);
-        if (seedWord::isMember(word) && seedWord::generation(word) > m_burst.generation)
-            m_labels.at(voxel) = std::uint8_t(seedWord::label(word));
-    });
 }
 
 } // namespace reference

@@ -17,8 +17,6 @@ public:
 
     /// @param steps negative: to closure
     void advance(int steps);
-    /// Writes the labels of what was added.
-    void close();
 
     [[nodiscard]] std::uint32_t openedAt() const { return m_burst.generation; }
     [[nodiscard]] std::uint32_t generation() const { return m_generation; }
@@ -29,6 +27,8 @@ private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
     /// True if anything was added.
     bool step();
+    /// One more generation is finished: counts it and shows it in the label plane.
+    void finishGeneration(std::vector<glm::ivec3> added);
 
     const DenseArray<std::uint16_t>& m_codes;
     core::GrowBurst m_burst;

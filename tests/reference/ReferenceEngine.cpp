@@ -153,7 +153,6 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
         m_fields = std::move(m_open->before);
     } else {
         if (growth) {
-            growth->close();
             result.generation = growth->generation();
             result.atClosure = growth->atClosure();
         }

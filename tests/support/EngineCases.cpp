@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/EngineCases.h"
+
+#include "core/edits/EngineEdits.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace test {
+
+namespace {
+
+glm::dvec3 randomDirection(Random& random)
+{
+    glm::dvec3 v;
+    do {
+        v = {2.0 * randomUnit(random) - 1.0, 2.0 * randomUnit(random) - 1.0,
+            2.0 * randomUnit(random) - 1.0};
+    } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
+    return glm::normalize(v);
+}
+
+EngineStep command(core::EngineCommand known)
+{
+    return known;
+}
+
+} // namespace
+
+bool longRun()
+{
+    return qEnvironmentVariableIntValue("BURIN_LONG") > 0;
+}
+
+core::Document randomDocument(const glm::ivec3& size, Random& random, bool sheared)
+{
+    const glm::dvec3 x = randomDirection(random);
+    const glm::dvec3 y = glm::normalize(glm::cross(x, randomDirection(random)));
+    glm::dvec3 z = glm::cross(x, y);
+    if (sheared)
+        z = glm::normalize(z + 0.3 * y);
+    const auto spacing = [&] { return 0.4 + 1.8 * randomUnit(random); };
+    core::Volume volume;
+    volume.geometry.size = size;
+    volume.geometry.indexToWorld =
+        glm::dmat4(glm::dvec4(x * spacing(), 0.0), glm::dvec4(y * spacing(), 0.0),
+            glm::dvec4(z * spacing(), 0.0), glm::dvec4(100.0 * randomDirection(random), 1.0));
+    core::Document document;
+    document.volumes.push_back(volume);
+    document.layers.push_back({.id = 1, .name = QStringLiteral("Sculpt 1")});
+    document.layers.push_back({.id = 2, .name = QStringLiteral("Sculpt 2")});
+    return document;
+}
+
+core::DrillStroke randomDrill(const core::Document& document, Random& random)
+{
+    const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    const glm::dvec3 extent = glm::dvec3(geometry.size) * geometry.spacingMm();
+    const double reach = glm::length(extent) / 2.0;
+    core::DrillStroke stroke;
+    stroke.layer = randomInt(random, 1, 2);
+    stroke.view.targetLps = geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)));
+    const glm::dvec3 towards = randomInt(random, 0, 3) > 0
+        ? randomDirection(random)
+        : geometry.direction()[randomInt(random, 0, 2)] * (random() % 2 ? 1.0 : -1.0);
+    stroke.view.eyeLps = stroke.view.targetLps - 200.0 * towards;
+    do {
+        stroke.view.up = randomDirection(random);
+    } while (std::abs(glm::dot(stroke.view.up, towards)) > 0.95);
+    stroke.radiusMm = 0.5 + reach * 0.5 * randomUnit(random);
+    stroke.depthMm = reach * randomUnit(random);
+    stroke.pressureExponent = randomInt(random, 1, 3);
+    stroke.surfaceThreshold = tissueCode / 2;
+    stroke.throughGaps = random() % 3 == 0;
+    double xMm = 0.0;
+    double yMm = 0.0;
+    for (int i = randomInt(random, 1, 5); i > 0; --i) {
+        stroke.samples.push_back({.xMm = xMm, .yMm = yMm, .pressure = randomUnit(random)});
+        xMm += (randomUnit(random) - 0.5) * reach;
+        yMm += (randomUnit(random) - 0.5) * reach;
+    }
+    return stroke;
+}
+
+core::DrillCut drillCutOf(const core::DrillStroke& stroke, const core::Document& document)
+{
+    auto cut = core::drillCut(stroke, document);
+    if (!cut)
+        throw std::invalid_argument(cut.error().arguments.join(QStringLiteral(": ")).toStdString());
+    return *cut;
+}
+
+std::vector<core::DrillSample> drillSamplesOf(
+    const core::DrillStroke& stroke, const core::DrillCut& cut)
+{
+    return core::drillPath(stroke, cut.frame, nullptr, stroke.samples);
+}
+
+std::vector<EngineCase> refusalCases()
+{
+    using namespace core;
+    const glm::ivec3 size(17, 20, 5);
+    Random random(7);
+    const Document document = randomDocument(size, random, false);
+    const DrillCut drill = drillCutOf(randomDrill(document, random), document);
+    const SeedPlacement seeds{.plane = 0, .label = 3, .voxels = {{0, 0, 0}, {16, 19, 4}}};
+    const BeginEdit beginSeeds{seeds};
+    const EndEdit commit{Ending::Commit};
+    const EndEdit rollback{Ending::Rollback};
+    const GrowBurst growth{.lowCode = 0, .highCode = 65535};
+    const ReadBricks readAll{{{Field::SeedWords, 0, 0}, {Field::SeedWords, 0, 3}}};
+    const BrickImage image{{Field::Labels, 0, 0},
+        std::vector<std::uint8_t>(std::size_t(BrickGrid::voxelsPerBrick), 5)};
+    BrickImage cut = image;
+    cut.bytes.resize(17);
+    DrillCut noPitch = drill;
+    noPitch.frame.pitch = 0;
+    DrillCut noRamp = drill;
+    noRamp.frame.rampHalfWidth = 0;
+    DrillCut noGap = drill;
+    noGap.frame.gapSamples = 0;
+    GrowBurst other = growth;
+    other.connectivity = 26;
+
+    const auto steps = [](std::vector<EngineCommand> commands) {
+        std::vector<EngineStep> all;
+        for (EngineCommand& known : commands)
+            all.push_back(command(std::move(known)));
+        return all;
+    };
+    std::vector<EngineCase> cases;
+    const auto add = [&](const char* name, std::vector<EngineCommand> commands) {
+        cases.push_back({name, noiseVolume(size, 9, random), steps(std::move(commands))});
+    };
+    add("extend without an edit",
+        {ExtendEdit{GrowAdvance{}}, ExtendEdit{DrillPath{}}, ExtendEdit{GrowPause{}}});
+    add("end without an edit", {commit, rollback, beginSeeds, commit, commit});
+    add("begin twice", {beginSeeds, beginSeeds, BeginEdit{growth}, commit, readAll});
+    add("begin twice, roll back", {beginSeeds, BeginEdit{drill}, rollback, readAll});
+    add("swap while an edit is open",
+        {beginSeeds, SwapBricks{{image}}, commit, ReadBricks{{image.key}}});
+    add("bricks that are not there",
+        {ReadBricks{{{Field::Labels, 0, 4}}}, ReadBricks{{{Field::Coverage, 1, 4000000000u}}},
+            ReadBricks{{{Field(9), 0, 0}}}, SwapBricks{{image, {{Field::Labels, 0, 4}, {}}}},
+            ReadBricks{{image.key}}});
+    add("images cut short", {SwapBricks{{cut}}, ReadBricks{{cut.key}}});
+    add("voxels outside",
+        {ProbeVoxels{{{0, 0, 0}, {17, 0, 0}}}, ProbeVoxels{{{0, -1, 0}}},
+            BeginEdit{SeedPlacement{.label = 1, .voxels = {{0, 0, 0}, {0, 0, 5}}}}, commit,
+            readAll});
+    add("label 0", {BeginEdit{SeedPlacement{.label = 0, .voxels = {{0, 0, 0}}}}, commit});
+    add("connectivity",
+        {beginSeeds, commit, BeginEdit{other}, ExtendEdit{GrowAdvance{}}, commit, readAll});
+    add("extensions of another kind",
+        {beginSeeds, ExtendEdit{GrowAdvance{}}, commit, BeginEdit{growth}, ExtendEdit{DrillPath{}},
+            ExtendEdit{GrowAdvance{2}}, commit, BeginEdit{drill}, ExtendEdit{GrowPause{}}, commit});
+    add("frames",
+        {BeginEdit{noPitch}, BeginEdit{noRamp}, BeginEdit{noGap}, commit, BeginEdit{drill},
+            rollback});
+    add("opacities",
+        {PickVoxels{.rays = {{.samples = 3}}, .seenBy = SeenBy::Opacity},
+            PickVoxels{.rays = {{.samples = 3}}, .seenBy = SeenBy::Surface}});
+    return cases;
+}
+
+} // namespace test

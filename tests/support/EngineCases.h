@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+#include "core/edits/Edits.h"
+#include "tests/support/EngineConformance.h"
+
+#include <vector>
+
+namespace test {
+
+/// True with BURIN_LONG=1: the counts that the issues name instead of moderate ones.
+[[nodiscard]] bool longRun();
+
+/// A document with one volume whose codes are its values; the affine is scaled, turned and, if
+/// asked for, sheared at random.
+[[nodiscard]] core::Document randomDocument(const glm::ivec3& size, Random& random, bool sheared);
+
+/// A drill stroke at a document's volume from a random direction, with a random path.
+[[nodiscard]] core::DrillStroke randomDrill(const core::Document& document, Random& random);
+
+/// The engine's form of a stroke; the stroke must be valid.
+[[nodiscard]] core::DrillCut drillCutOf(
+    const core::DrillStroke& stroke, const core::Document& document);
+[[nodiscard]] std::vector<core::DrillSample> drillSamplesOf(
+    const core::DrillStroke& stroke, const core::DrillCut& cut);
+
+// The cases of the conformance suite, named and adversarial ones first, then random ones.
+[[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> pickCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> refusalCases();
+
+} // namespace test

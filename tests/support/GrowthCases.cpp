@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/EngineCases.h"
+
+#include "core/growth/SeedWord.h"
+
+#include <algorithm>
+
+namespace test {
+
+namespace {
+
+using core::GrowAdvance;
+using core::GrowBurst;
+using core::SeedPlacement;
+
+EngineStep command(core::EngineCommand known)
+{
+    return known;
+}
+
+/// A growth as a session tells it: begin, advance in these portions, end.
+void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst,
+    const std::vector<int>& portions, core::Ending ending = core::Ending::Commit)
+{
+    steps.push_back(BeginGrowth{burst});
+    for (const int portion : portions) {
+        steps.push_back(command(core::ExtendEdit{GrowAdvance{portion}}));
+        if (portion > 0)
+            steps.push_back(Settle{});
+    }
+    steps.push_back(command(core::EndEdit{ending}));
+}
+
+std::vector<glm::ivec3> corners(const glm::ivec3& size)
+{
+    std::vector<glm::ivec3> all;
+    for (int corner = 0; corner < 8; ++corner)
+        all.push_back({corner & 1 ? size.x - 1 : 0, corner & 2 ? size.y - 1 : 0,
+            corner & 4 ? size.z - 1 : 0});
+    return all;
+}
+
+constexpr int closure = GrowAdvance::toClosure;
+const GrowBurst wholeRange{.lowCode = 0, .highCode = 65535};
+const GrowBurst tissue{.lowCode = tissueCode / 2, .highCode = tissueCode};
+
+EngineCase oneSeed(const char* name, Codes codes, const glm::ivec3& seed, const GrowBurst& burst)
+{
+    EngineCase made{name, std::move(codes), {}};
+    appendWhole(made.steps, SeedPlacement{.label = 1, .voxels = {seed}});
+    appendGrowth(made.steps, burst, {closure});
+    made.steps.push_back(Undo{});
+    made.steps.push_back(Redo{});
+    return made;
+}
+
+/// Random boxes of labels 0 … 4, as if painted.
+Bytes paintedLabels(const glm::ivec3& size, Random& random)
+{
+    Bytes labels{size, {}};
+    labels.values.assign(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), std::uint8_t(0));
+    for (int box = 0; box < 6; ++box) {
+        const glm::ivec3 a = randomVoxel(random, size);
+        const glm::ivec3 b = randomVoxel(random, size);
+        const auto label = std::uint8_t(randomInt(random, 0, 4));
+        for (int z = std::min(a.z, b.z); z <= std::max(a.z, b.z); ++z)
+            for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y)
+                for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x)
+                    labels.at({x, y, z}) = label;
+    }
+    return labels;
+}
+
+Codes randomCodes(const glm::ivec3& size, Random& random)
+{
+    switch (random() % 6) {
+    case 0:
+        return constantVolume(size, tissueCode);
+    case 1:
+        return noiseVolume(size, tissueCode, random);
+    case 2:
+        return spiralCorridor(size);
+    case 3:
+        return shells(size);
+    default:
+        return balls(size, randomInt(random, 2, 8), random);
+    }
+}
+
+glm::ivec3 randomSize(Random& random)
+{
+    switch (random() % 5) {
+    case 0:
+        return {randomInt(random, 1, 4), randomInt(random, 1, 4), randomInt(random, 1, 40)};
+    case 1:
+        return {16, 32, 16};
+    case 2:
+        return {17, 33, 5};
+    default:
+        return {randomInt(random, 5, 40), randomInt(random, 5, 40), randomInt(random, 5, 40)};
+    }
+}
+
+EngineCase randomGrowth(int number)
+{
+    Random random(std::uint32_t(1000 + number));
+    const glm::ivec3 size = randomSize(random);
+    EngineCase made{"random growth " + QByteArray::number(number), randomCodes(size, random), {}};
+    if (random() % 2)
+        made.steps.push_back(command(
+            core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+    for (int edit = randomInt(random, 3, 9); edit > 0; --edit) {
+        switch (random() % 8) {
+        case 0:
+        case 1:
+        case 2: {
+            SeedPlacement seeds{.plane = std::uint8_t(random() % 5 ? 0 : 1),
+                .label = std::uint8_t(randomInt(random, 1, 4))};
+            for (int i = randomInt(random, 0, 5); i > 0; --i)
+                seeds.voxels.push_back(randomVoxel(random, size));
+            appendWhole(made.steps, seeds, {},
+                random() % 6 ? core::Ending::Commit : core::Ending::Rollback);
+            break;
+        }
+        case 3:
+            made.steps.push_back(Undo{});
+            break;
+        case 4:
+            made.steps.push_back(Redo{});
+            break;
+        default: {
+            const int low = randomInt(random, 0, tissueCode);
+            GrowBurst burst{.plane = std::uint8_t(random() % 5 ? 0 : 1),
+                .lowCode = low,
+                .highCode = randomInt(random, low, tissueCode)};
+            if (random() % 3 == 0) {
+                burst.lowCode = 0;
+                burst.highCode = tissueCode;
+            }
+            for (int label = 1; label <= 4; ++label)
+                burst.overwritable[std::size_t(label)] = random() % 3 == 0;
+            std::vector<int> portions;
+            for (int i = randomInt(random, 0, 3); i > 0; --i)
+                portions.push_back(randomInt(random, 0, 4));
+            if (random() % 2)
+                portions.push_back(closure);
+            appendGrowth(made.steps, burst, portions,
+                random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
+            break;
+        }
+        }
+        if (random() % 3 == 0)
+            made.steps.push_back(
+                command(core::ProbeVoxels{{randomVoxel(random, size), randomVoxel(random, size)},
+                    std::uint8_t(random() % 2)}));
+    }
+    return made;
+}
+
+} // namespace
+
+std::vector<EngineCase> growthCases(int randomCount)
+{
+    Random random(42);
+    std::vector<EngineCase> cases;
+    cases.push_back(
+        oneSeed("one voxel", constantVolume({1, 1, 1}, tissueCode), {0, 0, 0}, wholeRange));
+    cases.push_back(oneSeed("one voxel, refused", constantVolume({1, 1, 1}, 0), {0, 0, 0}, tissue));
+    cases.push_back(
+        oneSeed("all alike", constantVolume({17, 33, 5}, tissueCode), {16, 0, 4}, wholeRange));
+    cases.push_back(
+        oneSeed("all alike, 64³", constantVolume({64, 64, 64}, 65535), {31, 32, 33}, wholeRange));
+    cases.push_back(oneSeed("checkerboard", checkerboard({17, 33, 5}), {8, 8, 2}, tissue));
+    cases.push_back(oneSeed("corridor", spiralCorridor({17, 33, 5}), {0, 0, 0}, tissue));
+    cases.push_back(oneSeed("long line", spiralCorridor({70, 1, 1}), {69, 0, 0}, tissue));
+    cases.push_back(oneSeed("shells", shells({40, 40, 33}), {20, 3, 16}, tissue));
+    cases.push_back(oneSeed("bounds that admit nothing", noiseVolume({17, 18, 19}, 900, random),
+        {3, 4, 5}, {.lowCode = 5, .highCode = 4}));
+    cases.push_back(
+        oneSeed("seed outside the bounds", slab({20, 20, 20}, 0, 5, 9), {0, 0, 0}, tissue));
+
+    EngineCase competing{"labels that meet half-way", constantVolume({33, 17, 16}, 7), {}};
+    appendWhole(competing.steps, SeedPlacement{.label = 200, .voxels = {{0, 8, 8}}});
+    appendWhole(competing.steps, SeedPlacement{.label = 3, .voxels = {{32, 8, 8}, {16, 0, 0}}});
+    appendWhole(competing.steps, SeedPlacement{.label = 255, .voxels = {{16, 16, 15}}});
+    appendGrowth(competing.steps, wholeRange, {closure});
+    cases.push_back(competing);
+
+    EngineCase sameVoxel{"two labels on one voxel", constantVolume({20, 20, 20}, 7), {}};
+    appendWhole(sameVoxel.steps, SeedPlacement{.label = 9, .voxels = {{5, 5, 5}, {5, 5, 5}}});
+    appendWhole(sameVoxel.steps, SeedPlacement{.label = 4, .voxels = {{5, 5, 5}, {9, 9, 9}}});
+    appendWhole(sameVoxel.steps, SeedPlacement{.label = 7, .voxels = {{5, 5, 5}, {9, 9, 9}}});
+    appendGrowth(sameVoxel.steps, wholeRange, {2});
+    cases.push_back(sameVoxel);
+
+    const glm::ivec3 size(33, 18, 20);
+    EngineCase atCorners{"seeds at all corners", balls(size, 5, random), {}};
+    appendWhole(atCorners.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
+    appendGrowth(atCorners.steps, wholeRange, {1, 2, closure});
+    cases.push_back(atCorners);
+
+    for (const bool overwrite : {false, true}) {
+        EngineCase painted{overwrite ? "painted labels, overwritable" : "painted labels",
+            constantVolume(size, tissueCode), {}};
+        painted.steps.push_back(command(
+            core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+        appendWhole(painted.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
+        appendWhole(painted.steps, SeedPlacement{.label = 2, .voxels = {size / 2}});
+        GrowBurst burst = wholeRange;
+        if (overwrite)
+            burst.overwritable.set(2).set(3);
+        appendGrowth(painted.steps, burst, {3, closure});
+        painted.steps.push_back(command(core::ProbeVoxels{corners(size)}));
+        painted.steps.push_back(Undo{});
+        appendGrowth(painted.steps, wholeRange, {closure});
+        cases.push_back(painted);
+    }
+
+    for (const auto& [name, portions] : {std::pair{"in steps", std::vector<int>{1, 2, closure}},
+             std::pair{"at once", std::vector<int>{closure}},
+             std::pair{"beyond closure", std::vector<int>{closure, 5, closure}},
+             std::pair{"opening only", std::vector<int>{}},
+             std::pair{"no step", std::vector<int>{0}}}) {
+        EngineCase inSteps{QByteArray("growth ") + name, balls(size, 6, random), {}};
+        appendWhole(inSteps.steps, SeedPlacement{.label = 1, .voxels = {{5, 5, 5}, {30, 2, 2}}});
+        appendGrowth(inSteps.steps, {.lowCode = 0, .highCode = 700}, portions);
+        cases.push_back(inSteps);
+    }
+
+    EngineCase widened{"several bursts, bounds widened, seeds added", balls(size, 6, random), {}};
+    appendWhole(widened.steps, SeedPlacement{.label = 1, .voxels = {{5, 5, 5}}});
+    appendGrowth(widened.steps, {.lowCode = 0, .highCode = 180}, {4});
+    appendGrowth(widened.steps, {.lowCode = 0, .highCode = 240}, {closure});
+    appendWhole(widened.steps, SeedPlacement{.label = 2, .voxels = {{30, 15, 15}, {5, 5, 5}}});
+    appendGrowth(widened.steps, wholeRange, {3});
+    appendGrowth(widened.steps, wholeRange, {2}, core::Ending::Rollback);
+    for (int i = 0; i < 4; ++i)
+        widened.steps.push_back(Undo{});
+    for (int i = 0; i < 2; ++i)
+        widened.steps.push_back(Redo{});
+    appendGrowth(widened.steps, wholeRange, {closure});
+    cases.push_back(widened);
+
+    EngineCase last{"the last generations", constantVolume({40, 3, 3}, 1), {}};
+    appendWhole(last.steps, SeedPlacement{.label = 1, .voxels = {{0, 0, 0}}});
+    GrowBurst late = wholeRange;
+    late.generation = core::seedWord::maxGeneration - 4;
+    last.steps.push_back(command(core::BeginEdit{late}));
+    last.steps.push_back(command(core::ExtendEdit{GrowAdvance{}}));
+    last.steps.push_back(command(core::EndEdit{}));
+    cases.push_back(last);
+
+    EngineCase nothing{"nothing to grow from", noiseVolume(size, 5, random), {}};
+    appendWhole(nothing.steps, SeedPlacement{.label = 1});
+    appendGrowth(nothing.steps, wholeRange, {closure});
+    cases.push_back(nothing);
+
+    for (int number = 0; number < randomCount; ++number)
+        cases.push_back(randomGrowth(number));
+    return cases;
+}
+
+} // namespace test
