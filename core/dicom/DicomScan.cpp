@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/DicomScan.h"
+
+#include "core/base/ParallelFor.h"
+#include "core/dicom/FrameDecoder.h"
+#include "core/dicom/HeaderReader.h"
+#include "core/dicom/SopClass.h"
+#include "core/dicom/StackGeometry.h"
+#include "core/volume/MemoryLimit.h"
+#include "core/volume/VolumeEncoder.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <optional>
+
+namespace core {
+
+namespace {
+
+/// A name for a group of files that carry no UID, the same whenever they are read again.
+QString madeUpName(const char* what, const QStringList& facts)
+{
+    const QByteArray digest = QCryptographicHash::hash(
+        facts.join(QChar(0x1f)).toUtf8(), QCryptographicHash::Sha256);
+    return QStringLiteral("no-%1-uid-%2")
+        .arg(QLatin1String(what), QString::fromLatin1(digest.toHex().left(12)));
+}
+
+QString studyKey(const StudyIdentity& of)
+{
+    if (!of.studyUid.isEmpty())
+        return of.studyUid;
+    return madeUpName("study", {of.patientName, of.patientId, of.birthDate, of.studyDate,
+                                   of.studyDescription, of.accessionNumber});
+}
+
+QString seriesKey(const StudyIdentity& of)
+{
+    if (!of.seriesUid.isEmpty())
+        return of.seriesUid;
+    return madeUpName("series",
+        {studyKey(of), of.seriesNumber, of.seriesDescription, of.modality, of.frameOfReferenceUid});
+}
+
+QString unitOf(const ImageHeader& image)
+{
+    const QString& modality = image.identity.modality;
+    if (modality == QLatin1String("CT")) {
+        const bool hounsfield = image.hasRescale
+            && (image.rescaleType.isEmpty() || image.rescaleType == QLatin1String("HU"));
+        return hounsfield ? QStringLiteral("HU") : QString();
+    }
+    if (modality != QLatin1String("PT"))
+        return {};
+    if (image.units == QLatin1String("BQML"))
+        return QStringLiteral("Bq/mL");
+    if (image.units == QLatin1String("GML"))
+        return QStringLiteral("g/mL");
+    return image.units;
+}
+
+ListedStack listed(SliceStack stack)
+{
+    const ImageHeader& first = stack.slices.front();
+    ListedStack result {.entry = {.identity = first.identity,
+                            .geometry = stack.geometry,
+                            .unit = unitOf(first),
+                            .part = stack.part,
+                            .problems = stack.problems},
+        .seriesKey = seriesKey(first.identity),
+        .studyKey = studyKey(first.identity)};
+    for (const ImageHeader& image : stack.slices)
+        result.entry.files.append(image.file);
+    result.stack = std::move(stack);
+    return result;
+}
+
+/// Slots of what is decoded, and what went wrong.
+struct Decoding {
+    std::vector<std::uint16_t> stored;
+    std::vector<std::optional<Error>> errors;
+};
+
+Decoding decodeAll(const SliceStack& stack, const Progress& progress)
+{
+    const std::size_t size
+        = std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    Decoding decoding;
+    decoding.stored.resize(stack.geometry.voxelCount());
+    decoding.errors.resize(stack.slices.size());
+    std::atomic<int> done = 0;
+    parallelFor(int(stack.slices.size()), [&](int k) {
+        if (progress.cancelled())
+            return;
+        const auto slot = std::size_t(k);
+        const Result<void> decoded = decodeFrame(
+            stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
+        if (!decoded)
+            decoding.errors[slot] = decoded.error();
+        progress.report(QStringLiteral("Reading slices"), ++done, int(stack.slices.size()));
+    });
+    return decoding;
+}
+
+/// Leaves out the slices that failed; the rest is placed anew.
+SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
+{
+    const std::size_t size
+        = std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    std::vector<ImageHeader> sound;
+    QStringList failed;
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (decoding.errors[k]) {
+            failed.append(QFileInfo(stack.slices[k].file).fileName());
+            continue;
+        }
+        std::copy_n(decoding.stored.begin() + std::ptrdiff_t(k * size), size,
+            decoding.stored.begin() + std::ptrdiff_t(sound.size() * size));
+        sound.push_back(stack.slices[k]);
+    }
+    decoding.stored.resize(sound.size() * size);
+    SliceStack rest = stackOf(std::move(sound));
+    rest.part = stack.part;
+    rest.problems.push_back(damagedSlices(failed));
+    return rest;
+}
+
+} // namespace
+
+DicomScan scanDicom(const QStringList& files, const Progress& progress)
+{
+    std::vector<std::optional<Result<ImageHeader>>> headers(std::size_t(files.size()));
+    std::atomic<int> done = 0;
+    parallelFor(int(files.size()), [&](int index) {
+        if (progress.cancelled())
+            return;
+        headers[std::size_t(index)] = readImageHeader(files[index]);
+        progress.report(QStringLiteral("Reading headers"), ++done, int(files.size()));
+    });
+
+    DicomScan scan;
+    std::map<std::pair<QString, QString>, std::vector<ImageHeader>> series;
+    for (std::optional<Result<ImageHeader>>& header : headers) {
+        if (!header)
+            continue;
+        if (!*header) {
+            const Error& error = header->error();
+            scan.unreadable.push_back({.file = error.arguments.value(0), .error = error});
+            continue;
+        }
+        ImageHeader& image = **header;
+        const QString kind = kindWithoutSlices(image);
+        if (!kind.isEmpty()) {
+            const auto same = std::find_if(scan.foreign.begin(), scan.foreign.end(),
+                [&](const ForeignObject& object) {
+                    return object.kind == kind
+                        && object.identity.seriesUid == image.identity.seriesUid;
+                });
+            if (same != scan.foreign.end())
+                same->files.append(image.file);
+            else
+                scan.foreign.push_back(
+                    {.kind = kind, .identity = image.identity, .files = {image.file}});
+            continue;
+        }
+        if (const QString reason = undecodableReason(image); !reason.isEmpty()) {
+            scan.unreadable.push_back({.file = image.file,
+                .error = {ErrorCode::UnsupportedFormat, {image.file, reason}}});
+            continue;
+        }
+        if (image.pixelsCut) {
+            scan.unreadable.push_back({.file = image.file,
+                .error = {ErrorCode::FileTruncated,
+                    {image.file, QStringLiteral("its pixel data are incomplete")}}});
+        }
+        series[{studyKey(image.identity), seriesKey(image.identity)}].push_back(std::move(image));
+    }
+    for (auto& [keys, images] : series) {
+        StackSorting sorting = sortIntoStacks(std::move(images));
+        for (SliceStack& stack : sorting.stacks)
+            scan.stacks.push_back(listed(std::move(stack)));
+        scan.foreign.insert(scan.foreign.end(), sorting.foreign.begin(), sorting.foreign.end());
+    }
+    return scan;
+}
+
+Result<LoadedVolume> loadStack(const ListedStack& listed, const Progress& progress)
+{
+    if (const Result<void> fits = checkMemory(listed.stack.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    Decoding decoding = decodeAll(listed.stack, progress);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+
+    SliceStack stack = listed.stack;
+    const auto failures = std::count_if(decoding.errors.begin(), decoding.errors.end(),
+        [](const std::optional<Error>& error) { return error.has_value(); });
+    if (failures == std::ptrdiff_t(stack.slices.size()))
+        return tl::unexpected<Error>(*decoding.errors.front());
+    if (failures > 0)
+        stack = withoutFailed(stack, decoding);
+
+    LoadedVolume loaded;
+    Volume& volume = loaded.volume;
+    volume.identity = listed.entry.identity;
+    volume.geometry = stack.geometry;
+    volume.unit = listed.entry.unit;
+    volume.sourceFormat = QStringLiteral("DICOM");
+    volume.problems = stack.problems;
+    const ImageHeader& middle = stack.slices[stack.slices.size() / 2];
+    volume.displayInverted = middle.layout.photometric == QLatin1String("MONOCHROME1");
+    if (middle.window)
+        volume.defaultWindow = *middle.window;
+    std::vector<SliceRescale> rescales;
+    for (const ImageHeader& image : stack.slices) {
+        rescales.push_back({.slope = image.slope,
+            .intercept = image.intercept,
+            .isSigned = image.layout.isSigned});
+        volume.sources.push_back({.file = image.file,
+            .sopInstanceUid = image.sopInstanceUid,
+            .sopClassUid = image.sopClassUid,
+            .instanceNumber = image.instanceNumber});
+    }
+    loaded.codes = std::move(decoding.stored);
+    encodeStoredValues(loaded, rescales, middle.window.has_value());
+    return loaded;
+}
+
+} // namespace core

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/dicom/ImageHeader.h"
+
+namespace core {
+
+/// Reads what Burin needs to know about one DICOM file, up to its pixel data. Any thread.
+///
+/// UnsupportedFormat for files that are not DICOM, FileTruncated, FileUnreadable: each with the
+/// file and the reason.
+[[nodiscard]] Result<ImageHeader> readImageHeader(const QString& path);
+
+} // namespace core

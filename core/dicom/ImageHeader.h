@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// How a file stores its pixels (DICOM PS3.5 section 8).
+struct PixelLayout {
+    int columns = 0;
+    int rows = 0;
+    int samplesPerPixel = 1;
+    int bitsAllocated = 0;
+    int bitsStored = 0;
+    int highBit = 0;
+    bool isSigned = false;
+    QString photometric;
+};
+
+/// Directions of increasing column and row index, unit vectors in LPS (PS3.3 C.7.6.2.1.1).
+struct ImagePlane {
+    glm::dvec3 row {1.0, 0.0, 0.0};
+    glm::dvec3 column {0.0, 1.0, 0.0};
+
+    [[nodiscard]] glm::dvec3 normal() const { return glm::cross(row, column); }
+};
+
+/// What Burin reads from the header of one single-frame DICOM file. Plain data.
+struct ImageHeader {
+    QString file;
+    StudyIdentity identity;
+    QString sopInstanceUid;
+    QString sopClassUid;
+    QString transferSyntaxUid; ///< as the file says; the guess where it does not
+    QStringList imageType;
+
+    bool hasPixels = false;
+    bool pixelsCut = false;   ///< the file ends before its pixel data do
+    bool isEnhanced = false;  ///< geometry in functional groups
+    bool hasModalityLut = false;
+    bool isLossy = false;
+    int frames = 1;
+    PixelLayout layout;
+
+    std::optional<glm::dvec3> position; ///< centre of the first pixel, LPS mm
+    std::optional<ImagePlane> plane;
+    std::optional<glm::dvec2> spacing;  ///< mm between columns (x) and between rows (y)
+    double sliceThickness = 0.0;        ///< 0: absent
+    double spacingBetweenSlices = 0.0;  ///< 0: absent
+
+    bool hasRescale = false;
+    double slope = 1.0;
+    double intercept = 0.0;
+    QString rescaleType;
+    QString units; ///< (0054,1001), PET
+    std::optional<WindowLevel> window;
+
+    int instanceNumber = 0;
+    /// Values that may tell images at one position apart, most telling first; empty where absent.
+    /// Same attributes in the same order for every file (phaseAttributeNames()).
+    std::vector<QString> phases;
+};
+
+/// Names for ImageHeader::phases, for people.
+[[nodiscard]] const std::vector<QString>& phaseAttributeNames();
+
+} // namespace core

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/StackGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace core {
+
+namespace {
+
+constexpr double sameDistanceMm = 0.01;
+constexpr double sameDistanceShare = 0.01;
+
+QString millimetres(double value)
+{
+    return QString::number(value, 'g', 5);
+}
+
+void placeSingle(SliceStack& stack, glm::dmat4& affine)
+{
+    const ImageHeader& slice = stack.slices.front();
+    double distance = 1.0;
+    QString source = QStringLiteral("nothing in the file");
+    if (slice.spacingBetweenSlices > 0.0) {
+        distance = slice.spacingBetweenSlices;
+        source = QStringLiteral("SpacingBetweenSlices");
+    } else if (slice.sliceThickness > 0.0) {
+        distance = slice.sliceThickness;
+        source = QStringLiteral("SliceThickness");
+    }
+    affine[2] = glm::dvec4(slice.plane->normal() * distance, 0.0);
+    stack.problems.push_back({.kind = VolumeProblem::Kind::AssumedSpacing,
+        .text = QStringLiteral("A single image: its depth of %1 mm is assumed from %2.")
+                    .arg(millimetres(distance), source),
+        .caution = true});
+}
+
+/// Gaps that are whole multiples of the usual one are missing slices; empty if they are not.
+QStringList missingBetween(const std::vector<double>& gaps, double usual, int& missing)
+{
+    constexpr double share = 0.05;
+    QStringList where;
+    for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+        const double ratio = gaps[gap] / usual;
+        const double steps = std::round(ratio);
+        if (steps < 1.0 || std::abs(ratio - steps) > share * steps)
+            return {};
+        if (steps < 2.0)
+            continue;
+        missing += int(steps) - 1;
+        where.append(QStringLiteral("%1 between slices %2 and %3 (%4 mm instead of %5)")
+                         .arg(int(steps) - 1)
+                         .arg(gap + 1)
+                         .arg(gap + 2)
+                         .arg(millimetres(gaps[gap]), millimetres(usual)));
+    }
+    return where;
+}
+
+void reportGaps(SliceStack& stack, const std::vector<double>& gaps, double usual)
+{
+    int missing = 0;
+    const QStringList where = missingBetween(gaps, usual, missing);
+    if (!where.isEmpty()) {
+        stack.problems.push_back({.kind = VolumeProblem::Kind::MissingSlices,
+            .text = (missing == 1 ? QStringLiteral("1 slice is missing: %2.")
+                                  : QStringLiteral("%1 slices are missing: %2.").arg(missing))
+                        .replace(QLatin1String("%2"), where.join(QLatin1String(", "))),
+            .caution = true});
+        return;
+    }
+    const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
+    stack.problems.push_back({.kind = VolumeProblem::Kind::UnevenSpacing,
+        .text = QStringLiteral("The distance between slices varies from %1 to %2 mm.")
+                    .arg(millimetres(*least), millimetres(*greatest)),
+        .caution = true});
+}
+
+void placeMany(SliceStack& stack, glm::dmat4& affine)
+{
+    const std::vector<ImageHeader>& slices = stack.slices;
+    const glm::dvec3 normal = slices.front().plane->normal();
+    const glm::dvec3 first = *slices.front().position;
+    const glm::dvec3 step = (*slices.back().position - first) / double(slices.size() - 1);
+    affine[2] = glm::dvec4(step, 0.0);
+
+    std::vector<double> gaps;
+    for (std::size_t k = 1; k < slices.size(); ++k)
+        gaps.push_back(glm::dot(*slices[k].position - *slices[k - 1].position, normal));
+    std::vector<double> sorted = gaps;
+    const std::size_t middle = (sorted.size() - 1) / 2;
+    std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(middle), sorted.end());
+    const double usual = sorted[middle];
+
+    const double tolerance = std::min(sameDistanceMm, sameDistanceShare * usual);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < slices.size(); ++k)
+        worst = std::max(worst, glm::length(*slices[k].position - (first + step * double(k))));
+    if (worst > tolerance) {
+        for (const ImageHeader& slice : slices)
+            stack.geometry.slicePositions.push_back(*slice.position);
+        reportGaps(stack, gaps, usual);
+    }
+}
+
+} // namespace
+
+void placeSlices(SliceStack& stack)
+{
+    const ImageHeader& first = stack.slices.front();
+    VolumeGeometry& geometry = stack.geometry;
+    geometry.size = {first.layout.columns, first.layout.rows, int(stack.slices.size())};
+    geometry.slicePositions.clear();
+    glm::dmat4& affine = geometry.indexToWorld;
+    affine[0] = glm::dvec4(first.plane->row * first.spacing->x, 0.0);
+    affine[1] = glm::dvec4(first.plane->column * first.spacing->y, 0.0);
+    affine[3] = glm::dvec4(*first.position, 1.0);
+    if (stack.slices.size() == 1) {
+        placeSingle(stack, affine);
+        return;
+    }
+    placeMany(stack, affine);
+    constexpr double straightDegrees = 0.1;
+    if (const double angle = geometry.shearAngleDegrees(); angle > straightDegrees) {
+        stack.problems.push_back({.kind = VolumeProblem::Kind::Tilt,
+            .text = QStringLiteral("The slices are tilted by %1° against their stacking direction "
+                                   "(gantry tilt).")
+                        .arg(angle, 0, 'f', 1),
+            .caution = true});
+    }
+}
+
+double sidewaysDriftMm(const SliceStack& stack)
+{
+    const std::vector<ImageHeader>& slices = stack.slices;
+    if (slices.size() < 3)
+        return 0.0;
+    const glm::dvec3 normal = slices.front().plane->normal();
+    const glm::dvec3 first = *slices.front().position;
+    const glm::dvec3 whole = *slices.back().position - first;
+    const double depth = glm::dot(whole, normal);
+    double worst = 0.0;
+    for (const ImageHeader& slice : slices) {
+        const glm::dvec3 here = *slice.position - first;
+        worst = std::max(worst, glm::length(here - whole * (glm::dot(here, normal) / depth)));
+    }
+    return worst;
+}
+
+VolumeProblem damagedSlices(const QStringList& fileNames)
+{
+    return {.kind = VolumeProblem::Kind::DamagedSlice,
+        .text = fileNames.size() == 1
+            ? QStringLiteral("1 damaged slice was left out: %1.").arg(fileNames.front())
+            : QStringLiteral("%1 damaged slices were left out: %2.")
+                  .arg(fileNames.size())
+                  .arg(fileNames.join(QLatin1String(", "))),
+        .caution = true};
+}
+
+} // namespace core

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nifti/NiftiReader.h"
+
+#include "core/volume/MemoryLimit.h"
+#include "core/volume/VolumeEncoder.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <nifti1_io.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace core {
+
+namespace {
+
+struct FreeImage {
+    void operator()(nifti_image* image) const { nifti_image_free(image); }
+};
+using Image = std::unique_ptr<nifti_image, FreeImage>;
+
+Image readImage(const QString& path)
+{
+    nifti_set_debug_level(0);
+    return Image(nifti_image_read(QFile::encodeName(path).constData(), 0));
+}
+
+bool isScalar(int type)
+{
+    switch (type) {
+    case DT_UINT8:
+    case DT_INT8:
+    case DT_INT16:
+    case DT_UINT16:
+    case DT_INT32:
+    case DT_UINT32:
+    case DT_INT64:
+    case DT_UINT64:
+    case DT_FLOAT32:
+    case DT_FLOAT64:
+        return true;
+    default:
+        return false;
+    }
+}
+
+double millimetresPerUnit(int units)
+{
+    switch (units) {
+    case NIFTI_UNITS_METER:
+        return 1000.0;
+    case NIFTI_UNITS_MICRON:
+        return 0.001;
+    default:
+        return 1.0;
+    }
+}
+
+glm::dmat4 lpsFromRas(const mat44& ras, double scale)
+{
+    glm::dmat4 lps(1.0);
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double sign = row == 2 ? 1.0 : -1.0;
+            lps[column][row] = sign * scale * double(ras.m[row][column]);
+        }
+    }
+    return lps;
+}
+
+glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems)
+{
+    const double scale = millimetresPerUnit(image.xyz_units);
+    if (image.sform_code > 0)
+        return lpsFromRas(image.sto_xyz, scale);
+    if (image.qform_code > 0)
+        return lpsFromRas(image.qto_xyz, scale);
+    problems.push_back({.kind = VolumeProblem::Kind::Other,
+        .text = QStringLiteral("The file does not say how it lies in the patient; left and right are "
+                               "assumed."),
+        .caution = true});
+    glm::dmat4 lps(1.0);
+    lps[0][0] = -scale * double(image.dx);
+    lps[1][1] = -scale * double(image.dy);
+    lps[2][2] = scale * double(image.dz);
+    return lps;
+}
+
+template <class Stored>
+double storedAt(const void* data, std::size_t index)
+{
+    Stored value;
+    std::memcpy(&value, static_cast<const char*>(data) + index * sizeof(Stored), sizeof(Stored));
+    return double(value);
+}
+
+using StoredAt = double (*)(const void* data, std::size_t index);
+
+StoredAt storedAtFor(int type)
+{
+    switch (type) {
+    case DT_UINT8:
+        return storedAt<std::uint8_t>;
+    case DT_INT8:
+        return storedAt<std::int8_t>;
+    case DT_INT16:
+        return storedAt<std::int16_t>;
+    case DT_UINT16:
+        return storedAt<std::uint16_t>;
+    case DT_INT32:
+        return storedAt<std::int32_t>;
+    case DT_UINT32:
+        return storedAt<std::uint32_t>;
+    case DT_INT64:
+        return storedAt<std::int64_t>;
+    case DT_UINT64:
+        return storedAt<std::uint64_t>;
+    case DT_FLOAT32:
+        return storedAt<float>;
+    default:
+        return storedAt<double>;
+    }
+}
+
+bool isNarrow(int type)
+{
+    return type == DT_UINT8 || type == DT_INT8 || type == DT_INT16 || type == DT_UINT16;
+}
+
+} // namespace
+
+bool isNiftiName(const QString& path)
+{
+    return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)
+        || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
+}
+
+Result<NiftiHeader> readNiftiHeader(const QString& path)
+{
+    if (QFileInfo(path).size() == 0)
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+    const Image image = readImage(path);
+    if (!image)
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("not a sound NIfTI header"));
+    for (int axis = 4; axis <= 7; ++axis) {
+        if (axis <= image->ndim && image->dim[axis] > 1) {
+            return failure(ErrorCode::UnsupportedFormat, path,
+                QStringLiteral("it holds %1 volumes").arg(image->dim[axis]));
+        }
+    }
+    if (!isScalar(image->datatype)) {
+        return failure(ErrorCode::UnsupportedFormat, path,
+            QStringLiteral("voxels of type %1")
+                .arg(QLatin1String(nifti_datatype_string(image->datatype))));
+    }
+    constexpr int longestSide = 32768;
+    if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nx > longestSide
+        || image->ny > longestSide || image->nz > longestSide) {
+        return failure(ErrorCode::InvalidGeometry, path,
+            QStringLiteral("%1 × %2 × %3 voxels").arg(image->nx).arg(image->ny).arg(image->nz));
+    }
+    NiftiHeader header;
+    SeriesEntry& entry = header.entry;
+    entry.geometry.size = {image->nx, image->ny, image->nz};
+    entry.geometry.indexToWorld = affine(*image, entry.problems);
+    entry.files = {path};
+    entry.identity.seriesDescription = QFileInfo(path).fileName();
+    const double volume = entry.geometry.voxelVolumeMm3();
+    if (!std::isfinite(volume) || volume <= 0.0) {
+        return failure(ErrorCode::InvalidGeometry, path,
+            QStringLiteral("its axes do not span a volume (sform or qform)"));
+    }
+    return header;
+}
+
+Result<LoadedVolume> loadNifti(const NiftiHeader& header, const Progress& progress)
+{
+    const QString path = header.entry.files.front();
+    if (const Result<void> fits = checkMemory(2 * header.entry.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    progress.report(QStringLiteral("Reading voxels"), 0, 1);
+    const Image image = readImage(path);
+    if (!image || nifti_image_load(image.get()) != 0 || !image->data)
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("its voxels are incomplete"));
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+
+    LoadedVolume loaded;
+    Volume& volume = loaded.volume;
+    volume.identity = header.entry.identity;
+    volume.geometry = header.entry.geometry;
+    volume.sourceFormat = QStringLiteral("NIfTI");
+    volume.problems = header.entry.problems;
+    // A slope of 0 means that there is none (nifti1.h).
+    const bool scaled = image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
+        && std::isfinite(image->scl_inter);
+    const double slope = scaled ? double(image->scl_slope) : 1.0;
+    const double intercept = scaled ? double(image->scl_inter) : 0.0;
+    const bool hasWindow = image->cal_max > image->cal_min;
+    if (hasWindow) {
+        volume.defaultWindow = {.centre = (double(image->cal_max) + double(image->cal_min)) / 2.0,
+            .width = double(image->cal_max) - double(image->cal_min)};
+    }
+
+    const StoredAt stored = storedAtFor(image->datatype);
+    const void* data = image->data;
+    const std::size_t voxels = volume.geometry.voxelCount();
+    if (isNarrow(image->datatype)) {
+        loaded.codes.resize(voxels);
+        for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+            loaded.codes[voxel] = std::uint16_t(int(stored(data, voxel)));
+        const bool isSigned = image->datatype == DT_INT8 || image->datatype == DT_INT16;
+        const std::vector<SliceRescale> slices(std::size_t(volume.geometry.size.z),
+            SliceRescale {.slope = slope, .intercept = intercept, .isSigned = isSigned});
+        encodeStoredValues(loaded, slices, hasWindow);
+        return loaded;
+    }
+    const std::size_t size
+        = std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
+    encodeValues(
+        loaded,
+        [&](int k, std::span<double> values) {
+            for (std::size_t voxel = 0; voxel < size; ++voxel)
+                values[voxel] = slope * stored(data, std::size_t(k) * size + voxel) + intercept;
+        },
+        hasWindow);
+    return loaded;
+}
+
+} // namespace core

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/study/StudyLoader.h"
+
+#include "core/dicom/DicomScan.h"
+#include "core/nifti/NiftiReader.h"
+
+#include <QDir>
+#include <QDirIterator>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <map>
+
+namespace core {
+
+namespace {
+
+constexpr int mostFiles = 500000;
+constexpr int deepestFolder = 32;
+
+/// A listing and, beside it, what its entries are made of.
+struct Scan {
+    StudyListing listing;
+    std::vector<ListedStack> stacks;
+    std::vector<NiftiHeader> niftis;
+};
+
+Result<QStringList> filesBelow(const QString& path)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return failure(ErrorCode::FileNotFound, path);
+    if (!info.isDir())
+        return QStringList {info.absoluteFilePath()};
+    if (!info.isReadable())
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
+    const QString root = info.absoluteFilePath();
+    QStringList files;
+    // Links to folders are not followed: they may lead round in circles.
+    QDirIterator iterator(root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot,
+        QDirIterator::Subdirectories);
+    while (iterator.hasNext() && files.size() < mostFiles) {
+        const QString file = iterator.next();
+        if (file.mid(root.size()).count(QLatin1Char('/')) <= deepestFolder
+            && iterator.fileInfo().isFile()) {
+            files.append(file);
+        }
+    }
+    if (files.isEmpty())
+        return failure(ErrorCode::FolderEmpty, path);
+    files.sort();
+    return files;
+}
+
+/// Where a key would name several entries each gets its number.
+void numberKeys(std::vector<SeriesEntry*>& entries)
+{
+    std::map<QString, int> uses;
+    for (const SeriesEntry* entry : entries)
+        ++uses[entry->key];
+    std::map<QString, int> next;
+    for (SeriesEntry* entry : entries) {
+        if (uses[entry->key] > 1)
+            entry->key += QStringLiteral("#%1").arg(++next[entry->key]);
+    }
+}
+
+void list(Scan& scan)
+{
+    const auto order = [](const ListedStack& stack) {
+        const StudyIdentity& of = stack.entry.identity;
+        return std::make_tuple(of.studyDate, stack.studyKey, of.seriesNumber.toInt(),
+            stack.seriesKey, -stack.entry.slices());
+    };
+    std::stable_sort(scan.stacks.begin(), scan.stacks.end(),
+        [&](const ListedStack& a, const ListedStack& b) { return order(a) < order(b); });
+    std::vector<SeriesEntry*> entries;
+    for (ListedStack& listed : scan.stacks) {
+        listed.entry.key = listed.seriesKey;
+        entries.push_back(&listed.entry);
+    }
+    numberKeys(entries);
+    for (const ListedStack& listed : scan.stacks) {
+        std::vector<StudyEntry>& studies = scan.listing.studies;
+        if (studies.empty() || studies.back().studyUid != listed.studyKey)
+            studies.push_back({.studyUid = listed.studyKey});
+        studies.back().series.push_back(listed.entry);
+    }
+}
+
+void listNifti(Scan& scan, const QString& root)
+{
+    const bool besideDicom = !scan.stacks.empty();
+    std::vector<NiftiHeader> volumes;
+    for (NiftiHeader& header : scan.niftis) {
+        if (besideDicom) {
+            scan.listing.foreign.push_back({.kind = QStringLiteral("NIfTI file"),
+                .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
+                .files = header.entry.files});
+            continue;
+        }
+        const QString file = header.entry.files.front();
+        header.entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
+                                                   : QFileInfo(file).fileName();
+        volumes.push_back(std::move(header));
+    }
+    scan.niftis = std::move(volumes);
+    if (scan.niftis.empty())
+        return;
+    StudyEntry study;
+    for (const NiftiHeader& header : scan.niftis)
+        study.series.push_back(header.entry);
+    scan.listing.studies.push_back(std::move(study));
+}
+
+Error nothingFound(const StudyListing& listing)
+{
+    // Files that nothing could be made of explain themselves best.
+    const auto telling = std::find_if(listing.unreadable.begin(), listing.unreadable.end(),
+        [](const UnreadableFile& file) {
+            return file.error.arguments.value(1) != QLatin1String("not a DICOM or NIfTI file");
+        });
+    if (listing.unreadable.size() == 1 && listing.foreign.empty())
+        return listing.unreadable.front().error;
+    if (telling != listing.unreadable.end())
+        return telling->error;
+    QStringList reasons;
+    for (const ForeignObject& object : listing.foreign) {
+        const QString text = object.reason.isEmpty()
+            ? object.kind
+            : QStringLiteral("%1 (%2)").arg(object.kind, object.reason);
+        if (!reasons.contains(text))
+            reasons.append(text);
+    }
+    return {ErrorCode::NoImages, {listing.path, reasons.join(QLatin1String("; "))}};
+}
+
+Result<Scan> scanPath(const QString& path, const Progress& progress)
+{
+    const Result<QStringList> files = filesBelow(path);
+    if (!files)
+        return tl::unexpected<Error>(files.error());
+    Scan scan;
+    scan.listing.path = path;
+    QStringList others;
+    for (const QString& file : *files) {
+        if (!isNiftiName(file)) {
+            others.append(file);
+            continue;
+        }
+        Result<NiftiHeader> header = readNiftiHeader(file);
+        if (header)
+            scan.niftis.push_back(std::move(*header));
+        else
+            scan.listing.unreadable.push_back({.file = file, .error = header.error()});
+    }
+    DicomScan dicom = scanDicom(others, progress);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    scan.stacks = std::move(dicom.stacks);
+    scan.listing.foreign = std::move(dicom.foreign);
+    scan.listing.unreadable.insert(scan.listing.unreadable.end(), dicom.unreadable.begin(),
+        dicom.unreadable.end());
+    list(scan);
+    listNifti(scan, path);
+    if (scan.listing.studies.empty() && scan.listing.foreign.empty())
+        return tl::unexpected<Error>(nothingFound(scan.listing));
+    return scan;
+}
+
+Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& series)
+{
+    const std::vector<const SeriesEntry*> found
+        = series.isEmpty() ? listing.candidates() : listing.matching(series);
+    if (found.empty() && series.isEmpty())
+        return tl::unexpected<Error>(nothingFound(listing));
+    if (found.empty())
+        return failure(ErrorCode::SeriesNotFound, listing.path, series);
+    if (found.size() == 1)
+        return found.front();
+    Error ambiguous {ErrorCode::SeriesAmbiguous, {listing.path}};
+    for (const SeriesEntry* entry : found)
+        ambiguous.arguments.append(entry->line());
+    return tl::unexpected<Error>(ambiguous);
+}
+
+} // namespace
+
+Result<StudyListing> scanStudies(const QString& path, const Progress& progress)
+{
+    Result<Scan> scan = scanPath(path, progress);
+    if (!scan)
+        return tl::unexpected<Error>(scan.error());
+    return std::move(scan->listing);
+}
+
+Result<LoadedVolume> loadVolume(
+    const QString& path, const QString& series, const Progress& progress)
+{
+    const Result<Scan> scan = scanPath(path, progress);
+    if (!scan)
+        return tl::unexpected<Error>(scan.error());
+    const Result<const SeriesEntry*> entry = choose(scan->listing, series);
+    if (!entry)
+        return tl::unexpected<Error>(entry.error());
+    const auto opened = [&](Result<LoadedVolume> loaded) {
+        if (loaded)
+            loaded->volume.sourcePath = path;
+        return loaded;
+    };
+    for (const ListedStack& listed : scan->stacks) {
+        if (listed.entry.key == (*entry)->key)
+            return opened(loadStack(listed, progress));
+    }
+    for (const NiftiHeader& header : scan->niftis) {
+        if (header.entry.key == (*entry)->key)
+            return opened(loadNifti(header, progress));
+    }
+    return failure(ErrorCode::SeriesNotFound, path, series);
+}
+
+} // namespace core

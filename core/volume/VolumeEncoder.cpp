@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/VolumeEncoder.h"
+
+#include "core/base/ParallelFor.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace core {
+
+namespace {
+
+constexpr int codeCount = VoxelEncoding::codeCount;
+using CodeCounts = std::vector<std::uint64_t>;
+
+std::size_t sliceSize(const Volume& volume)
+{
+    return std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
+}
+
+/// Counts codes slice by slice on all cores.
+CodeCounts countCodes(const LoadedVolume& loaded)
+{
+    CodeCounts counts(codeCount, 0);
+    std::mutex mutex;
+    const std::size_t size = sliceSize(loaded.volume);
+    parallelFor(loaded.volume.geometry.size.z, [&](int k) {
+        std::vector<std::uint32_t> own(codeCount, 0);
+        const std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
+        for (std::size_t voxel = 0; voxel < size; ++voxel)
+            ++own[code[voxel]];
+        const std::lock_guard lock(mutex);
+        for (int value = 0; value < codeCount; ++value)
+            counts[std::size_t(value)] += own[std::size_t(value)];
+    });
+    return counts;
+}
+
+/// Smallest code with at least @p share of all voxels at or below it.
+int percentileCode(const CodeCounts& counts, std::uint64_t total, double share)
+{
+    std::uint64_t below = 0;
+    for (int code = 0; code < codeCount; ++code) {
+        below += counts[std::size_t(code)];
+        if (double(below) >= share * double(total))
+            return code;
+    }
+    return codeCount - 1;
+}
+
+void describe(Volume& volume, const CodeCounts& counts, bool hasWindow)
+{
+    constexpr int bins = 256;
+    const VoxelEncoding& encoding = volume.encoding;
+    volume.histogram = {.minimum = volume.minimum,
+        .maximum = volume.maximum,
+        .counts = std::vector<std::uint32_t>(bins, 0)};
+    const double range = volume.maximum - volume.minimum;
+    std::uint64_t total = 0;
+    for (int code = 0; code < codeCount; ++code) {
+        const std::uint64_t count = counts[std::size_t(code)];
+        if (count == 0)
+            continue;
+        total += count;
+        const double share
+            = range > 0.0 ? (encoding.value(code) - volume.minimum) / range : 0.0;
+        const int bin = std::clamp(int(share * bins), 0, bins - 1);
+        std::uint32_t& sum = volume.histogram.counts[std::size_t(bin)];
+        sum = std::uint32_t(std::min<std::uint64_t>(sum + count, UINT32_MAX));
+    }
+    if (hasWindow)
+        return;
+    // Robust against metal, noise and the large dark background around most objects.
+    const double low = encoding.value(percentileCode(counts, total, 0.02));
+    const double high = encoding.value(percentileCode(counts, total, 0.995));
+    const double width = high > low ? high - low : std::max(range, 1.0);
+    volume.defaultWindow = {.centre = low + width / 2.0, .width = width};
+}
+
+void finishHash(Volume& volume, QCryptographicHash& hash)
+{
+    volume.voxelsSha256 = hash.result().toHex();
+}
+
+void addFloats(QCryptographicHash& hash, const std::vector<float>& values)
+{
+    static_assert(std::numeric_limits<float>::is_iec559);
+    hash.addData(QByteArrayView(reinterpret_cast<const char*>(values.data()),
+        qsizetype(values.size() * sizeof(float))));
+}
+
+/// Codes are exact: minimum, maximum and checksum follow from them by table.
+void describeExact(LoadedVolume& loaded, bool hasWindow)
+{
+    Volume& volume = loaded.volume;
+    const CodeCounts counts = countCodes(loaded);
+    int lowest = codeCount - 1;
+    int highest = 0;
+    std::vector<float> valueOfCode(codeCount);
+    for (int code = 0; code < codeCount; ++code) {
+        valueOfCode[std::size_t(code)] = float(volume.encoding.value(code));
+        if (counts[std::size_t(code)] == 0)
+            continue;
+        lowest = std::min(lowest, code);
+        highest = std::max(highest, code);
+    }
+    volume.minimum = volume.encoding.value(lowest);
+    volume.maximum = volume.encoding.value(highest);
+
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const std::size_t size = sliceSize(volume);
+    std::vector<float> values(size);
+    for (int k = 0; k < volume.geometry.size.z; ++k) {
+        const std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
+        for (std::size_t voxel = 0; voxel < size; ++voxel)
+            values[voxel] = valueOfCode[code[voxel]];
+        addFloats(hash, values);
+    }
+    finishHash(volume, hash);
+    describe(volume, counts, hasWindow);
+}
+
+int storedValue(std::uint16_t bits, bool isSigned)
+{
+    return isSigned ? int(std::int16_t(bits)) : int(bits);
+}
+
+} // namespace
+
+void encodeStoredValues(
+    LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow)
+{
+    const std::size_t size = sliceSize(loaded.volume);
+    const bool oneScale = std::all_of(slices.begin(), slices.end(), [&](const SliceRescale& slice) {
+        return slice.slope == slices[0].slope && slice.intercept == slices[0].intercept;
+    });
+    std::vector<int> lowest(slices.size(), INT32_MAX);
+    std::vector<int> highest(slices.size(), INT32_MIN);
+    parallelFor(int(slices.size()), [&](int k) {
+        const std::uint16_t* stored = loaded.codes.data() + std::size_t(k) * size;
+        for (std::size_t voxel = 0; voxel < size; ++voxel) {
+            const int value = storedValue(stored[voxel], slices[std::size_t(k)].isSigned);
+            lowest[std::size_t(k)] = std::min(lowest[std::size_t(k)], value);
+            highest[std::size_t(k)] = std::max(highest[std::size_t(k)], value);
+        }
+    });
+    const int least = *std::min_element(lowest.begin(), lowest.end());
+    const int greatest = *std::max_element(highest.begin(), highest.end());
+    if (!oneScale || greatest - least >= codeCount) {
+        const std::vector<std::uint16_t> stored = loaded.codes;
+        encodeValues(
+            loaded,
+            [&](int k, std::span<double> values) {
+                const SliceRescale& slice = slices[std::size_t(k)];
+                const std::uint16_t* from = stored.data() + std::size_t(k) * size;
+                for (std::size_t voxel = 0; voxel < size; ++voxel) {
+                    values[voxel] = slice.slope * double(storedValue(from[voxel], slice.isSigned))
+                        + slice.intercept;
+                }
+            },
+            hasWindow);
+        return;
+    }
+    const bool falling = slices[0].slope < 0.0;
+    loaded.volume.encoding = {.rescaleSlope = slices[0].slope,
+        .rescaleIntercept = slices[0].intercept,
+        .storedAtCodeZero = falling ? greatest : least,
+        .storedStep = falling ? -1 : 1};
+    parallelFor(int(slices.size()), [&](int k) {
+        std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
+        const bool isSigned = slices[std::size_t(k)].isSigned;
+        for (std::size_t voxel = 0; voxel < size; ++voxel) {
+            const int value = storedValue(code[voxel], isSigned);
+            code[voxel] = std::uint16_t(falling ? greatest - value : value - least);
+        }
+    });
+    describeExact(loaded, hasWindow);
+}
+
+void encodeValues(LoadedVolume& loaded,
+    const std::function<void(int k, std::span<double> values)>& slice, bool hasWindow)
+{
+    Volume& volume = loaded.volume;
+    const std::size_t size = sliceSize(volume);
+    const int slices = volume.geometry.size.z;
+    loaded.codes.resize(volume.geometry.voxelCount());
+
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -least;
+    bool whole = true;
+    std::mutex mutex;
+    parallelFor(slices, [&](int k) {
+        std::vector<double> values(size);
+        slice(k, values);
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        bool allWhole = true;
+        for (const double value : values) {
+            if (!std::isfinite(value))
+                continue;
+            low = std::min(low, value);
+            high = std::max(high, value);
+            allWhole = allWhole && value == std::trunc(value);
+        }
+        const std::lock_guard lock(mutex);
+        least = std::min(least, low);
+        greatest = std::max(greatest, high);
+        whole = whole && allWhole;
+    });
+    if (!(least <= greatest)) {
+        least = 0.0;
+        greatest = 0.0;
+    }
+    // Whole numbers within 16 bits are their own exact scale.
+    const bool exact = whole && greatest - least < codeCount && std::abs(least) < 1e9;
+    const double step
+        = exact ? 1.0 : (greatest > least ? (greatest - least) / (codeCount - 1) : 1.0);
+    volume.encoding = exact
+        ? VoxelEncoding {.storedAtCodeZero = int(least)}
+        : VoxelEncoding {.rescaleSlope = step, .rescaleIntercept = least};
+
+    bool allNumbers = true;
+    double maxError = 0.0;
+    parallelFor(slices, [&](int k) {
+        std::vector<double> values(size);
+        slice(k, values);
+        std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
+        double error = 0.0;
+        bool numbers = true;
+        for (std::size_t voxel = 0; voxel < size; ++voxel) {
+            const double value = values[voxel];
+            const bool isNumber = std::isfinite(value);
+            numbers = numbers && isNumber;
+            const double position = isNumber ? std::round((value - least) / step) : 0.0;
+            code[voxel] = std::uint16_t(std::clamp(position, 0.0, double(codeCount - 1)));
+            if (isNumber)
+                error = std::max(error, std::abs(volume.encoding.value(code[voxel]) - value));
+        }
+        const std::lock_guard lock(mutex);
+        maxError = std::max(maxError, error);
+        allNumbers = allNumbers && numbers;
+    });
+    volume.encoding.maxError = maxError;
+    volume.minimum = least;
+    volume.maximum = greatest;
+    if (!allNumbers) {
+        volume.problems.push_back({.kind = VolumeProblem::Kind::InexactValues,
+            .text = QStringLiteral("Some voxels hold no number; they are shown as the minimum.")});
+    }
+    if (maxError > 0.0) {
+        volume.problems.push_back({.kind = VolumeProblem::Kind::InexactValues,
+            .text = QStringLiteral("Values are held on a common scale, off by at most %1%2.")
+                        .arg(maxError, 0, 'g', 3)
+                        .arg(volume.unit.isEmpty() ? QString()
+                                                   : QLatin1Char(' ') + volume.unit)});
+    }
+
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    std::vector<double> values(size);
+    std::vector<float> floats(size);
+    for (int k = 0; k < slices; ++k) {
+        slice(k, values);
+        std::transform(values.begin(), values.end(), floats.begin(),
+            [](double value) { return float(value); });
+        addFloats(hash, floats);
+    }
+    finishHash(volume, hash);
+    describe(volume, countCodes(loaded), hasWindow);
+}
+
+} // namespace core

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// How the stored values of one slice become modality values: slope · stored + intercept, in double
+/// (DICOM PS3.3 C.11.1).
+struct SliceRescale {
+    double slope = 1.0;
+    double intercept = 0.0;
+    bool isSigned = false; ///< stored values are two's complement
+    bool operator==(const SliceRescale&) const = default;
+};
+
+/// Turns stored 16-bit values into codes and describes them: sets encoding, minimum, maximum,
+/// histogram, voxelsSha256 and, unless @p hasWindow, defaultWindow of @p loaded.volume.
+///
+/// Exact where all slices share one rescale and their values span 16 bits; otherwise on a common
+/// scale with its error stated and an InexactValues problem. The checksum is always that of the
+/// exact values. The volume's geometry must be set.
+/// @param loaded codes: stored values in, codes out
+/// @param slices one per slice k
+void encodeStoredValues(
+    LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow);
+
+/// The same for values of any kind: @p slice writes the exact modality values of one slice. Called
+/// from several threads, several times per slice. Values that are no numbers count as the minimum.
+void encodeValues(LoadedVolume& loaded,
+    const std::function<void(int k, std::span<double> values)>& slice, bool hasWindow);
+
+} // namespace core
