@@ -2,6 +2,7 @@
 #include "app/CommandLine.h"
 
 #include "app/EditsCommand.h"
+#include "app/InfoCommand.h"
 #include "app/Version.h"
 
 #include <QApplication>
@@ -20,6 +21,8 @@ std::span<const Command> commands()
 {
     static const std::vector<Command> table {
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false, runEdits},
+        {"info", "PATH [--json]", "what a file or folder holds: studies, volumes, problems", false,
+            runInfo},
     };
     return table;
 }

@@ -56,7 +56,7 @@ bool isVr(const std::uint8_t* letters)
 
 bool hasLongLength(std::string_view vr)
 {
-    constexpr std::array<std::string_view, 13> longOnes {
+    constexpr std::array<std::string_view, 13> longOnes{
         "OB", "OD", "OF", "OL", "OV", "OW", "SQ", "SV", "UC", "UN", "UR", "UT", "UV"};
     return std::find(longOnes.begin(), longOnes.end(), vr) != longOnes.end();
 }
@@ -102,7 +102,7 @@ Result<QByteArray> inflateDataSet(Bytes deflated, const QString& path)
     constexpr std::size_t freeOutput = 64u << 20;
     constexpr std::size_t maximumRatio = 200;
     constexpr std::size_t maximumOutput = std::size_t(1) << 30;
-    z_stream stream {};
+    z_stream stream{};
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
         return failure(ErrorCode::OutOfMemory, path);
     stream.next_in = const_cast<Bytef*>(deflated.data());
@@ -146,7 +146,7 @@ struct DicomFile::Walk {
     const QString& path;
     Bytes bytes;
     bool bigEndian = false;
-    std::vector<Level> levels {};
+    std::vector<Level> levels{};
     std::size_t at = 0;
 
     [[nodiscard]] tl::unexpected<Error> cut(std::uint32_t tag) const
@@ -172,8 +172,8 @@ struct DicomFile::Walk {
             if (bytes.size() - at < 8) {
                 if (outermost)
                     return {};
-                return failure(ErrorCode::FileTruncated, path,
-                    QStringLiteral("it ends inside a sequence"));
+                return failure(
+                    ErrorCode::FileTruncated, path, QStringLiteral("it ends inside a sequence"));
             }
             Element element;
             if (!readElement(bytes, at, levels.back().explicitVr, bigEndian, element))
@@ -185,8 +185,8 @@ struct DicomFile::Walk {
             // Zero bytes behind the last element are padding.
             if (outermost && element.tag == 0)
                 return {};
-            const Result<void> entered
-                = levels.back().isSequence ? enterItem(element) : enterElement(element);
+            const Result<void> entered =
+                levels.back().isSequence ? enterItem(element) : enterElement(element);
             if (!entered)
                 return entered;
         }
@@ -206,17 +206,16 @@ struct DicomFile::Walk {
                 at = level.end;
                 return {};
             }
-            return damaged(QStringLiteral("a sequence holds %1 instead of an item")
-                               .arg(tagText(element.tag)));
+            return damaged(
+                QStringLiteral("a sequence holds %1 instead of an item").arg(tagText(element.tag)));
         }
         at = element.value;
         if (level.holdsFragments)
             return skip(element);
         if (element.length != undefinedLength && element.length > bytes.size() - at)
             return cut(element.tag);
-        levels.push_back(
-            {.end = element.length == undefinedLength ? openEnd : at + element.length,
-                .explicitVr = level.explicitVr});
+        levels.push_back({.end = element.length == undefinedLength ? openEnd : at + element.length,
+            .explicitVr = level.explicitVr});
         return {};
     }
 
@@ -337,11 +336,10 @@ Result<DicomFile> DicomFile::open(const QString& path)
                 ErrorCode::FileTruncated, path, QStringLiteral("it ends inside its header"));
         }
         if (element.tag == 0x00020010u) {
-            file.m_transferSyntaxUid
-                = QString::fromLatin1(reinterpret_cast<const char*>(mapped) + element.value,
-                    qsizetype(element.length))
-                      .remove(QChar(0))
-                      .trimmed();
+            file.m_transferSyntaxUid = QString::fromLatin1(
+                reinterpret_cast<const char*>(mapped) + element.value, qsizetype(element.length))
+                                           .remove(QChar(0))
+                                           .trimmed();
         }
         at = element.value + element.length;
     }
@@ -362,7 +360,7 @@ Result<DicomFile> DicomFile::open(const QString& path)
         dataSet = Bytes(reinterpret_cast<const std::uint8_t*>(file.m_inflated.constData()),
             std::size_t(file.m_inflated.size()));
     }
-    Walk walk {.file = file, .path = path, .bytes = dataSet, .bigEndian = syntax.bigEndian};
+    Walk walk{.file = file, .path = path, .bytes = dataSet, .bigEndian = syntax.bigEndian};
     if (const Result<void> walked = walk.run(syntax.explicitVr); !walked)
         return tl::unexpected<Error>(walked.error());
     return file;

@@ -45,7 +45,7 @@ private:
     struct Walk;
 
     std::unique_ptr<QFile> m_file; ///< keeps the mapping alive
-    QByteArray m_inflated;         ///< the data set of a deflated file
+    QByteArray m_inflated; ///< the data set of a deflated file
     QString m_transferSyntaxUid;
     bool m_bigEndian = false;
     bool m_hasPixels = false;

@@ -24,8 +24,8 @@ namespace {
 /// A name for a group of files that carry no UID, the same whenever they are read again.
 QString madeUpName(const char* what, const QStringList& facts)
 {
-    const QByteArray digest = QCryptographicHash::hash(
-        facts.join(QChar(0x1f)).toUtf8(), QCryptographicHash::Sha256);
+    const QByteArray digest =
+        QCryptographicHash::hash(facts.join(QChar(0x1f)).toUtf8(), QCryptographicHash::Sha256);
     return QStringLiteral("no-%1-uid-%2")
         .arg(QLatin1String(what), QString::fromLatin1(digest.toHex().left(12)));
 }
@@ -34,8 +34,9 @@ QString studyKey(const StudyIdentity& of)
 {
     if (!of.studyUid.isEmpty())
         return of.studyUid;
-    return madeUpName("study", {of.patientName, of.patientId, of.birthDate, of.studyDate,
-                                   of.studyDescription, of.accessionNumber});
+    return madeUpName("study",
+        {of.patientName, of.patientId, of.birthDate, of.studyDate, of.studyDescription,
+            of.accessionNumber});
 }
 
 QString seriesKey(const StudyIdentity& of)
@@ -66,11 +67,11 @@ QString unitOf(const ImageHeader& image)
 ListedStack listed(SliceStack stack)
 {
     const ImageHeader& first = stack.slices.front();
-    ListedStack result {.entry = {.identity = first.identity,
-                            .geometry = stack.geometry,
-                            .unit = unitOf(first),
-                            .part = stack.part,
-                            .problems = stack.problems},
+    ListedStack result{.entry = {.identity = first.identity,
+                           .geometry = stack.geometry,
+                           .unit = unitOf(first),
+                           .part = stack.part,
+                           .problems = stack.problems},
         .seriesKey = seriesKey(first.identity),
         .studyKey = studyKey(first.identity)};
     for (const ImageHeader& image : stack.slices)
@@ -87,8 +88,8 @@ struct Decoding {
 
 Decoding decodeAll(const SliceStack& stack, const Progress& progress)
 {
-    const std::size_t size
-        = std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
     Decoding decoding;
     decoding.stored.resize(stack.geometry.voxelCount());
     decoding.errors.resize(stack.slices.size());
@@ -97,8 +98,8 @@ Decoding decodeAll(const SliceStack& stack, const Progress& progress)
         if (progress.cancelled())
             return;
         const auto slot = std::size_t(k);
-        const Result<void> decoded = decodeFrame(
-            stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
+        const Result<void> decoded =
+            decodeFrame(stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
         if (!decoded)
             decoding.errors[slot] = decoded.error();
         progress.report(QStringLiteral("Reading slices"), ++done, int(stack.slices.size()));
@@ -109,8 +110,8 @@ Decoding decodeAll(const SliceStack& stack, const Progress& progress)
 /// Leaves out the slices that failed; the rest is placed anew.
 SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
 {
-    const std::size_t size
-        = std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
     std::vector<ImageHeader> sound;
     QStringList failed;
     for (std::size_t k = 0; k < stack.slices.size(); ++k) {
@@ -155,8 +156,8 @@ DicomScan scanDicom(const QStringList& files, const Progress& progress)
         ImageHeader& image = **header;
         const QString kind = kindWithoutSlices(image);
         if (!kind.isEmpty()) {
-            const auto same = std::find_if(scan.foreign.begin(), scan.foreign.end(),
-                [&](const ForeignObject& object) {
+            const auto same = std::find_if(
+                scan.foreign.begin(), scan.foreign.end(), [&](const ForeignObject& object) {
                     return object.kind == kind
                         && object.identity.seriesUid == image.identity.seriesUid;
                 });

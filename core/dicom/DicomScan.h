@@ -15,8 +15,8 @@ namespace core {
 struct ListedStack {
     SeriesEntry entry; ///< without a key
     QString seriesKey; ///< SeriesInstanceUID, or a name made from the header
-    QString studyKey;  ///< StudyInstanceUID, or a name made from the header
-    SliceStack stack {};
+    QString studyKey; ///< StudyInstanceUID, or a name made from the header
+    SliceStack stack{};
 };
 
 struct DicomScan {
@@ -31,7 +31,6 @@ struct DicomScan {
 
 /// Decodes a stack. Slices that fail are left out and named in the problems; FileTruncated or the
 /// first failure if none is left, OutOfMemory, Cancelled.
-[[nodiscard]] Result<LoadedVolume> loadStack(
-    const ListedStack& listed, const Progress& progress);
+[[nodiscard]] Result<LoadedVolume> loadStack(const ListedStack& listed, const Progress& progress);
 
 } // namespace core

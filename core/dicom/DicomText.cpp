@@ -12,8 +12,8 @@ namespace core {
 
 QString dicomText(const QByteArray& bytes, const QByteArray& characterSet)
 {
-    const bool plain = std::all_of(bytes.begin(), bytes.end(),
-        [](char byte) { return (byte & 0x80) == 0 && byte != 0x1b; });
+    const bool plain = std::all_of(
+        bytes.begin(), bytes.end(), [](char byte) { return (byte & 0x80) == 0 && byte != 0x1b; });
     if (plain)
         return QString::fromLatin1(bytes).trimmed();
     DcmSpecificCharacterSet converter;

@@ -15,7 +15,8 @@ namespace core {
 /// bytes are taken as Latin-1: a name that looks odd is better than a study that does not open.
 [[nodiscard]] QString dicomText(const QByteArray& bytes, const QByteArray& characterSet);
 
-/// A decimal string (VR DS or IS) in the way of PS3.5, whatever the locale; none if it is no number.
+/// A decimal string (VR DS or IS) in the way of PS3.5, whatever the locale; none if it is no
+/// number.
 [[nodiscard]] std::optional<double> dicomNumber(std::string_view text);
 
 /// "20240131" → "2024-01-31"; other texts unchanged.

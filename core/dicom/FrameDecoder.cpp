@@ -42,8 +42,8 @@ Result<void> decode(const ImageHeader& header, std::span<std::uint16_t> stored)
     if (!file)
         return tl::unexpected<Error>(file.error());
     const PixelLayout& layout = header.layout;
-    const std::size_t size
-        = std::size_t(layout.columns) * std::size_t(layout.rows) * (layout.bitsAllocated / 8u);
+    const std::size_t size =
+        std::size_t(layout.columns) * std::size_t(layout.rows) * (layout.bitsAllocated / 8u);
     if (!file->isEncapsulated())
         return decodeNative(*file, header, size, stored);
     return failure(ErrorCode::UnsupportedFormat, header.file, header.transferSyntaxUid);

@@ -16,7 +16,6 @@ namespace core {
 ///
 /// The file is read again; no parser but our own sees more of it than the pixel data. Any thread.
 /// Errors name the file: FileTruncated, UnsupportedFormat, FileUnreadable (damaged pixel data).
-[[nodiscard]] Result<void> decodeFrame(
-    const ImageHeader& header, std::span<std::uint16_t> stored);
+[[nodiscard]] Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored);
 
 } // namespace core

@@ -50,8 +50,8 @@ public:
         if (all.isEmpty())
             return values;
         for (const QByteArray& one : all.split('\\')) {
-            const std::optional<double> value
-                = dicomNumber(std::string_view(one.constData(), std::size_t(one.size())));
+            const std::optional<double> value =
+                dicomNumber(std::string_view(one.constData(), std::size_t(one.size())));
             if (!value)
                 return {};
             values.push_back(*value);
@@ -78,7 +78,7 @@ struct PhaseAttribute {
 const std::vector<PhaseAttribute>& phaseAttributes()
 {
     // The order of DICOM.md 1.3: what names a phase first, what merely differs with it last.
-    static const std::vector<PhaseAttribute> table {
+    static const std::vector<PhaseAttribute> table{
         {DCM_TemporalPositionIdentifier, "temporal position"},
         {DCM_NominalPercentageOfCardiacPhase, "cardiac phase"},
         {DCM_TriggerTime, "trigger time"},
@@ -140,7 +140,7 @@ void readPlane(const Attributes& from, ImageHeader& header)
             && std::abs(glm::length(column) - 1.0) < tolerance
             && std::abs(glm::dot(row, column)) < tolerance;
         if (sound)
-            header.plane = ImagePlane {glm::normalize(row), glm::normalize(column)};
+            header.plane = ImagePlane{glm::normalize(row), glm::normalize(column)};
     }
     // First the distance between rows, then the one between columns (PS3.3 10.7.1.3).
     const std::vector<double> spacing = from.numbers(DCM_PixelSpacing);
@@ -163,7 +163,7 @@ void readValues(const Attributes& from, ImageHeader& header)
     const std::optional<double> centre = from.number(DCM_WindowCenter);
     const std::optional<double> width = from.number(DCM_WindowWidth);
     if (centre && width && *width >= 1.0)
-        header.window = WindowLevel {*centre, *width};
+        header.window = WindowLevel{*centre, *width};
 }
 
 Result<ImageHeader> read(const QString& path)
@@ -202,8 +202,8 @@ Result<ImageHeader> read(const QString& path)
     }
     readPlane(from, header);
     readValues(from, header);
-    header.instanceNumber
-        = int(std::clamp(from.number(DCM_InstanceNumber).value_or(0.0), -2e9, 2e9));
+    header.instanceNumber =
+        int(std::clamp(from.number(DCM_InstanceNumber).value_or(0.0), -2e9, 2e9));
     for (const PhaseAttribute& attribute : phaseAttributes())
         header.phases.push_back(from.text(attribute.key));
     if (header.sopClassUid.isEmpty()) {

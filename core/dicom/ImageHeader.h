@@ -27,8 +27,8 @@ struct PixelLayout {
 
 /// Directions of increasing column and row index, unit vectors in LPS (PS3.3 C.7.6.2.1.1).
 struct ImagePlane {
-    glm::dvec3 row {1.0, 0.0, 0.0};
-    glm::dvec3 column {0.0, 1.0, 0.0};
+    glm::dvec3 row{1.0, 0.0, 0.0};
+    glm::dvec3 column{0.0, 1.0, 0.0};
 
     [[nodiscard]] glm::dvec3 normal() const { return glm::cross(row, column); }
 };
@@ -43,8 +43,8 @@ struct ImageHeader {
     QStringList imageType;
 
     bool hasPixels = false;
-    bool pixelsCut = false;   ///< the file ends before its pixel data do
-    bool isEnhanced = false;  ///< geometry in functional groups
+    bool pixelsCut = false; ///< the file ends before its pixel data do
+    bool isEnhanced = false; ///< geometry in functional groups
     bool hasModalityLut = false;
     bool isLossy = false;
     int frames = 1;
@@ -52,9 +52,9 @@ struct ImageHeader {
 
     std::optional<glm::dvec3> position; ///< centre of the first pixel, LPS mm
     std::optional<ImagePlane> plane;
-    std::optional<glm::dvec2> spacing;  ///< mm between columns (x) and between rows (y)
-    double sliceThickness = 0.0;        ///< 0: absent
-    double spacingBetweenSlices = 0.0;  ///< 0: absent
+    std::optional<glm::dvec2> spacing; ///< mm between columns (x) and between rows (y)
+    double sliceThickness = 0.0; ///< 0: absent
+    double spacingBetweenSlices = 0.0; ///< 0: absent
 
     bool hasRescale = false;
     double slope = 1.0;

@@ -23,7 +23,7 @@ using Images = std::vector<ImageHeader>;
 /// Images of a stack at one position.
 struct Place {
     double along = 0.0;
-    Images images {};
+    Images images{};
 };
 
 QString apartKind(const ImageHeader& image, QString& reason)
@@ -203,7 +203,7 @@ std::optional<PhaseSplit> findPhases(const std::vector<Place>& places, std::size
         }
         if (!distinct || all.size() != most)
             continue;
-        PhaseSplit split {.attribute = phaseAttributeNames()[index],
+        PhaseSplit split{.attribute = phaseAttributeNames()[index],
             .values = {all.begin(), all.end()},
             .index = index};
         std::sort(split.values.begin(), split.values.end(), lessValue);
@@ -227,8 +227,8 @@ void splitPhases(std::vector<Place> places, const std::vector<VolumeProblem>& pr
         Images images;
         for (Place& place : places) {
             if (split) {
-                const auto found = std::find_if(place.images.begin(), place.images.end(),
-                    [&](const ImageHeader& image) {
+                const auto found = std::find_if(
+                    place.images.begin(), place.images.end(), [&](const ImageHeader& image) {
                         return image.phases[split->index] == split->values[phase];
                     });
                 if (found != place.images.end())
@@ -283,8 +283,8 @@ void stackGroup(Images group, StackSorting& sorting)
     std::vector<Place> places = sortIntoPlaces(std::move(sound));
     dropDuplicates(places, problems);
 
-    const bool single = std::all_of(places.begin(), places.end(),
-        [](const Place& place) { return place.images.size() == 1; });
+    const bool single = std::all_of(
+        places.begin(), places.end(), [](const Place& place) { return place.images.size() == 1; });
     if (!single) {
         splitPhases(std::move(places), problems, sorting.stacks);
         return;

@@ -3,8 +3,8 @@
 
 namespace core {
 
-void extractStoredBits(std::span<const std::uint8_t> cells, const PixelLayout& layout,
-    std::span<std::uint16_t> stored)
+void extractStoredBits(
+    std::span<const std::uint8_t> cells, const PixelLayout& layout, std::span<std::uint16_t> stored)
 {
     const int shift = layout.highBit + 1 - layout.bitsStored;
     const std::uint32_t mask = (1u << layout.bitsStored) - 1u;

@@ -10,8 +10,8 @@ namespace {
 constexpr TransferSyntax table[] = {
     {"1.2.840.10008.1.2", "Implicit VR Little Endian", PixelCoding::Native, false},
     {"1.2.840.10008.1.2.1", "Explicit VR Little Endian", PixelCoding::Native},
-    {"1.2.840.10008.1.2.1.99", "Deflated Explicit VR Little Endian", PixelCoding::Native, true, false,
-        true},
+    {"1.2.840.10008.1.2.1.99", "Deflated Explicit VR Little Endian", PixelCoding::Native, true,
+        false, true},
     {"1.2.840.10008.1.2.2", "Explicit VR Big Endian", PixelCoding::Native, true, true},
     {"1.2.840.10008.1.2.4.50", "JPEG Baseline", PixelCoding::Jpeg},
     {"1.2.840.10008.1.2.4.51", "JPEG Extended", PixelCoding::Jpeg},
@@ -29,7 +29,7 @@ constexpr TransferSyntax table[] = {
     {"1.2.840.10008.1.2.5", "RLE Lossless", PixelCoding::Rle},
 };
 
-constexpr TransferSyntax unknown {"", "unknown", PixelCoding::Unknown};
+constexpr TransferSyntax unknown{"", "unknown", PixelCoding::Unknown};
 
 } // namespace
 

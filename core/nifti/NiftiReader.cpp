@@ -79,8 +79,9 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
     if (image.qform_code > 0)
         return lpsFromRas(image.qto_xyz, scale);
     problems.push_back({.kind = VolumeProblem::Kind::Other,
-        .text = QStringLiteral("The file does not say how it lies in the patient; left and right are "
-                               "assumed."),
+        .text =
+            QStringLiteral("The file does not say how it lies in the patient; left and right are "
+                           "assumed."),
         .caution = true});
     glm::dmat4 lps(1.0);
     lps[0][0] = -scale * double(image.dx);
@@ -89,8 +90,7 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
     return lps;
 }
 
-template <class Stored>
-double storedAt(const void* data, std::size_t index)
+template <class Stored> double storedAt(const void* data, std::size_t index)
 {
     Stored value;
     std::memcpy(&value, static_cast<const char*>(data) + index * sizeof(Stored), sizeof(Stored));
@@ -214,12 +214,12 @@ Result<LoadedVolume> loadNifti(const NiftiHeader& header, const Progress& progre
             loaded.codes[voxel] = std::uint16_t(int(stored(data, voxel)));
         const bool isSigned = image->datatype == DT_INT8 || image->datatype == DT_INT16;
         const std::vector<SliceRescale> slices(std::size_t(volume.geometry.size.z),
-            SliceRescale {.slope = slope, .intercept = intercept, .isSigned = isSigned});
+            SliceRescale{.slope = slope, .intercept = intercept, .isSigned = isSigned});
         encodeStoredValues(loaded, slices, hasWindow);
         return loaded;
     }
-    const std::size_t size
-        = std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
+    const std::size_t size =
+        std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
     encodeValues(
         loaded,
         [&](int k, std::span<double> values) {

@@ -6,13 +6,13 @@ namespace core {
 QString SeriesEntry::line() const
 {
     QStringList words;
-    const QString patient = identity.patientName.isEmpty() ? identity.patientId
-                                                           : identity.patientName;
+    const QString patient =
+        identity.patientName.isEmpty() ? identity.patientId : identity.patientName;
     words << key << (patient.isEmpty() ? QStringLiteral("no patient name") : patient);
     if (!identity.studyDate.isEmpty())
         words << identity.studyDate;
-    const QString description
-        = QString(identity.modality + QLatin1Char(' ') + identity.seriesDescription).trimmed();
+    const QString description =
+        QString(identity.modality + QLatin1Char(' ') + identity.seriesDescription).trimmed();
     if (!description.isEmpty())
         words << description;
     if (!part.isEmpty())

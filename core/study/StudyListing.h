@@ -18,15 +18,15 @@ namespace core {
 /// or time is several; each is named by its key.
 struct SeriesEntry {
     /// What `loadVolume` and `--series` take: the SeriesInstanceUID; "UID#2" where one UID holds
-    /// several volumes; a name made from the header where the files carry no UID; the file name of a
-    /// NIfTI file.
-    QString key {};
+    /// several volumes; a name made from the header where the files carry no UID; the file name of
+    /// a NIfTI file.
+    QString key{};
     StudyIdentity identity;
     VolumeGeometry geometry;
     QString unit; ///< "HU" for CT, else what the source says; may be empty
     QString part; ///< which part of a split series, in words; empty for a whole one
     std::vector<VolumeProblem> problems; ///< those that headers show
-    QStringList files {};                ///< per slice k; one for NIfTI
+    QStringList files{}; ///< per slice k; one for NIfTI
 
     [[nodiscard]] int slices() const { return geometry.size.z; }
     /// False for a single image: it opens when asked for, or when there is nothing else.
@@ -38,22 +38,22 @@ struct SeriesEntry {
 /// One study and its volumes, series in the order of their numbers.
 struct StudyEntry {
     QString studyUid; ///< as the files say, else a name made from the header
-    std::vector<SeriesEntry> series {};
+    std::vector<SeriesEntry> series{};
 };
 
 /// Sound files that are no slices of a volume: SEG, RTSTRUCT, reports, DICOMDIR, localizers, colour
 /// screens, multi-frame images. Listed beside the volumes, never an error.
 struct ForeignObject {
-    QString kind;   ///< "localizer", "DICOM SEG", …
-    QString reason {}; ///< why it is no volume; may be empty
-    StudyIdentity identity {};
-    QStringList files {};
+    QString kind; ///< "localizer", "DICOM SEG", …
+    QString reason{}; ///< why it is no volume; may be empty
+    StudyIdentity identity{};
+    QStringList files{};
 };
 
 /// A file that could not be used, and why.
 struct UnreadableFile {
     QString file;
-    Error error;    ///< arguments: the file, the reason
+    Error error; ///< arguments: the file, the reason
 };
 
 /// What a folder or file holds.

@@ -31,14 +31,14 @@ Result<QStringList> filesBelow(const QString& path)
     if (!info.exists())
         return failure(ErrorCode::FileNotFound, path);
     if (!info.isDir())
-        return QStringList {info.absoluteFilePath()};
+        return QStringList{info.absoluteFilePath()};
     if (!info.isReadable())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
     const QString root = info.absoluteFilePath();
     QStringList files;
     // Links to folders are not followed: they may lead round in circles.
-    QDirIterator iterator(root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot,
-        QDirIterator::Subdirectories);
+    QDirIterator iterator(
+        root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
     while (iterator.hasNext() && files.size() < mostFiles) {
         const QString file = iterator.next();
         if (file.mid(root.size()).count(QLatin1Char('/')) <= deepestFolder
@@ -116,8 +116,8 @@ void listNifti(Scan& scan, const QString& root)
 Error nothingFound(const StudyListing& listing)
 {
     // Files that nothing could be made of explain themselves best.
-    const auto telling = std::find_if(listing.unreadable.begin(), listing.unreadable.end(),
-        [](const UnreadableFile& file) {
+    const auto telling = std::find_if(
+        listing.unreadable.begin(), listing.unreadable.end(), [](const UnreadableFile& file) {
             return file.error.arguments.value(1) != QLatin1String("not a DICOM or NIfTI file");
         });
     if (listing.unreadable.size() == 1 && listing.foreign.empty())
@@ -159,8 +159,8 @@ Result<Scan> scanPath(const QString& path, const Progress& progress)
         return failure(ErrorCode::Cancelled);
     scan.stacks = std::move(dicom.stacks);
     scan.listing.foreign = std::move(dicom.foreign);
-    scan.listing.unreadable.insert(scan.listing.unreadable.end(), dicom.unreadable.begin(),
-        dicom.unreadable.end());
+    scan.listing.unreadable.insert(
+        scan.listing.unreadable.end(), dicom.unreadable.begin(), dicom.unreadable.end());
     list(scan);
     listNifti(scan, path);
     if (scan.listing.studies.empty() && scan.listing.foreign.empty())
@@ -170,15 +170,15 @@ Result<Scan> scanPath(const QString& path, const Progress& progress)
 
 Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& series)
 {
-    const std::vector<const SeriesEntry*> found
-        = series.isEmpty() ? listing.candidates() : listing.matching(series);
+    const std::vector<const SeriesEntry*> found =
+        series.isEmpty() ? listing.candidates() : listing.matching(series);
     if (found.empty() && series.isEmpty())
         return tl::unexpected<Error>(nothingFound(listing));
     if (found.empty())
         return failure(ErrorCode::SeriesNotFound, listing.path, series);
     if (found.size() == 1)
         return found.front();
-    Error ambiguous {ErrorCode::SeriesAmbiguous, {listing.path}};
+    Error ambiguous{ErrorCode::SeriesAmbiguous, {listing.path}};
     for (const SeriesEntry* entry : found)
         ambiguous.arguments.append(entry->line());
     return tl::unexpected<Error>(ambiguous);

@@ -22,8 +22,8 @@ namespace core {
 ///
 /// @param series key or SeriesInstanceUID; empty: the only volume there is. SeriesAmbiguous, with
 /// one line per candidate, where more than one is left; SeriesNotFound where none is.
-/// Slices that cannot be decoded are left out and named in Volume::problems; an error is returned if
-/// none is left. Blocking; decodes on all cores; @p progress tells slices done and may cancel.
+/// Slices that cannot be decoded are left out and named in Volume::problems; an error is returned
+/// if none is left. Blocking; decodes on all cores; @p progress tells slices done and may cancel.
 [[nodiscard]] Result<LoadedVolume> loadVolume(
     const QString& path, const QString& series = QString(), const Progress& progress = Progress());
 

@@ -66,8 +66,7 @@ void describe(Volume& volume, const CodeCounts& counts, bool hasWindow)
         if (count == 0)
             continue;
         total += count;
-        const double share
-            = range > 0.0 ? (encoding.value(code) - volume.minimum) / range : 0.0;
+        const double share = range > 0.0 ? (encoding.value(code) - volume.minimum) / range : 0.0;
         const int bin = std::clamp(int(share * bins), 0, bins - 1);
         std::uint32_t& sum = volume.histogram.counts[std::size_t(bin)];
         sum = std::uint32_t(std::min<std::uint64_t>(sum + count, UINT32_MAX));
@@ -89,8 +88,8 @@ void finishHash(Volume& volume, QCryptographicHash& hash)
 void addFloats(QCryptographicHash& hash, const std::vector<float>& values)
 {
     static_assert(std::numeric_limits<float>::is_iec559);
-    hash.addData(QByteArrayView(reinterpret_cast<const char*>(values.data()),
-        qsizetype(values.size() * sizeof(float))));
+    hash.addData(QByteArrayView(
+        reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(float))));
 }
 
 /// Codes are exact: minimum, maximum and checksum follow from them by table.
@@ -131,8 +130,7 @@ int storedValue(std::uint16_t bits, bool isSigned)
 
 } // namespace
 
-void encodeStoredValues(
-    LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow)
+void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow)
 {
     const std::size_t size = sliceSize(loaded.volume);
     const bool oneScale = std::all_of(slices.begin(), slices.end(), [&](const SliceRescale& slice) {
@@ -217,11 +215,10 @@ void encodeValues(LoadedVolume& loaded,
     }
     // Whole numbers within 16 bits are their own exact scale.
     const bool exact = whole && greatest - least < codeCount && std::abs(least) < 1e9;
-    const double step
-        = exact ? 1.0 : (greatest > least ? (greatest - least) / (codeCount - 1) : 1.0);
-    volume.encoding = exact
-        ? VoxelEncoding {.storedAtCodeZero = int(least)}
-        : VoxelEncoding {.rescaleSlope = step, .rescaleIntercept = least};
+    const double step =
+        exact ? 1.0 : (greatest > least ? (greatest - least) / (codeCount - 1) : 1.0);
+    volume.encoding = exact ? VoxelEncoding{.storedAtCodeZero = int(least)}
+                            : VoxelEncoding{.rescaleSlope = step, .rescaleIntercept = least};
 
     bool allNumbers = true;
     double maxError = 0.0;
@@ -255,8 +252,7 @@ void encodeValues(LoadedVolume& loaded,
         volume.problems.push_back({.kind = VolumeProblem::Kind::InexactValues,
             .text = QStringLiteral("Values are held on a common scale, off by at most %1%2.")
                         .arg(maxError, 0, 'g', 3)
-                        .arg(volume.unit.isEmpty() ? QString()
-                                                   : QLatin1Char(' ') + volume.unit)});
+                        .arg(volume.unit.isEmpty() ? QString() : QLatin1Char(' ') + volume.unit)});
     }
 
     QCryptographicHash hash(QCryptographicHash::Sha256);

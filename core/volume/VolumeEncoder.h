@@ -27,8 +27,7 @@ struct SliceRescale {
 /// exact values. The volume's geometry must be set.
 /// @param loaded codes: stored values in, codes out
 /// @param slices one per slice k
-void encodeStoredValues(
-    LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow);
+void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow);
 
 /// The same for values of any kind: @p slice writes the exact modality values of one slice. Called
 /// from several threads, several times per slice. Values that are no numbers count as the minimum.

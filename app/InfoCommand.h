@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStringList>
+
+namespace app {
+
+/// `burin info PATH [--json]`: what a folder or file holds; decodes every volume for its value
+/// range and checksum.
+int runInfo(const QStringList& arguments);
+
+} // namespace app
