@@ -87,8 +87,7 @@ bool near(double a, double b)
 
 bool sameStack(const ImageHeader& a, const ImageHeader& b)
 {
-    return a.identity.frameOfReferenceUid == b.identity.frameOfReferenceUid
-        && a.layout.rows == b.layout.rows && a.layout.columns == b.layout.columns
+    return a.layout.rows == b.layout.rows && a.layout.columns == b.layout.columns
         && near(a.spacing->x, b.spacing->x) && near(a.spacing->y, b.spacing->y)
         && near(a.plane->row, b.plane->row) && near(a.plane->column, b.plane->column);
 }
@@ -104,6 +103,30 @@ std::vector<Images> splitByPlane(Images images)
         else
             groups.emplace_back().push_back(std::move(image));
     }
+    return groups;
+}
+
+/// Some de-identified series give every image a frame of reference of its own; that says nothing.
+bool framesAreMeaningless(const Images& group)
+{
+    std::set<QString> frames;
+    for (const ImageHeader& image : group)
+        frames.insert(image.identity.frameOfReferenceUid);
+    return frames.size() > 1 && frames.size() == group.size();
+}
+
+std::vector<Images> splitByFrameOfReference(Images group)
+{
+    std::vector<Images> groups;
+    if (framesAreMeaningless(group)) {
+        groups.push_back(std::move(group));
+        return groups;
+    }
+    std::map<QString, Images> byFrame;
+    for (ImageHeader& image : group)
+        byFrame[image.identity.frameOfReferenceUid].push_back(std::move(image));
+    for (auto& [uid, images] : byFrame)
+        groups.push_back(std::move(images));
     return groups;
 }
 
@@ -280,6 +303,12 @@ void stackGroup(Images group, StackSorting& sorting)
         problems.push_back(damagedSlices(cut));
     if (sound.empty())
         return;
+    if (framesAreMeaningless(sound)) {
+        problems.push_back({.kind = VolumeProblem::Kind::Other,
+            .text =
+                QStringLiteral("Every slice names a frame of reference of its own; they are taken "
+                               "as one.")});
+    }
     std::vector<Place> places = sortIntoPlaces(std::move(sound));
     dropDuplicates(places, problems);
 
@@ -327,8 +356,10 @@ StackSorting sortIntoStacks(std::vector<ImageHeader> images)
         else
             putApart(sorting.foreign, image, kind, reason);
     }
-    for (Images& group : splitByPlane(std::move(placed)))
-        stackGroup(std::move(group), sorting);
+    for (Images& plane : splitByPlane(std::move(placed))) {
+        for (Images& group : splitByFrameOfReference(std::move(plane)))
+            stackGroup(std::move(group), sorting);
+    }
 
     // Positions that wander sideways are no grid, whatever the affine says.
     std::vector<SliceStack> straight;
