@@ -20,6 +20,14 @@ std::vector<RowId> History::pathTo(RowId id) const
     return path;
 }
 
+std::vector<RowId> History::line() const
+{
+    RowId tip = m_position;
+    while (const RowId next = m_lastChild[std::size_t(tip)])
+        tip = next;
+    return pathTo(tip);
+}
+
 RowId History::append(HistoryRow row)
 {
     row.id = RowId(m_rows.size()) + 1;

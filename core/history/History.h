@@ -19,11 +19,11 @@ using RowId = std::int64_t; ///< 1, 2, 3 …; 0 stands for the beginning
 struct HistoryRow {
     RowId id = 0;
     RowId parent = 0;
-    QString name;   ///< for people: "Drill 6.2 mm, 214 bricks"
-    Edit edit;      ///< quantised; what replay applies
+    QString name; ///< for people: "Drill 6.2 mm, 214 bricks"
+    Edit edit; ///< quantised; what replay applies
     EditStatistics statistics;
     std::size_t deltaBytes = 0; ///< compressed before-image; 0 while it is still being made
-    QByteArray stateHash;       ///< hex, of the state after this row; empty while it is being made
+    QByteArray stateHash; ///< hex, of the state after this row; empty while it is being made
 };
 
 /// Our own append-only tree of rows with a current position (DESIGN §3.4). Knows nothing of voxels.
@@ -43,6 +43,9 @@ public:
     [[nodiscard]] RowId redoTarget() const;
     /// Rows from the beginning to @p id, oldest first.
     [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
+    /// The line that undo and redo walk: pathTo(position), then the rows that redo would bring
+    /// back.
+    [[nodiscard]] std::vector<RowId> line() const;
 
     /// Appends a child of the position and moves there; sets id and parent.
     RowId append(HistoryRow row);
@@ -50,7 +53,7 @@ public:
 
 private:
     std::vector<HistoryRow> m_rows;
-    std::vector<RowId> m_lastChild {0}; ///< by parent id
+    std::vector<RowId> m_lastChild{0}; ///< by parent id
     RowId m_position = 0;
 };
 

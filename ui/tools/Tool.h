@@ -7,6 +7,7 @@
 #include <QString>
 
 class QPainter;
+class QWidget;
 
 namespace ui {
 
@@ -27,10 +28,13 @@ class Tool : public QObject {
 public:
     using QObject::QObject;
 
-    [[nodiscard]] virtual QString name() const = 0;     ///< short, under the icon: "Drill"
+    [[nodiscard]] virtual QString name() const = 0; ///< short, under the icon: "Drill"
     [[nodiscard]] virtual QString iconName() const = 0; ///< resources/icons/<name>.svg
-    [[nodiscard]] virtual QString hint() const = 0;     ///< what it expects next, for the status line
+    [[nodiscard]] virtual QString hint() const = 0; ///< what it expects next, for the status line
     [[nodiscard]] virtual QString target() const { return {}; } ///< "carves layer Sculpt 1"
+    [[nodiscard]] virtual QString keys() const { return {}; } ///< for the option bar's right end
+    /// The tool's few options for the option bar; null: none. The parent owns it.
+    [[nodiscard]] virtual QWidget* createOptions(QWidget* /*parent*/) { return nullptr; }
     [[nodiscard]] virtual bool worksIn(const ViewContext& view) const = 0;
 
     virtual void press(const PointerSample&, const ViewContext&) { }
@@ -38,6 +42,7 @@ public:
     virtual void release(const PointerSample&, const ViewContext&) { }
     virtual void cancel() { }
     virtual void hover(const PointerSample&, const ViewContext&) { }
+    virtual void leave() { } ///< the pointer left the view
     /// Shift + wheel and [ ]: @p steps is positive for greater.
     virtual void changeRadius(int /*steps*/) { }
     /// Alt + wheel.

@@ -11,8 +11,8 @@ namespace ui {
 /// The view a pointer is in, as tools need it: what is shown and how pixels meet millimetres.
 struct ViewContext {
     gpu::ViewId view = 0;
-    gpu::Scene scene;      ///< what the user looks at right now
-    QSizeF sizePixels;     ///< logical pixels
+    gpu::Scene scene; ///< what the user looks at right now
+    QSizeF sizePixels; ///< logical pixels
 
     [[nodiscard]] bool isSlice() const { return std::holds_alternative<gpu::SliceScene>(scene); }
     /// Logical pixel → LPS mm: on the plane of a slice; on the target's plane of a 3D view.

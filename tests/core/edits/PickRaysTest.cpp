@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/PickRays.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using core::OrthographicView;
+using core::VolumeGeometry;
+
+namespace {
+
+VolumeGeometry tiltedGeometry()
+{
+    VolumeGeometry geometry;
+    geometry.size = {40, 30, 20};
+    geometry.indexToWorld =
+        glm::dmat4(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.7, 0.0, 0.0),
+            glm::dvec4(0.0, 0.3, 1.5, 0.0), glm::dvec4(-10.0, -12.0, 30.0, 1.0));
+    return geometry;
+}
+
+} // namespace
+
+class PickRaysTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void raysRunThroughTheirPointsInViewDirection()
+    {
+        const VolumeGeometry geometry = tiltedGeometry();
+        OrthographicView view;
+        view.targetLps = geometry.toWorld({20, 15, 10});
+        view.eyeLps = view.targetLps + glm::dvec3(-30.0, -200.0, 40.0);
+        view.up = {0.1, 0.2, 1.0};
+        const std::vector<glm::dvec2> points{{0.0, 0.0}, {2.5, -1.25}, {-4.0, 3.0}};
+        const core::PickRays picked = core::pickRays(view, points, geometry);
+        QCOMPARE(picked.rays.size(), points.size());
+        QCOMPARE(picked.sampleMm, 0.25);
+
+        const glm::dvec3 forward = glm::normalize(view.targetLps - view.eyeLps);
+        const glm::dvec3 right = glm::normalize(glm::cross(forward, view.up));
+        const glm::dvec3 up = glm::cross(right, forward);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto& ray = picked.rays[i];
+            QVERIFY(ray.samples > 10);
+            for (const int sample : {0, ray.samples / 2, ray.samples - 1}) {
+                const glm::dvec3 index =
+                    (glm::dvec3(ray.origin) + double(sample) * glm::dvec3(ray.step)) / 65536.0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    QVERIFY(index[axis] > -0.01);
+                    QVERIFY(index[axis] < geometry.size[axis] - 1 + 0.01);
+                }
+                const glm::dvec3 offset = geometry.toWorld(index) - view.targetLps;
+                QVERIFY(std::abs(glm::dot(offset, right) - points[i].x) < 0.01);
+                QVERIFY(std::abs(glm::dot(offset, up) - points[i].y) < 0.01);
+            }
+            // One sample further at either end would be outside.
+            for (const int sample : {-1, ray.samples}) {
+                const glm::dvec3 index =
+                    (glm::dvec3(ray.origin) + double(sample) * glm::dvec3(ray.step)) / 65536.0;
+                bool inside = true;
+                for (int axis = 0; axis < 3; ++axis)
+                    inside = inside && index[axis] >= 0.0 && index[axis] <= geometry.size[axis] - 1;
+                QVERIFY(!inside);
+            }
+        }
+    }
+
+    void aRayThatMissesHasNoSamples()
+    {
+        const VolumeGeometry geometry = tiltedGeometry();
+        OrthographicView view;
+        view.targetLps = geometry.toWorld({20, 15, 10});
+        view.eyeLps = view.targetLps - glm::dvec3(0.0, 100.0, 0.0);
+        const auto picked = core::pickRays(view, {{500.0, 0.0}, {0.0, 0.0}}, geometry);
+        QCOMPARE(picked.rays[0].samples, 0);
+        QVERIFY(picked.rays[1].samples > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(PickRaysTest)
+#include "PickRaysTest.moc"

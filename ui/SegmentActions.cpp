@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/SegmentActions.h"
+
+#include "ui/Workspace.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ui {
+
+std::uint32_t nextSegmentColour(const core::Document& document)
+{
+    static constexpr std::array<std::uint32_t, 12> colours{0x4a9bff, 0x5bc07c, 0xf0b04a, 0xef6a5b,
+        0xb98cf0, 0x4fc7c7, 0xe889b5, 0xc9d14f, 0x7f9cf5, 0xd98e5f, 0x8fd694, 0xe5dcc3};
+    return colours[document.segments.size() % colours.size()];
+}
+
+QString nextSegmentName(const core::Document& document)
+{
+    for (qsizetype number = qsizetype(document.segments.size()) + 1;; ++number) {
+        const QString name = QObject::tr("Segment %1").arg(number);
+        const bool taken = std::any_of(document.segments.begin(), document.segments.end(),
+            [&name](const core::Segment& segment) { return segment.name == name; });
+        if (!taken)
+            return name;
+    }
+}
+
+core::Result<int> addSegment(Workspace& workspace)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return core::failure(core::ErrorCode::Internal, QStringLiteral("no study is open"));
+    core::AddSegment edit;
+    edit.name = nextSegmentName(session->document());
+    edit.rgb = nextSegmentColour(session->document());
+    if (const auto added = session->apply(edit); !added)
+        return tl::unexpected(added.error());
+    const int label = session->document().segments.back().label;
+    workspace.setActiveSegment(label);
+    return label;
+}
+
+core::Result<int> ensureActiveSegment(Workspace& workspace)
+{
+    core::EditSession* session = workspace.session();
+    if (session && session->document().segment(workspace.activeSegment()))
+        return workspace.activeSegment();
+    if (session && !session->document().segments.empty()) {
+        workspace.setActiveSegment(session->document().segments.front().label);
+        return workspace.activeSegment();
+    }
+    return addSegment(workspace);
+}
+
+} // namespace ui

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <QString>
+
+#include <cstdint>
+
+namespace core {
+struct Document;
+}
+
+namespace ui {
+
+class Workspace;
+
+/// The next of twelve colours that keep apart on grey, told by how many segments there are.
+[[nodiscard]] std::uint32_t nextSegmentColour(const core::Document& document);
+/// "Segment 3": the first such name that is free.
+[[nodiscard]] QString nextSegmentName(const core::Document& document);
+
+/// Adds a segment as an entry of its own and makes it the active one. @return its label
+core::Result<int> addSegment(Workspace& workspace);
+/// The active segment; if there is none, the first one, and if there is no segment, a new one.
+core::Result<int> ensureActiveSegment(Workspace& workspace);
+
+} // namespace ui

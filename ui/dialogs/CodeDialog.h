@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+
+#include <QDialog>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace ui {
+
+/// Chooses the SNOMED CT concept of a segment: a short list that a few letters narrow down, or any
+/// other concept by value and meaning.
+class CodeDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// @param segment its name, for the title and the first guess of the search
+    CodeDialog(
+        const QString& segment, const core::CodedConcept& present, QWidget* parent = nullptr);
+
+    /// What was chosen; not set before.
+    [[nodiscard]] core::CodedConcept code() const;
+
+private:
+    void fillList();
+    void narrow(const QString& letters);
+    void takeRow();
+    void check();
+
+    QLineEdit* m_search = nullptr;
+    QTreeWidget* m_list = nullptr;
+    QLineEdit* m_value = nullptr;
+    QLineEdit* m_meaning = nullptr;
+    QLabel* m_problem = nullptr;
+    QPushButton* m_ok = nullptr;
+};
+
+/// A SNOMED CT identifier: 6 to 18 digits whose last one checks the others (Verhoeff).
+[[nodiscard]] bool isSnomedIdentifier(const QString& value);
+
+} // namespace ui

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/SegmentListModel.h"
+
+#include "ui/ErrorText.h"
+#include "ui/Workspace.h"
+
+#include <QColor>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace ui {
+
+QString millilitreText(std::int64_t voxels, double voxelVolumeMm3)
+{
+    if (voxels == 0)
+        return QStringLiteral("—");
+    const double millilitres = double(voxels) * voxelVolumeMm3 / 1000.0;
+    const int digits = millilitres < 10.0 ? 2 : millilitres < 1000.0 ? 1 : 0;
+    return QObject::tr("%1 mL").arg(QLocale().toString(millilitres, 'f', digits));
+}
+
+SegmentListModel::SegmentListModel(Workspace& workspace, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        beginResetModel();
+        m_labels.clear();
+        endResetModel();
+        refresh();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Segments
+                || change.what == core::DocumentChange::What::Labels)
+                refresh();
+        });
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &SegmentListModel::refresh);
+    refresh();
+}
+
+void SegmentListModel::refresh()
+{
+    std::vector<int> labels;
+    if (const core::EditSession* session = m_workspace.session()) {
+        for (const core::Segment& segment : session->document().segments)
+            labels.push_back(segment.label);
+    }
+    const auto apart =
+        std::mismatch(m_labels.begin(), m_labels.end(), labels.begin(), labels.end());
+    const int kept = int(apart.first - m_labels.begin());
+    if (kept < int(m_labels.size())) {
+        beginRemoveRows({}, kept, int(m_labels.size()) - 1);
+        m_labels.resize(std::size_t(kept));
+        endRemoveRows();
+    }
+    if (kept < int(labels.size())) {
+        beginInsertRows({}, kept, int(labels.size()) - 1);
+        m_labels = std::move(labels);
+        endInsertRows();
+    }
+    if (!m_labels.empty())
+        Q_EMIT dataChanged(index(0), index(int(m_labels.size()) - 1));
+}
+
+int SegmentListModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(m_labels.size());
+}
+
+int SegmentListModel::rowOf(int label) const
+{
+    const auto found = std::find(m_labels.begin(), m_labels.end(), label);
+    return found == m_labels.end() ? -1 : int(found - m_labels.begin());
+}
+
+const core::Segment* SegmentListModel::segmentAt(const QModelIndex& index) const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !checkIndex(index, CheckIndexOption::IndexIsValid))
+        return nullptr;
+    return session->document().segment(m_labels[std::size_t(index.row())]);
+}
+
+QVariant SegmentListModel::data(const QModelIndex& index, int role) const
+{
+    const core::Segment* segment = segmentAt(index);
+    if (!segment)
+        return {};
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+        return segment->name;
+    case Qt::AccessibleTextRole:
+        return tr("%1, %2, %3")
+            .arg(segment->name, data(index, VolumeRole).toString(),
+                segment->visible ? tr("shown") : tr("hidden"));
+    case Qt::ToolTipRole:
+        return tr("%1\n%2").arg(segment->name, data(index, CodeTextRole).toString());
+    case LabelRole:
+        return int(segment->label);
+    case ColourRole:
+        return QColor(segment->rgb);
+    case VisibleRole:
+        return segment->visible;
+    case LockedRole:
+        return segment->locked;
+    case VolumeRole:
+        return millilitreText(segment->voxels, m_workspace.volume()->geometry.voxelVolumeMm3());
+    case CodeRole:
+        return segment->code.isSet()
+            ? QStringList{segment->code.scheme, segment->code.value, segment->code.meaning}
+            : QStringList();
+    case CodeTextRole:
+        return segment->code.isSet() ? segment->code.meaning : tr("not coded yet");
+    case ActiveRole:
+        return segment->label == m_workspace.activeSegment();
+    default:
+        return {};
+    }
+}
+
+bool SegmentListModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const core::Segment* segment = segmentAt(index);
+    if (!segment)
+        return false;
+    if (role == VisibleRole) {
+        m_workspace.session()->setSegmentVisible(segment->label, value.toBool());
+        return true;
+    }
+    return change(*segment, value, role);
+}
+
+bool SegmentListModel::change(const core::Segment& segment, const QVariant& value, int role)
+{
+    core::ChangeSegment edit;
+    edit.segment = segment.label;
+    if (role == Qt::EditRole) {
+        const QString name = value.toString().trimmed();
+        if (name.isEmpty() || name == segment.name)
+            return false;
+        edit.name = name;
+    } else if (role == ColourRole) {
+        const std::uint32_t rgb = value.value<QColor>().rgb() & 0xFFFFFFu;
+        if (rgb == segment.rgb)
+            return false;
+        edit.rgb = rgb;
+    } else if (role == CodeRole) {
+        const QStringList code = value.toStringList();
+        const core::CodedConcept coded{code.value(0), code.value(1), code.value(2)};
+        if (coded == segment.code)
+            return false;
+        edit.code = coded;
+    } else {
+        return false;
+    }
+    const auto applied = m_workspace.session()->apply(edit);
+    if (!applied)
+        m_workspace.say(errorText(applied.error()));
+    return applied.has_value();
+}
+
+Qt::ItemFlags SegmentListModel::flags(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return Qt::NoItemFlags;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+}
+
+} // namespace ui

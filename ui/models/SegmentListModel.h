@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+
+#include <QAbstractListModel>
+
+namespace ui {
+
+class Workspace;
+
+/// The document's segments in their order. Names, colours and codes are changed through the
+/// session, as steps of undo; visibility is not one.
+class SegmentListModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        LabelRole = Qt::UserRole, ///< int
+        ColourRole, ///< QColor; can be set
+        VisibleRole, ///< bool; can be set
+        LockedRole, ///< bool
+        VolumeRole, ///< QString: "9.8 mL", "—" while empty
+        CodeRole, ///< QStringList {scheme, value, meaning}, empty if not coded; can be set
+        CodeTextRole, ///< QString: the meaning, or "not coded yet"
+        ActiveRole, ///< bool
+    };
+
+    explicit SegmentListModel(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+    [[nodiscard]] int rowOf(int label) const; ///< -1: none
+
+private:
+    void refresh();
+    [[nodiscard]] const core::Segment* segmentAt(const QModelIndex& index) const;
+    bool change(const core::Segment& segment, const QVariant& value, int role);
+
+    Workspace& m_workspace;
+    std::vector<int> m_labels; ///< what the views were last told
+};
+
+/// "9.84 mL": two digits below 10, one below 1000, none above; "—" for nothing.
+[[nodiscard]] QString millilitreText(std::int64_t voxels, double voxelVolumeMm3);
+
+} // namespace ui

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/GrowthPanel.h"
+
+#include "ui/ErrorText.h"
+#include "ui/Icons.h"
+#include "ui/SeedStatistics.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/widgets/FrontSizeCurve.h"
+#include "ui/widgets/HistogramRange.h"
+#include "ui/widgets/ValueRow.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr int watchMilliseconds = 40;
+
+QPushButton* transportButton(
+    QWidget* parent, const QString& name, const QString& icon, const QString& text)
+{
+    auto* button = new QPushButton(stateIcon(icon), text, parent);
+    button->setObjectName(name);
+    button->setFixedHeight(theme::rowHeight);
+    return button;
+}
+
+} // namespace
+
+GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+{
+    build();
+    m_watch.setInterval(watchMilliseconds);
+    connect(&m_watch, &QTimer::timeout, this, &GrowthPanel::poll);
+    connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
+    connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
+    connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
+    connect(m_fromSeeds, &QPushButton::clicked, this, &GrowthPanel::takeIntervalFromSeeds);
+    connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
+    connect(m_play, &QPushButton::clicked, this, &GrowthPanel::playOrPause);
+    connect(m_toClosure, &QPushButton::clicked, this, &GrowthPanel::runToClosure);
+
+    connect(&workspace, &Workspace::sessionChanged, this, &GrowthPanel::showVolume);
+    connect(&workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::showSettings);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
+        askSeedValues();
+        showState();
+        Q_EMIT summaryChanged(summary());
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::History)
+                askSeedValues();
+            showState();
+            Q_EMIT summaryChanged(summary());
+        });
+    showVolume();
+}
+
+void GrowthPanel::build()
+{
+    m_range = new HistogramRange(this);
+    m_range->setObjectName(QStringLiteral("growthInterval"));
+    m_fromSeeds = new QPushButton(tr("From seeds: mean ±"), this);
+    m_fromSeeds->setObjectName(QStringLiteral("intervalFromSeeds"));
+    m_fromSeeds->setToolTip(tr("Set the interval around the values under the seeds"));
+    m_deviations = new QDoubleSpinBox(this);
+    m_deviations->setRange(0.5, 6.0);
+    m_deviations->setSingleStep(0.5);
+    m_deviations->setDecimals(1);
+    m_deviations->setValue(2.0);
+    m_deviations->setSuffix(tr(" σ"));
+    m_deviations->setFixedHeight(theme::controlHeight);
+    m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
+    m_step->setToolTip(tr("Grow by one generation"));
+    m_play = transportButton(this, QStringLiteral("growPlay"), QStringLiteral("play"), tr("Grow"));
+    m_play->setDefault(true);
+    m_toClosure =
+        transportButton(this, QStringLiteral("growToClosure"), QStringLiteral("to-end"), tr("All"));
+    m_toClosure->setToolTip(tr("Grow until nothing is left within the interval"));
+    m_pace = new QComboBox(this);
+    m_pace->setObjectName(QStringLiteral("growPace"));
+    m_pace->setFixedHeight(theme::controlHeight);
+    m_pace->addItem(tr("as fast as it goes"), 0.0);
+    for (const double pace : {60.0, 20.0, 5.0})
+        m_pace->addItem(tr("%1 generations per second").arg(pace), pace);
+    m_overwrite = new QCheckBox(tr("overwrite unlocked segments"), this);
+    m_overwrite->setObjectName(QStringLiteral("growOverwrite"));
+    m_advice = new QLabel(this);
+    m_advice->setObjectName(QStringLiteral("growAdvice"));
+    m_advice->setFont(theme::smallFont());
+    m_advice->setWordWrap(true);
+    m_generation = new ValueRow(tr("Generation"), this);
+    m_front = new ValueRow(tr("Front"), this);
+    m_added = new ValueRow(tr("Added"), this);
+    m_curve = new FrontSizeCurve(this);
+
+    auto* seeds = new QHBoxLayout;
+    seeds->setSpacing(theme::smallPadding);
+    seeds->addWidget(m_fromSeeds, 1);
+    seeds->addWidget(m_deviations);
+    auto* transport = new QHBoxLayout;
+    transport->setSpacing(theme::smallPadding);
+    transport->addWidget(m_step, 2);
+    transport->addWidget(m_play, 3);
+    transport->addWidget(m_toClosure, 2);
+    auto* pace = new QHBoxLayout;
+    auto* paceLabel = new QLabel(tr("Pace"), this);
+    paceLabel->setProperty("role", QStringLiteral("secondary"));
+    pace->addWidget(paceLabel);
+    pace->addWidget(m_pace, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(m_range);
+    layout->addLayout(seeds);
+    layout->addLayout(transport);
+    layout->addWidget(m_advice);
+    layout->addLayout(pace);
+    layout->addWidget(m_overwrite);
+    layout->addWidget(m_generation);
+    layout->addWidget(m_front);
+    layout->addWidget(m_added);
+    layout->addWidget(m_curve);
+}
+
+QString GrowthPanel::title() const
+{
+    return tr("Growth");
+}
+
+QString GrowthPanel::summary() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment =
+        session ? session->document().segment(m_workspace.activeSegment()) : nullptr;
+    return segment ? segment->name : QString();
+}
+
+core::GrowSteps GrowthPanel::growEdit() const
+{
+    const Workspace::GrowSettings& settings = m_workspace.growSettings();
+    core::GrowSteps edit;
+    edit.lower = settings.lower;
+    edit.upper = settings.upper;
+    edit.overwriteUnlocked = settings.overwriteUnlocked;
+    return edit;
+}
+
+void GrowthPanel::showVolume()
+{
+    m_watch.stop();
+    m_running = false;
+    m_seedValues.clear();
+    const core::Volume* volume = m_workspace.volume();
+    setEnabled(volume != nullptr);
+    if (volume) {
+        m_range->setHistogram(volume->histogram, volume->unit);
+        Workspace::GrowSettings settings = m_workspace.growSettings();
+        // An interval of another study means nothing here: start with what the 3D view shows.
+        const bool fits = settings.lower < settings.upper && settings.lower >= volume->minimum
+            && settings.upper <= volume->maximum;
+        if (!fits) {
+            const double shown = m_workspace.volumeDisplay().surfaceThreshold;
+            settings.lower = std::clamp(shown, volume->minimum, volume->maximum);
+            settings.upper = volume->maximum;
+            m_workspace.setGrowSettings(settings);
+        }
+    }
+    showSettings();
+    askSeedValues();
+    showState();
+    Q_EMIT summaryChanged(summary());
+}
+
+void GrowthPanel::showSettings()
+{
+    const Workspace::GrowSettings& settings = m_workspace.growSettings();
+    m_range->setRange(settings.lower, settings.upper);
+    const QSignalBlocker overwrite(m_overwrite);
+    m_overwrite->setChecked(settings.overwriteUnlocked);
+    m_pace->setCurrentIndex(std::max(0, m_pace->findData(settings.generationsPerSecond)));
+}
+
+void GrowthPanel::takeSettings()
+{
+    Workspace::GrowSettings settings;
+    settings.lower = m_range->lower();
+    settings.upper = m_range->upper();
+    settings.overwriteUnlocked = m_overwrite->isChecked();
+    settings.generationsPerSecond = m_pace->currentData().toDouble();
+    m_workspace.setGrowSettings(settings);
+}
+
+bool GrowthPanel::begin(double generationsPerSecond)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return false;
+    if (const auto begun = session->begin(growEdit()); !begun) {
+        m_workspace.say(errorText(begun.error()));
+        return false;
+    }
+    m_running = true;
+    core::GrowAdvance advance;
+    advance.generationsPerSecond = generationsPerSecond;
+    session->extendGrowth(advance);
+    m_watch.start();
+    showState();
+    return true;
+}
+
+void GrowthPanel::step()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_running)
+        return;
+    core::GrowSteps edit = growEdit();
+    edit.steps = 1;
+    if (const auto applied = session->apply(edit); !applied)
+        m_workspace.say(errorText(applied.error()));
+}
+
+void GrowthPanel::playOrPause()
+{
+    if (m_running) {
+        m_workspace.session()->pauseGrowth();
+        finish();
+    } else {
+        begin(m_workspace.growSettings().generationsPerSecond);
+    }
+}
+
+void GrowthPanel::runToClosure()
+{
+    if (!m_running)
+        begin(0.0);
+}
+
+void GrowthPanel::finish()
+{
+    m_watch.stop();
+    m_running = false;
+    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+        session->end(core::Ending::Commit);
+    showState();
+}
+
+void GrowthPanel::poll()
+{
+    core::EditSession* session = m_workspace.session();
+    // Another edit, undo or export closes a running burst by itself.
+    if (!session || !session->transactionOpen()) {
+        finish();
+        return;
+    }
+    const core::GrowthProgress progress = session->engine().growthProgress();
+    if (progress.open && progress.atClosure) {
+        finish();
+        m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
+        return;
+    }
+    showState();
+}
+
+void GrowthPanel::askSeedValues()
+{
+    core::EditSession* session = m_workspace.session();
+    const int label = m_workspace.activeSegment();
+    std::vector<glm::ivec3> voxels;
+    if (session)
+        voxels = seedVoxels(*session, label);
+    if (voxels.empty()) {
+        m_seedValues.clear();
+        m_range->setMarkers({});
+        return;
+    }
+    if (voxels.size() == m_seedValues.size() && label == m_seedLabel)
+        return;
+    core::ProbeVoxels question;
+    question.voxels = std::move(voxels);
+    session->ask(std::move(question),
+        [panel = QPointer<GrowthPanel>(this), label](const core::EngineResult& result) {
+            if (!panel || result.error || !panel->m_workspace.volume())
+                return;
+            panel->m_seedLabel = label;
+            panel->m_seedValues.clear();
+            const core::VoxelEncoding& encoding = panel->m_workspace.volume()->encoding;
+            for (const core::ProbedVoxel& probe : result.probes)
+                panel->m_seedValues.push_back(encoding.value(probe.code));
+            panel->m_range->setMarkers(panel->m_seedValues);
+            panel->showState();
+        });
+}
+
+void GrowthPanel::takeIntervalFromSeeds()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume || m_seedValues.empty())
+        return;
+    const SeedStatistics seeds = seedStatistics(m_seedValues);
+    // One seed, or seeds of one value, have no spread to go by: take a hundredth of the range.
+    const double spread = seeds.deviation > 0.0 ? m_deviations->value() * seeds.deviation
+                                                : 0.01 * (volume->maximum - volume->minimum);
+    Workspace::GrowSettings settings = m_workspace.growSettings();
+    settings.lower = std::max(seeds.mean - spread, volume->minimum);
+    settings.upper = std::min(seeds.mean + spread, volume->maximum);
+    m_workspace.setGrowSettings(settings);
+    m_range->zoomToRange();
+}
+
+void GrowthPanel::showState()
+{
+    core::EditSession* session = m_workspace.session();
+    const int seeds = session ? sketchedSeeds(*session) : 0;
+    m_step->setEnabled(seeds > 0 && !m_running);
+    m_play->setEnabled(seeds > 0);
+    m_toClosure->setEnabled(seeds > 0 && !m_running);
+    m_play->setIcon(stateIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play")));
+    m_play->setText(m_running ? tr("Pause") : tr("Grow"));
+    m_fromSeeds->setEnabled(!m_seedValues.empty());
+
+    const core::Volume* volume = m_workspace.volume();
+    if (m_seedValues.empty() || !volume) {
+        m_range->setCaption({});
+    } else {
+        const SeedStatistics statistics = seedStatistics(m_seedValues);
+        m_range->setCaption(tr("seeds %1 ± %2")
+                                .arg(QLocale().toString(statistics.mean, 'f', 1),
+                                    QLocale().toString(statistics.deviation, 'f', 1)));
+    }
+    if (seeds == 0)
+        m_advice->setText(tr("No seeds yet: take the Seed tool and sketch on what belongs to the "
+                             "segment."));
+    else if (m_running)
+        m_advice->setText(tr("Growing. Pause keeps what has grown; undo takes it back."));
+    else
+        m_advice->setText(seeds == 1 ? tr("1 seed voxel.") : tr("%1 seed voxels.").arg(seeds));
+
+    const core::GrowthProgress progress =
+        session ? session->engine().growthProgress() : core::GrowthProgress();
+    const auto number = [](qlonglong value) { return QLocale().toString(value); };
+    m_generation->setValue(number(progress.generation));
+    const auto& fronts = progress.frontSizes;
+    m_front->setValue(tr("%1 voxels").arg(number(fronts.empty() ? 0 : fronts.back())));
+    m_added->setValue(volume
+            ? tr("%1 voxels · %2")
+                  .arg(number(progress.members),
+                      millilitreText(progress.members, volume->geometry.voxelVolumeMm3()))
+            : QString());
+    m_curve->setSizes(fronts);
+}
+
+} // namespace ui

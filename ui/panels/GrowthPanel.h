@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+#include "ui/panels/Panel.h"
+
+#include <QTimer>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+class FrontSizeCurve;
+class HistogramRange;
+class ValueRow;
+class Workspace;
+
+/// Region growing (seed A §5): the interval, and transport buttons like a player's. A burst lasts
+/// from a press on play to pause or closure and is one step of undo; a single step is one as well.
+class GrowthPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit GrowthPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+
+    /// The edit that the settings stand for; the steps are what the transport adds.
+    [[nodiscard]] core::GrowSteps growEdit() const;
+    [[nodiscard]] bool running() const { return m_running; }
+
+public Q_SLOTS:
+    void step();
+    void playOrPause();
+    void runToClosure();
+
+private:
+    void build();
+    void showVolume();
+    void showSettings();
+    void takeSettings();
+    void showState();
+    void poll();
+    bool begin(double generationsPerSecond);
+    void finish();
+    void askSeedValues();
+    void takeIntervalFromSeeds();
+
+    Workspace& m_workspace;
+    HistogramRange* m_range = nullptr;
+    QPushButton* m_fromSeeds = nullptr;
+    QDoubleSpinBox* m_deviations = nullptr;
+    QPushButton* m_step = nullptr;
+    QPushButton* m_play = nullptr;
+    QPushButton* m_toClosure = nullptr;
+    QComboBox* m_pace = nullptr;
+    QCheckBox* m_overwrite = nullptr;
+    QLabel* m_advice = nullptr;
+    ValueRow* m_generation = nullptr;
+    ValueRow* m_front = nullptr;
+    ValueRow* m_added = nullptr;
+    FrontSizeCurve* m_curve = nullptr;
+    QTimer m_watch; ///< only shows; decides nothing about voxels
+    std::vector<double> m_seedValues; ///< of m_seedLabel, modality units
+    int m_seedLabel = 0;
+    bool m_running = false;
+};
+
+} // namespace ui

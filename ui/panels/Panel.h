@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+namespace ui {
+
+/// A section of the window's right side. The window shows title and summary in the section's
+/// header, and the panel's actions() (QWidget::actions) as small buttons there.
+class Panel : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    [[nodiscard]] virtual QString title() const = 0;
+    /// Short, secondary, at the header's right: "41 steps · 312 KB".
+    [[nodiscard]] virtual QString summary() const { return {}; }
+    /// Takes what height is left (lists), instead of its size hint.
+    [[nodiscard]] virtual bool stretches() const { return false; }
+
+Q_SIGNALS:
+    void summaryChanged(const QString& summary);
+};
+
+} // namespace ui

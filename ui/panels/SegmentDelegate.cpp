@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/SegmentDelegate.h"
+
+#include "ui/Icons.h"
+#include "ui/Theme.h"
+#include "ui/models/SegmentListModel.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+constexpr int height = 40;
+constexpr int nameLeft = 66;
+constexpr int lockWidth = 22;
+constexpr int volumeWidth = 74;
+
+QRect nameRect(const QRect& row)
+{
+    return {
+        row.left() + nameLeft, row.top() + 3, row.width() - nameLeft - volumeWidth - lockWidth, 18};
+}
+
+} // namespace
+
+QRect SegmentDelegate::eyeRect(const QRect& row)
+{
+    return {row.left() + 10, row.top() + (row.height() - 20) / 2, 20, 20};
+}
+
+QRect SegmentDelegate::colourRect(const QRect& row)
+{
+    return {row.left() + 40, row.top() + (row.height() - 14) / 2, 14, 14};
+}
+
+QRect SegmentDelegate::codeRect(const QRect& row)
+{
+    return {row.left() + nameLeft, row.top() + 21, row.width() - nameLeft - lockWidth - 8, 16};
+}
+
+QSize SegmentDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
+{
+    return {160, height};
+}
+
+void SegmentDelegate::paint(
+    QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const QRect row = option.rect;
+    const bool active = index.data(SegmentListModel::ActiveRole).toBool();
+    const bool visible = index.data(SegmentListModel::VisibleRole).toBool();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    if (active || option.state.testFlag(QStyle::State_MouseOver))
+        painter->fillRect(row, active ? theme::selected : theme::raised);
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+        painter->setPen(QPen(theme::accent, 1.0));
+        painter->drawRect(QRectF(row).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+    const double ratio = painter->device()->devicePixelRatioF();
+    painter->drawPixmap(eyeRect(row),
+        tintedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),
+            visible ? theme::text : theme::secondary, 20, ratio));
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(index.data(SegmentListModel::ColourRole).value<QColor>());
+    painter->drawRoundedRect(colourRect(row), 3.0, 3.0);
+
+    painter->setFont(option.font);
+    painter->setPen(visible ? theme::text : theme::secondary);
+    painter->drawText(nameRect(row), Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(option.font)
+            .elidedText(index.data().toString(), Qt::ElideRight, nameRect(row).width()));
+    const bool coded = !index.data(SegmentListModel::CodeRole).toStringList().isEmpty();
+    painter->setFont(theme::smallFont());
+    painter->setPen(coded ? theme::secondary : theme::caution);
+    painter->drawText(codeRect(row), Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(theme::smallFont())
+            .elidedText(index.data(SegmentListModel::CodeTextRole).toString(), Qt::ElideRight,
+                codeRect(row).width()));
+    painter->setPen(theme::secondary);
+    const QRect volume(row.right() - lockWidth - volumeWidth, row.top() + 3, volumeWidth - 4, 18);
+    painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter,
+        index.data(SegmentListModel::VolumeRole).toString());
+    if (index.data(SegmentListModel::LockedRole).toBool()) {
+        painter->drawPixmap(QRect(row.right() - lockWidth, row.top() + 4, 16, 16),
+            tintedIcon(QStringLiteral("lock"), theme::secondary, 16, ratio));
+    }
+    painter->restore();
+}
+
+bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
+    const QStyleOptionViewItem& option, const QModelIndex& index)
+{
+    const bool press = event->type() == QEvent::MouseButtonPress;
+    const bool release = event->type() == QEvent::MouseButtonRelease;
+    const bool twice = event->type() == QEvent::MouseButtonDblClick;
+    if (press || release || twice) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const QPoint at = mouse->position().toPoint();
+        const bool eye = eyeRect(option.rect).adjusted(-6, -10, 4, 10).contains(at);
+        const bool colour = colourRect(option.rect).adjusted(-5, -13, 5, 13).contains(at);
+        const bool code = codeRect(option.rect).contains(at);
+        if (mouse->button() == Qt::LeftButton && (eye || colour || code)) {
+            // On release, so that a click begun elsewhere does nothing; a double click is two
+            // clicks.
+            if (release && eye) {
+                model->setData(index, !index.data(SegmentListModel::VisibleRole).toBool(),
+                    SegmentListModel::VisibleRole);
+            } else if (release && colour) {
+                Q_EMIT colourAsked(index);
+            } else if (release && code) {
+                Q_EMIT codeAsked(index);
+            }
+            return eye || colour || twice;
+        }
+    }
+    return QStyledItemDelegate::editorEvent(event, model, option, index);
+}
+
+void SegmentDelegate::updateEditorGeometry(
+    QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+{
+    editor->setGeometry(nameRect(option.rect).adjusted(-8, -2, 0, 4));
+}
+
+} // namespace ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace ui {
+
+/// A row of the segment list: eye, colour, name with its code below, volume, lock. A click on the
+/// eye shows or hides; a click on the colour or the code asks for it.
+class SegmentDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+        const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(
+        const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+        const QModelIndex& index) override;
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+        const QModelIndex& index) const override;
+
+    /// Where the parts of a row lie.
+    [[nodiscard]] static QRect eyeRect(const QRect& row);
+    [[nodiscard]] static QRect colourRect(const QRect& row);
+    [[nodiscard]] static QRect codeRect(const QRect& row);
+
+Q_SIGNALS:
+    void colourAsked(const QPersistentModelIndex& index);
+    void codeAsked(const QPersistentModelIndex& index);
+};
+
+} // namespace ui

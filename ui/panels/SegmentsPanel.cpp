@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/SegmentsPanel.h"
+
+#include "ui/ErrorText.h"
+#include "ui/Icons.h"
+#include "ui/SegmentActions.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+#include "ui/dialogs/CodeDialog.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/panels/SegmentDelegate.h"
+
+#include <QAction>
+#include <QColorDialog>
+#include <QLabel>
+#include <QListView>
+#include <QMenu>
+#include <QVBoxLayout>
+
+namespace ui {
+
+SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+    , m_model(new SegmentListModel(workspace, this))
+    , m_view(new QListView(this))
+    , m_empty(new QLabel(tr("No segment yet. Add one, or sketch seeds."), this))
+    , m_add(new QAction(stateIcon(QStringLiteral("add")), tr("Add segment"), this))
+{
+    m_add->setObjectName(QStringLiteral("addSegment"));
+    addAction(m_add);
+    auto* delegate = new SegmentDelegate(m_view);
+    m_view->setObjectName(QStringLiteral("segmentList"));
+    m_view->setAccessibleName(tr("Segments"));
+    m_view->setModel(m_model);
+    m_view->setItemDelegate(delegate);
+    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_view->setMouseTracking(true);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_view->setMinimumHeight(2 * theme::rowHeight);
+    m_empty->setProperty("role", QStringLiteral("secondary"));
+    m_empty->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, 0);
+    m_empty->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_empty);
+    layout->addWidget(m_view);
+
+    connect(m_add, &QAction::triggered, this, [this] {
+        if (const auto added = addSegment(m_workspace); !added)
+            m_workspace.say(errorText(added.error()));
+    });
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        [this](const QModelIndex& current) {
+            if (current.isValid())
+                m_workspace.setActiveSegment(current.data(SegmentListModel::LabelRole).toInt());
+        });
+    connect(m_view, &QListView::customContextMenuRequested, this, &SegmentsPanel::showMenu);
+    connect(delegate, &SegmentDelegate::colourAsked, this, &SegmentsPanel::chooseColour);
+    connect(delegate, &SegmentDelegate::codeAsked, this, &SegmentsPanel::chooseCode);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &SegmentsPanel::refresh);
+    connect(m_model, &QAbstractItemModel::rowsRemoved, this, &SegmentsPanel::refresh);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &SegmentsPanel::refresh);
+    connect(&m_workspace, &Workspace::sessionChanged, this, &SegmentsPanel::refresh);
+    refresh();
+}
+
+QString SegmentsPanel::title() const
+{
+    return tr("Segments");
+}
+
+QString SegmentsPanel::summary() const
+{
+    const int count = m_model->rowCount();
+    return count == 0 ? QString() : count == 1 ? tr("1 segment") : tr("%1 segments").arg(count);
+}
+
+void SegmentsPanel::refresh()
+{
+    const bool any = m_model->rowCount() > 0;
+    m_add->setEnabled(m_workspace.session() != nullptr);
+    m_empty->setVisible(!any && m_workspace.session());
+    m_view->setVisible(any);
+    const int active = m_model->rowOf(m_workspace.activeSegment());
+    if (active >= 0 && m_view->currentIndex().row() != active)
+        m_view->setCurrentIndex(m_model->index(active));
+    Q_EMIT summaryChanged(summary());
+}
+
+void SegmentsPanel::chooseColour(const QModelIndex& index)
+{
+    const auto present = index.data(SegmentListModel::ColourRole).value<QColor>();
+    const QPersistentModelIndex row = index;
+    const QColor picked =
+        QColorDialog::getColor(present, window(), tr("Colour of %1").arg(index.data().toString()));
+    if (picked.isValid() && row.isValid())
+        m_model->setData(row, picked, SegmentListModel::ColourRole);
+}
+
+void SegmentsPanel::chooseCode(const QModelIndex& index)
+{
+    const QStringList present = index.data(SegmentListModel::CodeRole).toStringList();
+    const QPersistentModelIndex row = index;
+    CodeDialog dialog(
+        index.data().toString(), {present.value(0), present.value(1), present.value(2)}, window());
+    if (dialog.exec() != QDialog::Accepted || !row.isValid())
+        return;
+    const core::CodedConcept code = dialog.code();
+    m_model->setData(
+        row, QStringList{code.scheme, code.value, code.meaning}, SegmentListModel::CodeRole);
+}
+
+void SegmentsPanel::showMenu(const QPoint& position)
+{
+    const QModelIndex index = m_view->indexAt(position);
+    if (!index.isValid())
+        return;
+    QMenu menu(this);
+    const bool visible = index.data(SegmentListModel::VisibleRole).toBool();
+    menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
+    menu.addAction(tr("Colour …"), this, [this, index] { chooseColour(index); });
+    menu.addAction(tr("Code …"), this, [this, index] { chooseCode(index); });
+    menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, index, visible] {
+        m_model->setData(index, !visible, SegmentListModel::VisibleRole);
+    });
+    menu.exec(m_view->viewport()->mapToGlobal(position));
+}
+
+} // namespace ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/Panel.h"
+
+class QListView;
+class QLabel;
+
+namespace ui {
+
+class SegmentListModel;
+class Workspace;
+
+/// The segments: shown or hidden, colour, name, code, volume; a click makes one the active segment.
+class SegmentsPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit SegmentsPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] bool stretches() const override { return true; }
+
+private:
+    void chooseColour(const QModelIndex& index);
+    void chooseCode(const QModelIndex& index);
+    void showMenu(const QPoint& position);
+    void refresh();
+
+    Workspace& m_workspace;
+    SegmentListModel* m_model = nullptr;
+    QListView* m_view = nullptr;
+    QLabel* m_empty = nullptr;
+    QAction* m_add = nullptr;
+};
+
+} // namespace ui

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QSizeF>
+#include <QStringList>
+
+class QPainter;
+
+namespace ui {
+
+/// Outlines and words of tools at the cursor.
+[[nodiscard]] QColor toolColour();
+
+/// Words beside the cursor, led to by a short line from the rim of a mask; kept inside the view.
+/// The first line is what the tool will do and stands out.
+/// @param radius of the mask, logical pixels
+void drawCursorLabel(QPainter& painter, const QSizeF& view, const QPointF& cursor, double radius,
+    const QStringList& lines);
+
+} // namespace ui

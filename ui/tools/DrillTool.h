@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+#include "ui/tools/Tool.h"
+
+#include <optional>
+
+namespace ui {
+
+class Workspace;
+
+/// Cuts into the sculpt layer where the pen presses on the 3D view (seed A §4.1; DESIGN §5, mode
+/// Limit). The view of pen-down holds for the whole stroke; the cut shows while the pen is down,
+/// and cancel() takes it back.
+class DrillTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit DrillTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override;
+
+    void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
+    void cancel() override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
+    void leave() override;
+    void changeRadius(int steps) override;
+    void changeDepth(int steps) override;
+
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+    /// The edit that a stroke begun in this view stands for, without samples.
+    [[nodiscard]] core::DrillStroke strokeIn(const ViewContext& view) const;
+
+private:
+    [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;
+    void showCursor(const PointerSample& sample, gpu::ViewId view);
+
+    Workspace& m_workspace;
+    std::optional<ViewContext> m_strokeView; ///< set while the pen is down
+    double m_startSeconds = 0.0;
+    QPointF m_cursor;
+    std::optional<gpu::ViewId> m_cursorView;
+    double m_pressure = 0.0;
+};
+
+} // namespace ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+
+namespace ui {
+
+class Workspace;
+
+/// Which segment the seeds are for, in the option bar.
+class SeedOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SeedOptions(Workspace& workspace, QWidget* parent = nullptr);
+
+private:
+    void showSegments();
+    void takeSegment(int row);
+
+    Workspace& m_workspace;
+    QComboBox* m_segments = nullptr;
+};
+
+} // namespace ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/HistogramRange.h"
+
+#include "ui/Theme.h"
+#include "ui/widgets/HistogramRangePlot.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+/// Whole numbers where a unit is fine enough, else what a thousandth of the range needs.
+int decimalsFor(const core::Histogram& histogram)
+{
+    const double range = histogram.maximum - histogram.minimum;
+    if (!(range > 0.0) || range >= 500.0)
+        return range >= 500.0 ? 1 : 2;
+    return std::clamp(int(std::ceil(3.0 - std::log10(range))), 1, 6);
+}
+
+QDoubleSpinBox* numberBox(QWidget* parent, const QString& name, const QString& accessible)
+{
+    auto* box = new QDoubleSpinBox(parent);
+    box->setObjectName(name);
+    box->setAccessibleName(accessible);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setFixedHeight(theme::controlHeight);
+    box->setKeyboardTracking(false);
+    box->setMinimumWidth(76);
+    return box;
+}
+
+} // namespace
+
+HistogramRange::HistogramRange(QWidget* parent)
+    : QWidget(parent)
+    , m_plot(new HistogramRangePlot(this))
+    , m_lowerBox(numberBox(this, QStringLiteral("rangeLower"), tr("Lower bound")))
+    , m_upperBox(numberBox(this, QStringLiteral("rangeUpper"), tr("Upper bound")))
+    , m_caption(new QLabel(this))
+{
+    m_caption->setFont(theme::smallFont());
+    m_caption->setAlignment(Qt::AlignCenter);
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_plot, 0, 0, 1, 3);
+    layout->addWidget(m_lowerBox, 1, 0);
+    layout->addWidget(m_caption, 1, 1);
+    layout->addWidget(m_upperBox, 1, 2);
+    layout->setColumnStretch(1, 1);
+
+    connect(m_plot, &HistogramRangePlot::rangeDragged, this, &HistogramRange::take);
+    connect(m_lowerBox, &QDoubleSpinBox::valueChanged, this,
+        [this](double value) { take(value, std::max(value, m_upper)); });
+    connect(m_upperBox, &QDoubleSpinBox::valueChanged, this,
+        [this](double value) { take(std::min(value, m_lower), value); });
+}
+
+void HistogramRange::setHistogram(const core::Histogram& histogram, const QString& unit)
+{
+    m_plot->setHistogram(histogram);
+    for (QDoubleSpinBox* box : {m_lowerBox, m_upperBox}) {
+        const QSignalBlocker blocker(box);
+        box->setDecimals(decimalsFor(histogram));
+        box->setRange(histogram.minimum, histogram.maximum);
+        box->setSuffix(unit.isEmpty() ? QString() : QStringLiteral(" ") + unit);
+    }
+}
+
+void HistogramRange::setRange(double lower, double upper)
+{
+    m_lower = std::min(lower, upper);
+    m_upper = std::max(lower, upper);
+    const QSignalBlocker lowerBlocker(m_lowerBox);
+    const QSignalBlocker upperBlocker(m_upperBox);
+    m_lowerBox->setValue(m_lower);
+    m_upperBox->setValue(m_upper);
+    m_plot->setRange(m_lower, m_upper);
+}
+
+void HistogramRange::take(double lower, double upper)
+{
+    if (lower == m_lower && upper == m_upper)
+        return;
+    setRange(lower, upper);
+    Q_EMIT rangeEdited(m_lower, m_upper);
+}
+
+void HistogramRange::setMarkers(const std::vector<double>& values)
+{
+    m_plot->setMarkers(values);
+}
+
+void HistogramRange::setCaption(const QString& caption)
+{
+    m_caption->setText(caption);
+}
+
+void HistogramRange::zoomToRange()
+{
+    const double margin = std::max(m_upper - m_lower, 1e-9);
+    m_plot->showValues(m_lower - margin, m_upper + margin);
+}
+
+} // namespace ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace ui {
+
+class HistogramRangePlot;
+
+/// An interval of values on a histogram: two handles to drag, the stretch between them to shift,
+/// and two fields for exact numbers with the unit. The interval is never upside down.
+class HistogramRange : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit HistogramRange(QWidget* parent = nullptr);
+
+    /// @param unit stands behind the numbers; may be empty
+    void setHistogram(const core::Histogram& histogram, const QString& unit);
+    void setRange(double lower, double upper);
+    [[nodiscard]] double lower() const { return m_lower; }
+    [[nodiscard]] double upper() const { return m_upper; }
+    /// Values of seeds, as ticks on the histogram's foot.
+    void setMarkers(const std::vector<double>& values);
+    /// Between the numbers: "mean ± 2 σ of seeds".
+    void setCaption(const QString& caption);
+    /// The part of the histogram around the interval fills the width.
+    void zoomToRange();
+
+    [[nodiscard]] HistogramRangePlot* plot() const { return m_plot; }
+
+Q_SIGNALS:
+    /// By the user, while dragging too.
+    void rangeEdited(double lower, double upper);
+
+private:
+    void take(double lower, double upper);
+
+    double m_lower = 0.0;
+    double m_upper = 0.0;
+    HistogramRangePlot* m_plot = nullptr;
+    QDoubleSpinBox* m_lowerBox = nullptr;
+    QDoubleSpinBox* m_upperBox = nullptr;
+    QLabel* m_caption = nullptr;
+};
+
+} // namespace ui

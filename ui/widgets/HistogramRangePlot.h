@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/widgets/HistogramPlot.h"
+
+#include <vector>
+
+namespace ui {
+
+/// The picture of HistogramRange. Arrow keys move the handle that was used last by one pixel's
+/// worth.
+class HistogramRangePlot : public HistogramPlot {
+    Q_OBJECT
+
+public:
+    explicit HistogramRangePlot(QWidget* parent = nullptr);
+
+    void setRange(double lower, double upper);
+    void setMarkers(const std::vector<double>& values);
+
+Q_SIGNALS:
+    void rangeDragged(double lower, double upper);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    enum class Grip { None, Lower, Upper, Both };
+    [[nodiscard]] Grip gripAt(double x) const;
+    void move(Grip grip, double lower, double upper);
+
+    double m_lower = 0.0;
+    double m_upper = 0.0;
+    std::vector<double> m_markers;
+    Grip m_grip = Grip::None;
+    Grip m_lastGrip = Grip::Upper;
+    double m_pressX = 0.0;
+    double m_pressLower = 0.0;
+    double m_pressUpper = 0.0;
+};
+
+} // namespace ui
