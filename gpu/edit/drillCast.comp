@@ -1,0 +1,116 @@
+// Where each new mask element meets the surface as it was at pen-down, and where the material behind
+// it ends (core/sculpt/DrillCut.h, rules 2 to 5). One invocation a ray.
+
+layout(local_size_x = 64) in;
+
+#include "edit/bricks.glsl"
+
+layout(binding = 0) uniform usampler3D codes;
+layout(binding = 1) uniform usampler3D radiation;
+layout(binding = 0, std430) readonly buffer Rays { ivec4 rays[]; };     // index16 at sample 0
+layout(binding = 1, std430) writeonly buffer Hits { ivec2 hits[]; };    // zSurface, zExit (mm16)
+// Radiation at pen-down of the bricks that this stroke has changed since: slot + 1 a brick, 0 none.
+layout(binding = 2, std430) readonly buffer SnapshotSlots { uint snapshotSlots[]; };
+layout(binding = 3, std430) readonly buffer Snapshots { uint snapshots[]; };
+
+uniform ivec3 volumeSize;
+uniform ivec3 volumeBricks;
+uniform uint rayCount;
+uniform ivec3 stepPerSample; // index16
+uniform int sampleCount;
+uniform int zStart;
+uniform int zPerSample;
+uniform int thresholdCode;
+uniform int maxDepth;
+uniform int gapSamples;
+uniform bool throughGaps;
+
+const int nowhere = 0x7FFFFFFF;
+
+uint codeAt(ivec3 voxel)
+{
+    return texelFetch(codes, voxel, 0).r;
+}
+
+uint radiationAt(ivec3 voxel)
+{
+    uint slot = snapshotSlots[brickIndex(voxel >> 4, volumeBricks)];
+    if (slot == 0u)
+        return texelFetch(radiation, voxel, 0).r;
+    ivec3 local = voxel & 15;
+    uint offset = (slot - 1u) * 4096u + uint(local.x + 16 * (local.y + 16 * local.z));
+    return snapshots[offset >> 2] >> ((offset & 3u) * 8u) & 0xFFu;
+}
+
+#include "edit/interpolate.glsl"
+
+ivec3 at(ivec3 origin, int n, int sixteenths)
+{
+    return origin + n * stepPerSample + ((sixteenths * stepPerSample) >> 4);
+}
+
+int heightAt(int n, int sixteenths)
+{
+    return zStart + n * zPerSample + ((sixteenths * zPerSample) >> 4);
+}
+
+// Samples whose position can lie inside the volume: others need not be looked at.
+ivec2 samplesInside(ivec3 origin)
+{
+    ivec2 range = ivec2(0, sampleCount);
+    for (int axis = 0; axis < 3; ++axis) {
+        float perSample = float(stepPerSample[axis]);
+        float low = float(-origin[axis]);
+        float high = low + float((volumeSize[axis] - 1) << 16);
+        if (stepPerSample[axis] == 0) {
+            if (low > 0.0 || high < 0.0)
+                return ivec2(0);
+            continue;
+        }
+        float a = low / perSample;
+        float b = high / perSample;
+        // Two samples of margin are far more than the rounding of floats here.
+        range.x = max(range.x, int(clamp(floor(min(a, b)) - 2.0, 0.0, float(sampleCount))));
+        range.y = min(range.y, int(clamp(ceil(max(a, b)) + 3.0, 0.0, float(sampleCount))));
+    }
+    return range;
+}
+
+void main()
+{
+    uint ray = gl_GlobalInvocationID.x;
+    if (ray >= rayCount)
+        return;
+    ivec3 origin = rays[ray].xyz;
+    ivec2 range = samplesInside(origin);
+    int first = range.x;
+    while (first < range.y && !material(at(origin, first, 0), thresholdCode))
+        ++first;
+    if (first >= range.y) {
+        hits[ray] = ivec2(nowhere);
+        return;
+    }
+    int low = (first - 1) * 16;
+    int high = first * 16;
+    for (int halving = 0; halving < 4 && first > 0; ++halving) {
+        int middle = (low + high) / 2;
+        if (material(at(origin, middle / 16, middle % 16), thresholdCode))
+            high = middle;
+        else
+            low = middle;
+    }
+    int surface = heightAt(high / 16, high % 16);
+
+    int exit = nowhere;
+    int run = 0;
+    for (int n = first + 1; !throughGaps && n < sampleCount && heightAt(n, 0) <= surface + maxDepth;
+         ++n) {
+        if (material(at(origin, n, 0), thresholdCode)) {
+            run = 0;
+        } else if (++run == gapSamples) {
+            exit = heightAt(n - run + 1, 0);
+            break;
+        }
+    }
+    hits[ray] = ivec2(surface, exit);
+}

@@ -1,0 +1,29 @@
+// Pending seeds that the criterion accepts become members of the next generation.
+// One work-group a listed brick.
+
+layout(local_size_x = 64) in;
+
+#include "edit/growth.glsl"
+
+layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
+
+uniform uint admittedGeneration;
+
+void main()
+{
+    ivec3 origin = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks) * brickSide;
+    uint entry = pageEntry(origin);
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 voxel = origin + voxelInBrick(offset);
+        if (!inside(voxel, volumeSize))
+            continue;
+        ivec3 texel = atlasTexel(entry, voxel);
+        uint word = imageLoad(words, texel).r;
+        if (!isPendingSeed(word) || !accepts(labelOf(word), voxel))
+            continue;
+        imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), seedDirection)));
+        imageStore(labels, voxel, uvec4(labelOf(word)));
+        markTouched(voxel);
+        atomicAdd(state.ringSizes[0], 1u);
+    }
+}

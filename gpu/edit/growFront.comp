@@ -1,0 +1,39 @@
+// Finds where a growth can go on: every member with a face neighbour that it could claim.
+// One work-group a listed brick. The queue's order depends on scheduling and decides nothing.
+
+layout(local_size_x = 64) in;
+
+#include "edit/growth.glsl"
+
+layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
+
+bool canGoOn(ivec3 voxel, uint label)
+{
+    for (int direction = 0; direction < 6; ++direction) {
+        ivec3 neighbour = voxel + faceOffsets[direction];
+        if (!inside(neighbour, volumeSize))
+            continue;
+        uint entry = pageEntry(neighbour);
+        if (entry != 0u && isMember(imageLoad(words, atlasTexel(entry, neighbour)).r))
+            continue;
+        if (accepts(label, neighbour))
+            return true;
+    }
+    return false;
+}
+
+void main()
+{
+    ivec3 origin = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks) * brickSide;
+    uint entry = pageEntry(origin);
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 voxel = origin + voxelInBrick(offset);
+        if (!inside(voxel, volumeSize))
+            continue;
+        uint word = imageLoad(words, atlasTexel(entry, voxel)).r;
+        if (!isMember(word) || !canGoOn(voxel, labelOf(word)))
+            continue;
+        enqueue(voxel);
+        markTouched(voxel);
+    }
+}
