@@ -7,6 +7,8 @@ layout(local_size_x = 64) in;
 
 layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
 
+uniform uint openGeneration; // members of later generations show in the label plane
+
 bool canGoOn(ivec3 voxel, uint label)
 {
     for (int direction = 0; direction < 6; ++direction) {
@@ -31,7 +33,11 @@ void main()
         if (!inside(voxel, volumeSize))
             continue;
         uint word = imageLoad(words, atlasTexel(entry, voxel)).r;
-        if (!isMember(word) || !canGoOn(voxel, labelOf(word)))
+        if (!isMember(word))
+            continue;
+        if (generationOf(word) > openGeneration)
+            imageStore(labels, voxel, uvec4(labelOf(word)));
+        if (!canGoOn(voxel, labelOf(word)))
             continue;
         enqueue(voxel);
         markTouched(voxel);

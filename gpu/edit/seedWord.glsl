@@ -31,3 +31,8 @@ uint labelOf(uint word)
 {
     return word >> 5 & 0xFFu;
 }
+
+uint generationOf(uint word)
+{
+    return word >> 13 & 0x3FFFFu;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "gpu/gl/Texture3D.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+struct BrickFieldOptions {
+    const char* label = "";
+    GLenum format = GL_R8UI; ///< R8UI or R32UI
+    std::uint32_t emptyVoxel = 0;
+    core::BrickGrid grid;
+};
+
+/// A field of which only the bricks that matter take memory: a page table (one texel a brick,
+/// page + 1, 0 for none) and an atlas of 16³ pages, 32 × 32 to a slab (DESIGN §4).
+///
+/// The processor decides which brick has a page; kernels read the table and write the atlas.
+/// Engine thread only.
+class BrickField {
+public:
+    BrickField() = default;
+    explicit BrickField(const BrickFieldOptions& options);
+
+    [[nodiscard]] bool created() const { return bool(m_pageTable); }
+    [[nodiscard]] bool holds(std::uint32_t brick) const { return m_entries[brick] != 0; }
+    /// Gives every listed brick a page; new pages are empty. May enlarge the atlas.
+    void ensure(std::span<const std::uint32_t> bricks);
+    /// Takes the pages away again; their content is lost.
+    void release(std::span<const std::uint32_t> bricks);
+    /// All bricks that have a page, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> heldBricks() const;
+
+    [[nodiscard]] const Texture3D& atlas() const { return m_atlas; }
+    /// Brings the table up to date first.
+    [[nodiscard]] const Texture3D& pageTable();
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    void enlarge();
+
+    BrickFieldOptions m_options;
+    Texture3D m_atlas;
+    Texture3D m_pageTable;
+    std::vector<std::uint32_t> m_entries;
+    std::vector<std::uint32_t> m_freePages; ///< last is taken next
+    std::uint32_t m_pageCount = 0;
+    bool m_tableStale = true;
+};
+
+} // namespace gpu

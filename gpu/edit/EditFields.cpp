@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/edit/EditFields.h"
+
+namespace gpu {
+
+EditFields::EditFields(const ShaderLibrary& library, VolumeTextures& shared)
+    : m_grid(shared.grid())
+    , m_shared(shared)
+    , m_radiation(shared.radiation().view(GL_R8UI, "radiation, integer"))
+    , m_segmentation(shared.segmentation().view(GL_R8UI, "segmentation map, integer"))
+    , m_copier(library, m_grid)
+    , m_radiationKernel(library, m_grid)
+{
+}
+
+BrickField& EditFields::coverage(std::uint8_t layer)
+{
+    BrickField& field = m_coverage[layer];
+    if (!field.created())
+        field = BrickField({.label = "coverage", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
+    return field;
+}
+
+BrickField& EditFields::seedWords(std::uint8_t plane)
+{
+    BrickField& field = m_seedWords[plane];
+    if (!field.created())
+        field = BrickField(
+            {.label = "seed words", .format = GL_R32UI, .emptyVoxel = 0xFFFFFFFFu, .grid = m_grid});
+    return field;
+}
+
+const Texture3D& EditFields::labels(std::uint8_t plane)
+{
+    if (plane == 0)
+        return m_shared.labels();
+    Texture3D& texture = m_furtherPlanes[plane];
+    if (!texture) {
+        texture = Texture3D({.label = "label plane", .size = m_grid.volumeSize, .format = GL_R8UI});
+        texture.clear();
+    }
+    return texture;
+}
+
+BrickField* EditFields::paged(core::Field field, std::uint8_t plane)
+{
+    switch (field) {
+    case core::Field::Coverage:
+        return &coverage(plane);
+    case core::Field::SeedWords:
+        return &seedWords(plane);
+    case core::Field::Labels:
+        return nullptr;
+    }
+    return nullptr;
+}
+
+FieldTextures EditFields::textures(core::Field field, std::uint8_t plane)
+{
+    if (BrickField* bricks = paged(field, plane))
+        return {.voxels = &bricks->atlas(), .pageTable = &bricks->pageTable(), .field = field};
+    return {.voxels = &labels(plane), .pageTable = nullptr, .field = field};
+}
+
+bool EditFields::hasData(const core::BrickKey& key)
+{
+    if (const BrickField* bricks = paged(key.field, key.plane))
+        return bricks->holds(key.brick);
+    return m_labelledBricks.count(key.brick) != 0;
+}
+
+core::VoxelBox EditFields::boxOf(std::span<const std::uint32_t> bricks) const
+{
+    core::VoxelBox box;
+    for (const std::uint32_t brick : bricks)
+        box = box.united(m_grid.boxOf(int(brick)));
+    return box;
+}
+
+std::vector<std::uint32_t> EditFields::withNeighbours(std::span<const std::uint32_t> bricks) const
+{
+    const glm::ivec3 count = m_grid.bricks();
+    std::vector<bool> wanted(std::size_t(m_grid.brickCount()), false);
+    for (const std::uint32_t brick : bricks) {
+        const glm::ivec3 position = m_grid.brickPosition(int(brick));
+        const glm::ivec3 low = glm::max(position - 1, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(position + 1, count - 1);
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    wanted[std::size_t(x + count.x * (y + count.y * z))] = true;
+    }
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t brick = 0; brick < wanted.size(); ++brick) {
+        if (wanted[brick])
+            result.push_back(brick);
+    }
+    return result;
+}
+
+void EditFields::noteChanged(core::Field field, std::span<const std::uint32_t> bricks)
+{
+    if (bricks.empty())
+        return;
+    if (field == core::Field::Coverage) {
+        const std::vector<std::uint32_t> affected = withNeighbours(bricks);
+        std::vector<BrickField*> layers;
+        for (auto& layer : m_coverage)
+            layers.push_back(&layer.second);
+        m_radiationKernel.updateFromCoverage(layers, m_radiation, affected);
+        m_shared.markDirty(VolumeField::Radiation, boxOf(affected));
+    } else if (field == core::Field::Labels) {
+        m_labelledBricks.insert(bricks.begin(), bricks.end());
+        m_shared.markDirty(VolumeField::Labels, boxOf(bricks));
+        if (m_shownLabels.any()) {
+            for (const std::uint32_t brick : withNeighbours(bricks))
+                m_staleSegmentation.insert(brick);
+        }
+    }
+}
+
+void EditFields::setShownLabels(const std::bitset<256>& shown)
+{
+    if (shown == m_shownLabels)
+        return;
+    m_shownLabels = shown;
+    const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
+    for (const std::uint32_t brick : withNeighbours(labelled))
+        m_staleSegmentation.insert(brick);
+}
+
+void EditFields::updateSegmentation(std::size_t maxBricks)
+{
+    std::vector<std::uint32_t> bricks;
+    while (!m_staleSegmentation.empty() && bricks.size() < maxBricks)
+        bricks.push_back(m_staleSegmentation.extract(m_staleSegmentation.begin()).value());
+    m_radiationKernel.updateFromLabels(m_shared.labels(), m_shownLabels, m_segmentation, bricks);
+    m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
+}
+
+std::size_t EditFields::bytes() const
+{
+    std::size_t total = 0;
+    for (const auto& layer : m_coverage)
+        total += layer.second.bytes();
+    for (const auto& words : m_seedWords)
+        total += words.second.bytes();
+    for (const auto& plane : m_furtherPlanes)
+        total += plane.second.bytes();
+    return total;
+}
+
+} // namespace gpu

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/edit/BrickCopier.h"
+#include "gpu/edit/BrickField.h"
+#include "gpu/edit/RadiationKernel.h"
+#include "gpu/textures/VolumeTextures.h"
+
+#include <bitset>
+#include <map>
+#include <set>
+
+namespace gpu {
+
+/// Every field that edits write, and what is derived from them. Engine thread only.
+///
+/// Radiation follows coverage at once, since strokes and picks read it. The segmentation map is for
+/// pictures only and follows between edits (updateSegmentation). What pictures show of a change is
+/// marked dirty in VolumeTextures.
+class EditFields {
+public:
+    /// @param shared the dense textures of the open volume; outlive the fields
+    EditFields(const ShaderLibrary& library, VolumeTextures& shared);
+
+    [[nodiscard]] const core::BrickGrid& grid() const { return m_grid; }
+    [[nodiscard]] const Texture3D& codes() const { return m_shared.intensityCodes(); }
+    [[nodiscard]] const Texture3D& radiation() const { return m_radiation; }
+    [[nodiscard]] const BrickCopier& copier() const { return m_copier; }
+
+    [[nodiscard]] BrickField& coverage(std::uint8_t layer);
+    [[nodiscard]] BrickField& seedWords(std::uint8_t plane);
+    [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
+    [[nodiscard]] FieldTextures textures(core::Field field, std::uint8_t plane);
+    /// The paged field, or null for the dense label planes.
+    [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
+    [[nodiscard]] bool hasData(const core::BrickKey& key);
+
+    /// Tell what was written. Coverage: radiation is brought up to date around these bricks.
+    void noteChanged(core::Field field, std::span<const std::uint32_t> bricks);
+    /// Bricks whose radiation depends on these: they and their neighbours.
+    [[nodiscard]] std::vector<std::uint32_t> withNeighbours(std::span<const std::uint32_t> bricks) const;
+
+    /// Which labels count for the segmentation map; a change makes every labelled brick stale.
+    void setShownLabels(const std::bitset<256>& shown);
+    [[nodiscard]] bool segmentationStale() const { return !m_staleSegmentation.empty(); }
+    /// Brings up to @p maxBricks stale bricks up to date.
+    void updateSegmentation(std::size_t maxBricks);
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
+
+    core::BrickGrid m_grid;
+    VolumeTextures& m_shared;
+    Texture3D m_radiation;    ///< R8UI view
+    Texture3D m_segmentation; ///< R8UI view
+    BrickCopier m_copier;
+    RadiationKernel m_radiationKernel;
+    std::map<std::uint8_t, BrickField> m_coverage;
+    std::map<std::uint8_t, BrickField> m_seedWords;
+    std::map<std::uint8_t, Texture3D> m_furtherPlanes;
+    std::bitset<256> m_shownLabels;
+    std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels
+    std::set<std::uint32_t> m_staleSegmentation;
+};
+
+} // namespace gpu

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/edit/EditTransaction.h"
+
+namespace gpu {
+
+namespace {
+
+core::Result<void> check(const core::SeedPlacement& edit, const core::BrickGrid& grid)
+{
+    if (edit.label == 0)
+        return refusal("label", "0 is no segment");
+    for (const glm::ivec3& voxel : edit.voxels) {
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
+            || glm::any(glm::greaterThanEqual(voxel, grid.volumeSize)))
+            return refusal("voxels", "outside the volume");
+    }
+    return {};
+}
+
+core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)
+{
+    if (edit.connectivity != 6)
+        return refusal("connectivity", "only 6 is known");
+    return {};
+}
+
+core::Result<void> check(const core::DrillCut& edit, const core::BrickGrid&)
+{
+    if (edit.frame.pitch < 1 || edit.frame.rampHalfWidth < 1 || edit.frame.gapSamples < 1)
+        return refusal("frame", "pitch, rampHalfWidth and gapSamples are at least 1");
+    return {};
+}
+
+} // namespace
+
+tl::unexpected<core::Error> refusal(const char* field, const char* reason)
+{
+    return core::failure(
+        core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+}
+
+core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
+{
+    core::EditStatistics statistics;
+    for (const core::BrickChange& change : changes) {
+        if (change.key.field == core::Field::SeedWords)
+            continue;
+        ++statistics.bricks;
+        for (std::size_t i = 0; i < core::BrickGrid::voxelsPerBrick; ++i) {
+            const std::uint8_t before = change.before.empty() ? 0 : change.before[i];
+            const std::uint8_t after = change.after.empty() ? 0 : change.after[i];
+            statistics.voxelsChanged += before != after ? 1 : 0;
+        }
+    }
+    return statistics;
+}
+
+core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
+    EditPrograms& programs, EditFields& fields, const core::EngineEdit& edit)
+{
+    const core::Result<void> checked
+        = std::visit([&fields](const auto& known) { return check(known, fields.grid()); }, edit);
+    if (!checked)
+        return tl::unexpected(checked.error());
+
+    std::unique_ptr<EditTransaction> transaction(new EditTransaction(fields));
+    transaction->m_edit = edit;
+    BeforeImages& before = transaction->m_before;
+    if (const auto* seeds = std::get_if<core::SeedPlacement>(&edit)) {
+        transaction->m_seedBricks = placeSeeds(programs.growth, fields, before, *seeds);
+    } else if (const auto* grow = std::get_if<core::GrowBurst>(&edit)) {
+        transaction->m_growth.emplace(programs.growth, fields, before, *grow);
+        transaction->m_growth->open();
+    } else if (const auto* drill = std::get_if<core::DrillCut>(&edit)) {
+        transaction->m_drill.emplace(programs.drill, fields, before, *drill);
+    }
+    return transaction;
+}
+
+core::Result<void> EditTransaction::extend(const core::EngineExtension& extension)
+{
+    if (const auto* path = std::get_if<core::DrillPath>(&extension)) {
+        if (!m_drill)
+            return refusal("extension", "the open edit is no drill stroke");
+        m_drill->extend(path->samples);
+        return {};
+    }
+    if (!m_growth)
+        return refusal("extension", "the open edit is no growth");
+    if (const auto* steps = std::get_if<core::GrowAdvance>(&extension)) {
+        m_generationsPerSecond = steps->generationsPerSecond;
+        m_stepsLeft = steps->steps < 0 || m_stepsLeft < 0 ? core::GrowAdvance::toClosure
+                                                          : m_stepsLeft + steps->steps;
+    } else {
+        m_stepsLeft = 0;
+    }
+    return {};
+}
+
+void EditTransaction::advance(int rings)
+{
+    const int wanted = m_stepsLeft < 0 ? rings : std::min(rings, m_stepsLeft);
+    const int done = m_growth->advance(wanted);
+    if (done < std::min(wanted, GrowthKernel::ringsPerBatch))
+        m_stepsLeft = 0; // at closure, or at the last generation a word can hold
+    else if (m_stepsLeft > 0)
+        m_stepsLeft -= done;
+}
+
+std::vector<core::BrickKey> EditTransaction::touchedKeys() const
+{
+    std::vector<core::BrickKey> keys;
+    const auto add
+        = [&keys](core::Field field, std::uint8_t plane, const std::vector<std::uint32_t>& bricks) {
+              for (const std::uint32_t brick : bricks)
+                  keys.push_back({.field = field, .plane = plane, .brick = brick});
+          };
+    if (const auto* seeds = std::get_if<core::SeedPlacement>(&m_edit))
+        add(core::Field::SeedWords, seeds->plane, m_seedBricks);
+    if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
+        const std::vector<std::uint32_t> touched = m_growth->touchedBricks();
+        add(core::Field::Labels, grow->plane, touched);
+        add(core::Field::SeedWords, grow->plane, touched);
+    }
+    if (const auto* drill = std::get_if<core::DrillCut>(&m_edit))
+        add(core::Field::Coverage, drill->layer, m_drill->touchedBricks());
+    return keys;
+}
+
+void EditTransaction::commit(core::EngineResult& result)
+{
+    result.changes = m_before.changes(touchedKeys());
+    result.statistics = statisticsOf(result.changes);
+    if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
+        m_growth->releaseUnused();
+        result.generation = m_growth->generation();
+        result.atClosure = m_growth->atClosure();
+        result.statistics.generations = int(m_growth->generation() - grow->generation);
+    }
+}
+
+void EditTransaction::rollBack(core::EngineResult& result)
+{
+    m_before.restore(touchedKeys());
+    if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
+        m_growth->releaseUnused();
+        result.generation = grow->generation;
+    }
+}
+
+core::GrowthProgress EditTransaction::progress() const
+{
+    if (!m_growth)
+        return {};
+    return {.open = true,
+        .running = m_stepsLeft != 0,
+        .atClosure = m_growth->atClosure(),
+        .generation = m_growth->generation(),
+        .members = m_growth->members(),
+        .frontSizes = m_growth->frontSizes()};
+}
+
+} // namespace gpu

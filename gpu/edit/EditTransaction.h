@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/engine/EngineCommands.h"
+#include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/DrillKernel.h"
+#include "gpu/edit/GrowthKernel.h"
+
+#include <memory>
+#include <optional>
+
+namespace gpu {
+
+/// Every compiled kernel that edits.
+struct EditPrograms {
+    explicit EditPrograms(const ShaderLibrary& library)
+        : growth(library)
+        , drill(library)
+    {
+    }
+
+    GrowthPrograms growth;
+    DrillPrograms drill;
+};
+
+/// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
+class EditTransaction {
+public:
+    /// Errors: InvalidField; then nothing was changed.
+    static core::Result<std::unique_ptr<EditTransaction>> begin(
+        EditPrograms& programs, EditFields& fields, const core::EngineEdit& edit);
+
+    /// Errors: InvalidField where the extension is of another kind of edit.
+    core::Result<void> extend(const core::EngineExtension& extension);
+
+    /// Steps of a growth that were asked for and not yet done.
+    [[nodiscard]] bool hasStepsLeft() const { return m_stepsLeft != 0; }
+    [[nodiscard]] double generationsPerSecond() const { return m_generationsPerSecond; }
+    /// Does up to @p rings of them.
+    void advance(int rings);
+
+    /// Closes; fills changes, statistics, generation and atClosure of the result.
+    void commit(core::EngineResult& result);
+    void rollBack(core::EngineResult& result);
+    [[nodiscard]] core::GrowthProgress progress() const;
+
+private:
+    explicit EditTransaction(EditFields& fields)
+        : m_fields(fields)
+        , m_before(fields)
+    {
+    }
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
+
+    EditFields& m_fields;
+    BeforeImages m_before;
+    core::EngineEdit m_edit;
+    std::vector<std::uint32_t> m_seedBricks;
+    std::optional<GrowthKernel> m_growth;
+    std::optional<DrillKernel> m_drill;
+    int m_stepsLeft = 0; ///< negative: to closure
+    double m_generationsPerSecond = 0.0;
+};
+
+/// Counts over the changes, as EditStatistics wants them.
+[[nodiscard]] core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes);
+
+/// `failure(InvalidField, …)` in short.
+[[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const char* reason);
+
+} // namespace gpu

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/edit/GpuEditEngine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace gpu {
+
+namespace {
+
+using Clock = EngineThread::Clock;
+
+constexpr double sliceMilliseconds = 10.0;
+constexpr std::size_t segmentationBricksPerSlice = 64;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+} // namespace
+
+GpuEditEngine::GpuEditEngine(EngineThread& thread, VolumeTextures& textures)
+    : m_thread(thread)
+    , m_textures(textures)
+{
+}
+
+GpuEditEngine::~GpuEditEngine() = default;
+
+core::Result<void> GpuEditEngine::openVolume(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    finish();
+    core::Result<void> opened;
+    m_thread.run([&] {
+        m_transaction.reset();
+        m_fields.reset();
+        opened = m_textures.open(size, codes);
+        if (!opened)
+            return;
+        if (!m_programs) {
+            m_programs = std::make_unique<EditPrograms>(m_library);
+            m_picks = std::make_unique<PickKernel>(m_library);
+        }
+        m_fields = std::make_unique<EditFields>(m_library, m_textures);
+        m_fields->setShownLabels(m_shownLabels);
+        publishProgress();
+    });
+    return opened;
+}
+
+core::Ticket GpuEditEngine::submit(core::EngineCommand command)
+{
+    core::Ticket ticket = 0;
+    {
+        const std::lock_guard lock(m_mutex);
+        ticket = ++m_lastTicket;
+        m_waiting.push_back({.ticket = ticket, .command = std::move(command)});
+    }
+    m_thread.wake();
+    return ticket;
+}
+
+std::vector<core::EngineResult> GpuEditEngine::collect()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_results, {});
+}
+
+void GpuEditEngine::finish()
+{
+    std::unique_lock lock(m_mutex);
+    m_hurry = true;
+    m_thread.wake();
+    m_settled.wait(
+        lock, [this] { return m_waiting.empty() && !m_busy && !m_progress.running; });
+    m_hurry = false;
+}
+
+void GpuEditEngine::setWakeUp(std::function<void()> wakeUp)
+{
+    const std::lock_guard lock(m_mutex);
+    m_wakeUp = std::move(wakeUp);
+}
+
+core::GrowthProgress GpuEditEngine::growthProgress() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_progress;
+}
+
+void GpuEditEngine::showSegments(const std::bitset<256>& labels)
+{
+    m_shownLabels = labels;
+    if (m_fields)
+        m_fields->setShownLabels(labels);
+}
+
+std::size_t GpuEditEngine::brickBytes() const
+{
+    return m_fields ? m_fields->bytes() : 0;
+}
+
+bool GpuEditEngine::work()
+{
+    Waiting next;
+    if (takeNext(next)) {
+        carryOut(next);
+        publishProgress();
+        return true;
+    }
+    if (growthIsDue()) {
+        growOneSlice();
+        publishProgress();
+        return true;
+    }
+    if (m_fields && m_fields->segmentationStale()) {
+        m_fields->updateSegmentation(segmentationBricksPerSlice);
+        return true;
+    }
+    return false;
+}
+
+bool GpuEditEngine::takeNext(Waiting& next)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_waiting.empty())
+        return false;
+    const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
+    if (end && end->ending == core::Ending::Commit && m_transaction && m_transaction->hasStepsLeft())
+        return false;
+    next = std::move(m_waiting.front());
+    m_waiting.pop_front();
+    m_busy = true;
+    return true;
+}
+
+bool GpuEditEngine::growthIsDue()
+{
+    if (!m_transaction || !m_transaction->hasStepsLeft())
+        return false;
+    if (m_transaction->generationsPerSecond() <= 0.0)
+        return true;
+    const std::lock_guard lock(m_mutex);
+    if (m_hurry || Clock::now() >= m_nextGeneration)
+        return true;
+    m_thread.wakeAt(m_nextGeneration);
+    return false;
+}
+
+void GpuEditEngine::growOneSlice()
+{
+    const double pace = m_transaction->generationsPerSecond();
+    bool paced = pace > 0.0;
+    {
+        const std::lock_guard lock(m_mutex);
+        paced = paced && !m_hurry;
+    }
+    const Clock::time_point start = Clock::now();
+    m_transaction->advance(paced ? 1 : m_ringsPerSlice);
+    const double milliseconds = millisecondsSince(start);
+    m_editMilliseconds += milliseconds;
+    if (paced) {
+        m_nextGeneration = start
+            + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / pace));
+        return;
+    }
+    if (milliseconds > 2.0 * sliceMilliseconds)
+        m_ringsPerSlice = std::max(m_ringsPerSlice / 2, 2);
+    else if (milliseconds < sliceMilliseconds / 2.0)
+        m_ringsPerSlice = std::min(m_ringsPerSlice * 2, GrowthKernel::ringsPerBatch);
+}
+
+void GpuEditEngine::publishProgress()
+{
+    const std::lock_guard lock(m_mutex);
+    m_progress = m_transaction ? m_transaction->progress() : core::GrowthProgress {};
+    m_busy = false;
+    m_settled.notify_all();
+}
+
+void GpuEditEngine::deliver(core::EngineResult result)
+{
+    std::function<void()> wakeUp;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_results.push_back(std::move(result));
+        wakeUp = m_wakeUp;
+    }
+    if (wakeUp)
+        wakeUp();
+}
+
+void GpuEditEngine::carryOut(Waiting& next)
+{
+    const Clock::time_point start = Clock::now();
+    Outcome outcome = m_fields
+        ? std::visit([this](const auto& command) { return carryOut(command); }, next.command)
+        : Outcome(refusal("volume", "none is open"));
+    const double milliseconds = millisecondsSince(start);
+    if (outcome && !*outcome) {
+        m_editMilliseconds += milliseconds;
+        return;
+    }
+    core::EngineResult result = outcome ? std::move(**outcome) : core::EngineResult {};
+    if (!outcome)
+        result.error = outcome.error();
+    result.ticket = next.ticket;
+    result.statistics.milliseconds += milliseconds;
+    deliver(std::move(result));
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "another edit is open");
+    m_editMilliseconds = 0.0;
+    auto transaction = EditTransaction::begin(*m_programs, *m_fields, command.edit);
+    if (!transaction)
+        return tl::unexpected(transaction.error());
+    m_transaction = std::move(*transaction);
+    m_ringsPerSlice = GrowthKernel::ringsPerBatch;
+    return std::nullopt;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ExtendEdit& command)
+{
+    if (!m_transaction)
+        return refusal("transaction", "no edit is open");
+    const core::Result<void> extended = m_transaction->extend(command.extension);
+    if (!extended)
+        return tl::unexpected(extended.error());
+    return std::nullopt;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
+{
+    if (!m_transaction)
+        return refusal("transaction", "no edit is open");
+    core::EngineResult result;
+    if (command.ending == core::Ending::Commit)
+        m_transaction->commit(result);
+    else
+        m_transaction->rollBack(result);
+    result.statistics.milliseconds = m_editMilliseconds;
+    m_transaction.reset();
+    return result;
+}
+
+core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys) const
+{
+    for (const core::BrickKey& key : keys) {
+        const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
+            || key.field == core::Field::SeedWords;
+        if (!known || key.brick >= std::uint32_t(m_fields->grid().brickCount()))
+            return refusal("brick", "not in this volume");
+    }
+    return {};
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::SwapBricks& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    std::vector<core::BrickKey> keys;
+    for (const core::BrickImage& image : command.bricks) {
+        keys.push_back(image.key);
+        if (!image.bytes.empty() && image.bytes.size() != packedBrickBytes(image.key.field))
+            return refusal("bytes", "neither none nor a whole brick");
+    }
+    if (const core::Result<void> checked = checkKeys(keys); !checked)
+        return tl::unexpected(checked.error());
+    BeforeImages before(*m_fields);
+    for (const core::BrickKey& key : keys)
+        before.capture(key.field, key.plane, std::span<const std::uint32_t>(&key.brick, 1));
+    writeImages(*m_fields, command.bricks);
+    core::EngineResult result;
+    result.changes = before.changes(std::move(keys));
+    result.statistics = statisticsOf(result.changes);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
+{
+    if (const core::Result<void> checked = checkKeys(command.keys); !checked)
+        return tl::unexpected(checked.error());
+    core::EngineResult result;
+    for (std::size_t first = 0; first < command.keys.size();) {
+        const core::BrickKey& group = command.keys[first];
+        std::vector<std::uint32_t> bricks;
+        std::size_t last = first;
+        for (; last < command.keys.size() && command.keys[last].field == group.field
+             && command.keys[last].plane == group.plane;
+             ++last)
+            bricks.push_back(command.keys[last].brick);
+        auto images = m_fields->copier().images(m_fields->textures(group.field, group.plane), bricks);
+        for (std::size_t i = 0; i < images.size(); ++i)
+            result.changes.push_back(
+                {.key = command.keys[first + i], .before = {}, .after = std::move(images[i])});
+        first = last;
+    }
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
+{
+    for (const glm::ivec3& voxel : command.voxels) {
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
+            || glm::any(glm::greaterThanEqual(voxel, m_fields->grid().volumeSize)))
+            return refusal("voxels", "outside the volume");
+    }
+    core::EngineResult result;
+    result.probes = m_picks->probe(*m_fields, command);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
+{
+    if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
+        return refusal("opacityOfCode", "has 256 entries");
+    core::EngineResult result;
+    result.picks = m_picks->pick(*m_fields, command);
+    return result;
+}
+
+} // namespace gpu

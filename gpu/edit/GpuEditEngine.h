@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EditEngine.h"
+#include "gpu/edit/EditTransaction.h"
+#include "gpu/edit/EditWorker.h"
+#include "gpu/edit/PickKernel.h"
+#include "gpu/engine/EngineThread.h"
+#include "gpu/textures/VolumeTextures.h"
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+
+namespace gpu {
+
+/// core::EditEngine by compute shaders. Commands wait in a queue that the engine thread works off,
+/// one slice at a time; a growth runs in batches between which other commands and frames are served.
+///
+/// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
+class GpuEditEngine final : public core::EditEngine, public EditWorker {
+public:
+    /// Both outlive the engine, which must be destroyed on the engine thread.
+    GpuEditEngine(EngineThread& thread, VolumeTextures& textures);
+    ~GpuEditEngine() override;
+
+    core::Result<void> openVolume(
+        const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
+    core::Ticket submit(core::EngineCommand command) override;
+    [[nodiscard]] std::vector<core::EngineResult> collect() override;
+    void finish() override;
+    void setWakeUp(std::function<void()> wakeUp) override;
+    [[nodiscard]] core::GrowthProgress growthProgress() const override;
+
+    bool work() override;
+    void showSegments(const std::bitset<256>& labels) override;
+    /// GPU bytes of the bricked fields.
+    [[nodiscard]] std::size_t brickBytes() const;
+
+private:
+    struct Waiting {
+        core::Ticket ticket = 0;
+        core::EngineCommand command;
+    };
+
+    /// Takes the next command unless it has to wait for steps of a growth.
+    [[nodiscard]] bool takeNext(Waiting& next);
+    [[nodiscard]] bool growthIsDue();
+    void growOneSlice();
+    void carryOut(Waiting& next);
+    void deliver(core::EngineResult result);
+    void publishProgress();
+    [[nodiscard]] core::Result<void> checkKeys(std::span<const core::BrickKey> keys) const;
+
+    /// Each returns a result to deliver, or nothing to say.
+    using Outcome = core::Result<std::optional<core::EngineResult>>;
+    Outcome carryOut(const core::BeginEdit& command);
+    Outcome carryOut(const core::ExtendEdit& command);
+    Outcome carryOut(const core::EndEdit& command);
+    Outcome carryOut(const core::SwapBricks& command);
+    Outcome carryOut(const core::ReadBricks& command);
+    Outcome carryOut(const core::ProbeVoxels& command);
+    Outcome carryOut(const core::PickVoxels& command);
+
+    EngineThread& m_thread;
+    VolumeTextures& m_textures;
+
+    // Engine thread.
+    ShaderLibrary m_library = ShaderLibrary::builtIn();
+    std::unique_ptr<EditPrograms> m_programs;
+    std::unique_ptr<PickKernel> m_picks;
+    std::unique_ptr<EditFields> m_fields;
+    std::unique_ptr<EditTransaction> m_transaction;
+    std::bitset<256> m_shownLabels;
+    double m_editMilliseconds = 0.0; ///< of the open transaction
+    int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
+    EngineThread::Clock::time_point m_nextGeneration;
+
+    // Any thread.
+    mutable std::mutex m_mutex;
+    std::condition_variable m_settled;
+    std::deque<Waiting> m_waiting;
+    std::vector<core::EngineResult> m_results;
+    core::GrowthProgress m_progress;
+    std::function<void()> m_wakeUp;
+    core::Ticket m_lastTicket = 0;
+    bool m_busy = false;
+    bool m_hurry = false; ///< finish() is waiting: no pace
+};
+
+} // namespace gpu

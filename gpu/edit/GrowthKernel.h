@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/EditFields.h"
+
+#include <array>
+#include <set>
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
+struct GrowthPrograms {
+    explicit GrowthPrograms(const ShaderLibrary& library);
+
+    Program placeSeeds;
+    Program admit;
+    Program front;
+    Program ring;
+    Program advance;
+    Program label;
+};
+
+/// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
+std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, EditFields& fields,
+    BeforeImages& before, const core::SeedPlacement& placement);
+
+/// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in EngineCommands.h).
+///
+/// Rings run in batches of up to sixteen without readback in between: within sixteen steps a front
+/// stays in its bricks and their neighbours, which get pages and are captured before the batch.
+/// Engine thread only.
+class GrowthKernel {
+public:
+    static constexpr int ringsPerBatch = 16;
+
+    GrowthKernel(GrowthPrograms& programs, EditFields& fields, BeforeImages& before,
+        const core::GrowBurst& burst);
+
+    /// Admits pending seeds and finds the front. Call it once, first.
+    void open();
+    /// Up to @p rings (at most ringsPerBatch) generations. Returns how many added something; fewer
+    /// than asked means closure.
+    int advance(int rings);
+
+    [[nodiscard]] std::uint32_t generation() const { return m_generation; }
+    [[nodiscard]] bool atClosure() const { return m_atClosure; }
+    [[nodiscard]] const std::vector<std::uint32_t>& frontSizes() const { return m_frontSizes; }
+    [[nodiscard]] std::int64_t members() const { return m_members; }
+    /// Bricks in which something was claimed since the opening.
+    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
+    /// Gives back the pages of bricks that were prepared and never reached.
+    void releaseUnused();
+
+private:
+    struct State {
+        std::array<std::uint32_t, 3> dispatch {};
+        std::uint32_t frontCount = 0;
+        std::uint32_t nextCount = 0;
+        std::uint32_t generation = 0;
+        std::uint32_t overflow = 0;
+        std::uint32_t ringsDone = 0;
+        std::array<std::uint32_t, ringsPerBatch> ringSizes {};
+    };
+
+    void bind();
+    void setCriterion(Program& program) const;
+    void findFront();
+    void prepareBricks();
+    /// Reads the counters and the bricks touched since the last call.
+    State takeBatch();
+    void enlargeQueues();
+
+    GrowthPrograms& m_programs;
+    EditFields& m_fields;
+    BeforeImages& m_before;
+    core::GrowBurst m_burst;
+    Buffer m_state;
+    std::array<Buffer, 2> m_queues;
+    Buffer m_touched;
+    std::uint32_t m_queueCapacity = 1u << 18;
+    std::uint32_t m_generation = 0;
+    bool m_atClosure = false;
+    std::vector<std::uint32_t> m_frontSizes;
+    std::int64_t m_members = 0;
+    std::vector<std::uint32_t> m_frontBricks; ///< touched by the last batch: they hold the front
+    std::set<std::uint32_t> m_allTouched;
+    std::set<std::uint32_t> m_newPages;
+};
+
+} // namespace gpu

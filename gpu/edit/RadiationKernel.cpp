@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/edit/RadiationKernel.h"
+
+#include <algorithm>
+
+namespace gpu {
+
+namespace {
+
+constexpr std::size_t bricksPerPass = 128;
+constexpr std::size_t fieldWords = 24 * 24 * 24;
+constexpr std::size_t firstBlurWords = 18 * 24 * 24;
+constexpr std::size_t secondBlurWords = 18 * 18 * 24;
+constexpr unsigned gatherGroupsPerBrick = 9; // 576 rows of 24, 64 to a group
+
+Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
+{
+    return Program(library, ComputeProgramOptions {.label = path, .path = path, .defines = defines});
+}
+
+Buffer words(const char* label, std::size_t perBrick)
+{
+    return Buffer({.label = label, .bytes = perBrick * bricksPerPass * sizeof(std::uint32_t)});
+}
+
+} // namespace
+
+RadiationKernel::RadiationKernel(const ShaderLibrary& library, const core::BrickGrid& grid)
+    : m_gatherCoverage(program(library, "edit/radiationGather.comp", {{"SOURCE_COVERAGE", 1}}))
+    , m_gatherLabels(program(library, "edit/radiationGather.comp"))
+    , m_blur {program(library, "edit/radiationBlur.comp", {{"AXIS", 0}}),
+          program(library, "edit/radiationBlur.comp", {{"AXIS", 1}}),
+          program(library, "edit/radiationBlur.comp", {{"AXIS", 2}})}
+    , m_raise(program(library, "edit/radiationRaise.comp"))
+    , m_brickList(words("radiation bricks", 1))
+    , m_field(words("radiation field", fieldWords))
+    , m_summaries(words("radiation summaries", 1))
+    , m_scratchA(words("radiation scratch A", firstBlurWords))
+    , m_scratchB(words("radiation scratch B", secondBlurWords))
+{
+    for (Program* each : {&m_gatherCoverage, &m_gatherLabels, &m_raise})
+        each->set("volumeSize", grid.volumeSize).set("volumeBricks", grid.bricks());
+}
+
+void RadiationKernel::updateFromCoverage(std::span<BrickField* const> layers,
+    const Texture3D& target, std::span<const std::uint32_t> bricks)
+{
+    update(target, bricks, [this, layers](unsigned count) {
+        bool first = true;
+        for (BrickField* layer : layers) {
+            layer->atlas().bindUnit(0);
+            layer->pageTable().bindUnit(1);
+            m_gatherCoverage.set("firstLayer", first);
+            m_gatherCoverage.dispatch({count * gatherGroupsPerBrick, 1, 1});
+            // The summary only ever gains bits, so a later layer must start it afresh.
+            if (layer != layers.back()) {
+                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+                m_summaries.fill(0);
+            }
+            first = false;
+        }
+    });
+}
+
+void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
+    const Texture3D& target, std::span<const std::uint32_t> bricks)
+{
+    std::array<unsigned, 8> bits {};
+    for (std::size_t label = 1; label < shown.size(); ++label) {
+        if (shown[label])
+            bits[label / 32] |= 1u << (label % 32);
+    }
+    update(target, bricks, [this, &labels, &bits](unsigned count) {
+        labels.bindUnit(0);
+        m_gatherLabels.set("firstLayer", true);
+        m_gatherLabels.set("shown", std::span<const unsigned>(bits));
+        m_gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
+    });
+}
+
+void RadiationKernel::update(const Texture3D& target, std::span<const std::uint32_t> bricks,
+    const std::function<void(unsigned count)>& gather)
+{
+    for (std::size_t start = 0; start < bricks.size(); start += bricksPerPass) {
+        const auto piece = bricks.subspan(start, std::min(bricksPerPass, bricks.size() - start));
+        const auto count = unsigned(piece.size());
+        m_brickList.write(piece);
+        m_summaries.fill(0);
+        m_brickList.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        m_field.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+        m_summaries.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+        gather(count);
+
+        const std::array<const Buffer*, 4> chain {&m_field, &m_scratchA, &m_scratchB, &m_scratchA};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+            chain[axis]->bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+            chain[axis + 1]->bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+            m_blur[axis].dispatch({count, 1, 1});
+        }
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        m_scratchA.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+        target.bindImage(0, GL_WRITE_ONLY);
+        m_raise.dispatch({count, 1, 1});
+    }
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+} // namespace gpu
