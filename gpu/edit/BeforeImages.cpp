@@ -8,8 +8,7 @@ namespace gpu {
 namespace {
 
 /// Runs over keys of one field and plane, which stand together once sorted.
-template <class Keyed, class Visit>
-void forEachField(std::span<Keyed> keyed, const Visit& visit)
+template <class Keyed, class Visit> void forEachField(std::span<Keyed> keyed, const Visit& visit)
 {
     for (std::size_t first = 0; first < keyed.size();) {
         std::size_t last = first;
@@ -21,8 +20,7 @@ void forEachField(std::span<Keyed> keyed, const Visit& visit)
     }
 }
 
-template <class Keyed>
-std::vector<std::uint32_t> bricksOf(std::span<Keyed> keyed)
+template <class Keyed> std::vector<std::uint32_t> bricksOf(std::span<Keyed> keyed)
 {
     std::vector<std::uint32_t> bricks;
     bricks.reserve(keyed.size());
@@ -36,13 +34,13 @@ std::vector<std::uint32_t> bricksOf(std::span<Keyed> keyed)
 void BeforeImages::capture(
     core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks)
 {
-    Batch batch {.field = field, .bricks = {}, .packed = {}};
+    Batch batch{.field = field, .bricks = {}, .packed = {}};
     for (const std::uint32_t brick : bricks) {
-        const core::BrickKey key {.field = field, .plane = plane, .brick = brick};
+        const core::BrickKey key{.field = field, .plane = plane, .brick = brick};
         if (m_places.count(key) != 0)
             continue;
         if (!m_fields.hasData(key)) {
-            m_places[key] = Place {};
+            m_places[key] = Place{};
             continue;
         }
         m_places[key] = {.batch = m_batches.size(), .slot = batch.bricks.size()};
@@ -77,8 +75,7 @@ std::vector<core::BrickChange> BeforeImages::changes(std::vector<core::BrickKey>
         changes.push_back({.key = key, .before = image(key), .after = {}});
     forEachField(std::span<core::BrickChange>(changes),
         [this](core::Field field, std::uint8_t plane, std::span<core::BrickChange> group) {
-            auto after
-                = m_fields.copier().images(m_fields.textures(field, plane), bricksOf(group));
+            auto after = m_fields.copier().images(m_fields.textures(field, plane), bricksOf(group));
             for (std::size_t i = 0; i < group.size(); ++i)
                 group[i].after = std::move(after[i]);
         });

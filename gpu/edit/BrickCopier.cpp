@@ -10,7 +10,7 @@ namespace {
 
 Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines)
 {
-    return Program(library, ComputeProgramOptions {.label = path, .path = path, .defines = defines});
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
 Buffer brickList(std::span<const std::uint32_t> bricks)
@@ -38,18 +38,18 @@ BrickCopier::BrickCopier(const ShaderLibrary& library, const core::BrickGrid& gr
     , m_unpackBytes(program(library, "edit/unpackBricks.comp", {}))
     , m_unpackWords(program(library, "edit/unpackBricks.comp", {{"FIELD_WORDS", 1}}))
 {
-    for (Program* each : {&m_packDense, &m_packBytes, &m_packWords, &m_unpackDense, &m_unpackBytes,
-             &m_unpackWords})
+    for (Program* each :
+        {&m_packDense, &m_packBytes, &m_packWords, &m_unpackDense, &m_unpackBytes, &m_unpackWords})
         each->set("volumeSize", grid.volumeSize).set("volumeBricks", grid.bricks());
     m_packBytes.set("emptyVoxel", 0u);
     m_packWords.set("emptyVoxel", 0xFFFFFFFFu);
 }
 
-Buffer BrickCopier::packed(
-    const FieldTextures& source, std::span<const std::uint32_t> bricks) const
+Buffer BrickCopier::packed(const FieldTextures& source, std::span<const std::uint32_t> bricks) const
 {
-    Buffer target({.label = "packed bricks", .bytes = packedBrickBytes(source.field) * bricks.size()});
-    const Program& pack = !source.pageTable ? m_packDense
+    Buffer target(
+        {.label = "packed bricks", .bytes = packedBrickBytes(source.field) * bricks.size()});
+    const Program& pack = !source.pageTable      ? m_packDense
         : source.field == core::Field::SeedWords ? m_packWords
                                                  : m_packBytes;
     const Buffer list = brickList(bricks);
@@ -83,7 +83,8 @@ std::vector<std::vector<std::uint8_t>> BrickCopier::images(
 {
     std::vector<std::vector<std::uint8_t>> result;
     for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
-        const auto piece = bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
+        const auto piece =
+            bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
         for (auto& image : images(packed(source, piece), source.field, piece.size()))
             result.push_back(std::move(image));
     }
@@ -95,7 +96,8 @@ void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32
 {
     const std::size_t bytes = packedBrickBytes(target.field);
     for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
-        const auto piece = bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
+        const auto piece =
+            bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
         std::vector<std::uint8_t> staging(piece.size() * bytes, core::emptyByte(target.field));
         for (std::size_t i = 0; i < piece.size(); ++i) {
             if (!images[first + i]->empty())
@@ -107,10 +109,10 @@ void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32
     }
 }
 
-void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32_t> bricks,
-    const Buffer& packed) const
+void BrickCopier::write(
+    const FieldTextures& target, std::span<const std::uint32_t> bricks, const Buffer& packed) const
 {
-    const Program& unpack = !target.pageTable ? m_unpackDense
+    const Program& unpack = !target.pageTable    ? m_unpackDense
         : target.field == core::Field::SeedWords ? m_unpackWords
                                                  : m_unpackBytes;
     const Buffer list = brickList(bricks);

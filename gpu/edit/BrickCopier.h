@@ -14,7 +14,7 @@ namespace gpu {
 
 /// One field as the copying kernels see it.
 struct FieldTextures {
-    const Texture3D* voxels = nullptr;    ///< atlas, or the dense texture
+    const Texture3D* voxels = nullptr; ///< atlas, or the dense texture
     const Texture3D* pageTable = nullptr; ///< null: dense
     core::Field field = core::Field::Coverage;
 };
@@ -27,7 +27,8 @@ public:
     BrickCopier(const ShaderLibrary& library, const core::BrickGrid& grid);
 
     /// Into a buffer of its own, on the GPU; does not wait.
-    [[nodiscard]] Buffer packed(const FieldTextures& source, std::span<const std::uint32_t> bricks) const;
+    [[nodiscard]] Buffer packed(
+        const FieldTextures& source, std::span<const std::uint32_t> bricks) const;
     /// The packed bricks in memory; waits. An image whose voxels are all empty has no bytes.
     [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
         const FieldTextures& source, std::span<const std::uint32_t> bricks) const;

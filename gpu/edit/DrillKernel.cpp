@@ -31,11 +31,10 @@ int floorDivide(int value, int divisor)
 
 Program program(const ShaderLibrary& library, const char* path)
 {
-    return Program(library, ComputeProgramOptions {.label = path, .path = path, .defines = {}});
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
 }
 
-template <class T>
-Buffer bufferOf(const char* label, const std::vector<T>& values)
+template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
 {
     Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
     buffer.write(std::span<const T>(values));
@@ -50,8 +49,8 @@ DrillPrograms::DrillPrograms(const ShaderLibrary& library)
 {
 }
 
-DrillKernel::DrillKernel(DrillPrograms& programs, EditFields& fields, BeforeImages& before,
-    const core::DrillCut& cut)
+DrillKernel::DrillKernel(
+    DrillPrograms& programs, EditFields& fields, BeforeImages& before, const core::DrillCut& cut)
     : m_programs(programs)
     , m_fields(fields)
     , m_before(before)
@@ -83,8 +82,8 @@ DrillKernel::DrillKernel(DrillPrograms& programs, EditFields& fields, BeforeImag
     }
     const int tileMm16 = frame.pitch * tileSide;
     m_firstTile = {floorDivide(low.x, tileMm16) - 1, floorDivide(low.y, tileMm16) - 1};
-    m_tileCount = glm::ivec2(floorDivide(high.x, tileMm16), floorDivide(high.y, tileMm16)) + 2
-        - m_firstTile;
+    m_tileCount =
+        glm::ivec2(floorDivide(high.x, tileMm16), floorDivide(high.y, tileMm16)) + 2 - m_firstTile;
     m_tileSlots = Buffer({.label = "drill tile slots",
         .bytes = std::size_t(m_tileCount.x) * std::size_t(m_tileCount.y) * sizeof(std::uint32_t)});
     m_tileSlots.fill(0);
@@ -166,8 +165,8 @@ void DrillKernel::castNew()
         bool near = true;
         for (int axis = 0; axis < 3; ++axis) {
             const auto i = std::size_t(axis);
-            const std::int64_t position
-                = round14(frame.rayOrigin[i] + at.x * frame.rayPerA[i] + at.y * frame.rayPerB[i]);
+            const std::int64_t position =
+                round14(frame.rayOrigin[i] + at.x * frame.rayPerA[i] + at.y * frame.rayPerB[i]);
             near = near && std::abs(position) <= std::int64_t(1) << 30;
             origin[axis] = int(std::clamp<std::int64_t>(position, -(1 << 30), 1 << 30));
         }
@@ -207,7 +206,8 @@ void DrillKernel::mirrorTiles()
     const auto needed = std::uint32_t(m_tiles.size());
     if (needed > m_elementSlots) {
         const std::uint32_t slots = std::max(needed * 2, 64u);
-        Buffer larger({.label = "drill elements", .bytes = slots * elementsPerTile * sizeof(Element)});
+        Buffer larger(
+            {.label = "drill elements", .bytes = slots * elementsPerTile * sizeof(Element)});
         if (m_elements)
             m_elements.copyTo(larger, m_elements.bytes());
         m_elements = std::move(larger);
@@ -215,11 +215,11 @@ void DrillKernel::mirrorTiles()
     }
     for (const auto& key : m_staleTiles) {
         const Tile& tile = m_tiles.at(key);
-        m_elements.write(std::span<const Element>(tile.elements),
-            tile.slot * elementsPerTile * sizeof(Element));
+        m_elements.write(
+            std::span<const Element>(tile.elements), tile.slot * elementsPerTile * sizeof(Element));
         const std::uint32_t entry = tile.slot + 1;
-        const auto position = std::size_t(
-            key.first - m_firstTile.x + m_tileCount.x * (key.second - m_firstTile.y));
+        const auto position =
+            std::size_t(key.first - m_firstTile.x + m_tileCount.x * (key.second - m_firstTile.y));
         m_tileSlots.write(std::span<const std::uint32_t>(&entry, 1), position * sizeof(entry));
     }
     m_staleTiles.clear();
@@ -234,7 +234,8 @@ std::vector<DrillKernel::PlaneBox> DrillKernel::boxesOf(const std::vector<glm::i
         if (e.surface == nowhere)
             continue;
         const int end = std::min(e.surface + e.depth, e.exit);
-        const PlaneBox box {{at.x * frame.pitch, at.y * frame.pitch, e.surface - 3 * frame.rampHalfWidth},
+        const PlaneBox box{
+            {at.x * frame.pitch, at.y * frame.pitch, e.surface - 3 * frame.rampHalfWidth},
             {(at.x + 1) * frame.pitch, (at.y + 1) * frame.pitch, end + frame.rampHalfWidth}};
         const std::pair<int, int> key(floorDivide(at.x, tileSide), floorDivide(at.y, tileSide));
         const auto [entry, isNew] = boxes.try_emplace(key, box);
@@ -267,7 +268,7 @@ std::vector<std::uint32_t> DrillKernel::candidateBricks(const std::vector<PlaneB
     const core::BrickGrid& grid = m_fields.grid();
     const glm::ivec3 bricks = grid.bricks();
     // Plane → index, in doubles with margin: this only picks bricks that kernels then decide on.
-    const glm::dmat3 indexToPlane(glm::dvec3(m_perI), glm::dvec3(m_perJ), glm::dvec3(m_perK));
+    const glm::dmat3 indexToPlane{glm::dvec3(m_perI), glm::dvec3(m_perJ), glm::dvec3(m_perK)};
     const glm::dmat3 planeToIndex = glm::inverse(indexToPlane);
     const glm::dvec3 origin(planeBase(0));
     const glm::dvec3 halfBrick(core::BrickGrid::side / 2.0);
@@ -287,17 +288,17 @@ std::vector<std::uint32_t> DrillKernel::candidateBricks(const std::vector<PlaneB
             low = glm::min(low, index);
             high = glm::max(high, index);
         }
-        const glm::ivec3 first
-            = glm::clamp(glm::ivec3(glm::floor((low - 2.0) / 16.0)), glm::ivec3(0), bricks - 1);
-        const glm::ivec3 last
-            = glm::clamp(glm::ivec3(glm::floor((high + 2.0) / 16.0)), glm::ivec3(0), bricks - 1);
+        const glm::ivec3 first =
+            glm::clamp(glm::ivec3(glm::floor((low - 2.0) / 16.0)), glm::ivec3(0), bricks - 1);
+        const glm::ivec3 last =
+            glm::clamp(glm::ivec3(glm::floor((high + 2.0) / 16.0)), glm::ivec3(0), bricks - 1);
         for (int z = first.z; z <= last.z; ++z) {
             for (int y = first.y; y <= last.y; ++y) {
                 for (int x = first.x; x <= last.x; ++x) {
-                    const glm::dvec3 centre
-                        = origin + indexToPlane * (glm::dvec3(x, y, z) * 16.0 + halfBrick);
-                    const bool apart = glm::any(
-                                           glm::lessThan(centre + brickReach, glm::dvec3(box.minimum)))
+                    const glm::dvec3 centre =
+                        origin + indexToPlane * (glm::dvec3(x, y, z) * 16.0 + halfBrick);
+                    const bool apart =
+                        glm::any(glm::lessThan(centre + brickReach, glm::dvec3(box.minimum)))
                         || glm::any(glm::greaterThan(centre - brickReach, glm::dvec3(box.maximum)));
                     if (!apart)
                         found.insert(std::uint32_t(x + bricks.x * (y + bricks.y * z)));
@@ -324,7 +325,7 @@ void DrillKernel::keepRadiation(const std::vector<std::uint32_t>& bricks)
         m_snapshots.copyTo(larger, m_snapshotCount * brickBytes);
         m_snapshots = std::move(larger);
     }
-    const FieldTextures radiation {.voxels = &m_fields.radiation()};
+    const FieldTextures radiation{.voxels = &m_fields.radiation()};
     const Buffer packed = m_fields.copier().packed(radiation, fresh);
     packed.copyTo(m_snapshots, fresh.size() * brickBytes, 0, m_snapshotCount * brickBytes);
     for (const std::uint32_t brick : fresh)
@@ -347,7 +348,8 @@ std::vector<std::uint32_t> DrillKernel::cutBricks(const std::vector<std::uint32_
     for (const std::uint32_t brick : candidates)
         bases.emplace_back(planeBase(brick), int(brick));
     const Buffer baseBuffer = bufferOf("drill candidates", bases);
-    Buffer changedBuffer({.label = "drill changed", .bytes = candidates.size() * sizeof(std::uint32_t)});
+    Buffer changedBuffer(
+        {.label = "drill changed", .bytes = candidates.size() * sizeof(std::uint32_t)});
     changedBuffer.fill(0);
     coverage.pageTable().bindUnit(1);
     coverage.atlas().bindImage(0, GL_READ_WRITE);

@@ -47,8 +47,8 @@ private:
     };
     /// A stretch of plane space that a piece of path may have cut.
     struct PlaneBox {
-        glm::ivec3 minimum {0}; ///< mm16
-        glm::ivec3 maximum {0};
+        glm::ivec3 minimum{0}; ///< mm16
+        glm::ivec3 maximum{0};
     };
 
     /// Rule 1 over the samples; returns elements that went deeper.
@@ -56,9 +56,11 @@ private:
     void castNew();
     void mirrorTiles();
     [[nodiscard]] std::vector<PlaneBox> boxesOf(const std::vector<glm::ivec2>& elements);
-    [[nodiscard]] std::vector<std::uint32_t> candidateBricks(const std::vector<PlaneBox>& boxes) const;
+    [[nodiscard]] std::vector<std::uint32_t> candidateBricks(
+        const std::vector<PlaneBox>& boxes) const;
     /// Returns the bricks that changed.
-    [[nodiscard]] std::vector<std::uint32_t> cutBricks(const std::vector<std::uint32_t>& candidates);
+    [[nodiscard]] std::vector<std::uint32_t> cutBricks(
+        const std::vector<std::uint32_t>& candidates);
     void keepRadiation(const std::vector<std::uint32_t>& bricks);
     [[nodiscard]] glm::ivec3 planeBase(std::uint32_t brick) const;
     [[nodiscard]] Element& element(const glm::ivec2& at);
@@ -68,11 +70,11 @@ private:
     EditFields& m_fields;
     BeforeImages& m_before;
     core::DrillCut m_cut;
-    glm::ivec3 m_perI {0}; ///< mm16 per voxel
-    glm::ivec3 m_perJ {0};
-    glm::ivec3 m_perK {0};
-    glm::ivec2 m_firstTile {0};
-    glm::ivec2 m_tileCount {0};
+    glm::ivec3 m_perI{0}; ///< mm16 per voxel
+    glm::ivec3 m_perJ{0};
+    glm::ivec3 m_perK{0};
+    glm::ivec2 m_firstTile{0};
+    glm::ivec2 m_tileCount{0};
     std::map<std::pair<int, int>, Tile> m_tiles;
     std::set<std::pair<int, int>> m_staleTiles;
     std::vector<glm::ivec2> m_uncast;

@@ -17,7 +17,8 @@ BrickField& EditFields::coverage(std::uint8_t layer)
 {
     BrickField& field = m_coverage[layer];
     if (!field.created())
-        field = BrickField({.label = "coverage", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
+        field =
+            BrickField({.label = "coverage", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
     return field;
 }
 

@@ -38,7 +38,8 @@ public:
     /// Tell what was written. Coverage: radiation is brought up to date around these bricks.
     void noteChanged(core::Field field, std::span<const std::uint32_t> bricks);
     /// Bricks whose radiation depends on these: they and their neighbours.
-    [[nodiscard]] std::vector<std::uint32_t> withNeighbours(std::span<const std::uint32_t> bricks) const;
+    [[nodiscard]] std::vector<std::uint32_t> withNeighbours(
+        std::span<const std::uint32_t> bricks) const;
 
     /// Which labels count for the segmentation map; a change makes every labelled brick stale.
     void setShownLabels(const std::bitset<256>& shown);
@@ -52,7 +53,7 @@ private:
 
     core::BrickGrid m_grid;
     VolumeTextures& m_shared;
-    Texture3D m_radiation;    ///< R8UI view
+    Texture3D m_radiation; ///< R8UI view
     Texture3D m_segmentation; ///< R8UI view
     BrickCopier m_copier;
     RadiationKernel m_radiationKernel;

@@ -58,8 +58,8 @@ core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
 core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     EditPrograms& programs, EditFields& fields, const core::EngineEdit& edit)
 {
-    const core::Result<void> checked
-        = std::visit([&fields](const auto& known) { return check(known, fields.grid()); }, edit);
+    const core::Result<void> checked =
+        std::visit([&fields](const auto& known) { return check(known, fields.grid()); }, edit);
     if (!checked)
         return tl::unexpected(checked.error());
 
@@ -110,11 +110,11 @@ void EditTransaction::advance(int rings)
 std::vector<core::BrickKey> EditTransaction::touchedKeys() const
 {
     std::vector<core::BrickKey> keys;
-    const auto add
-        = [&keys](core::Field field, std::uint8_t plane, const std::vector<std::uint32_t>& bricks) {
-              for (const std::uint32_t brick : bricks)
-                  keys.push_back({.field = field, .plane = plane, .brick = brick});
-          };
+    const auto add = [&keys](core::Field field, std::uint8_t plane,
+                         const std::vector<std::uint32_t>& bricks) {
+        for (const std::uint32_t brick : bricks)
+            keys.push_back({.field = field, .plane = plane, .brick = brick});
+    };
     if (const auto* seeds = std::get_if<core::SeedPlacement>(&m_edit))
         add(core::Field::SeedWords, seeds->plane, m_seedBricks);
     if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {

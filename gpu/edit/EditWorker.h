@@ -5,6 +5,17 @@
 
 namespace gpu {
 
+class EngineThread;
+class ShaderLibrary;
+class VolumeTextures;
+
+/// Where an edit engine works; all of it outlives the engine.
+struct EditContext {
+    EngineThread& thread;
+    VolumeTextures& textures;
+    const ShaderLibrary& shaders;
+};
+
 /// The part of the edit engine that runs on the engine thread, as the thread's loop and the frame
 /// scheduler see it. Every member is called there, with the context current.
 class EditWorker {

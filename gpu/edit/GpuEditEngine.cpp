@@ -21,9 +21,12 @@ double millisecondsSince(Clock::time_point start)
 
 } // namespace
 
-GpuEditEngine::GpuEditEngine(EngineThread& thread, VolumeTextures& textures)
-    : m_thread(thread)
-    , m_textures(textures)
+GpuEditEngine::GpuEditEngine(const EditContext& context)
+    : m_thread(context.thread)
+    , m_textures(context.textures)
+    , m_shaders(context.shaders)
+    , m_programs(context.shaders)
+    , m_picks(context.shaders)
 {
 }
 
@@ -40,11 +43,7 @@ core::Result<void> GpuEditEngine::openVolume(
         opened = m_textures.open(size, codes);
         if (!opened)
             return;
-        if (!m_programs) {
-            m_programs = std::make_unique<EditPrograms>(m_library);
-            m_picks = std::make_unique<PickKernel>(m_library);
-        }
-        m_fields = std::make_unique<EditFields>(m_library, m_textures);
+        m_fields = std::make_unique<EditFields>(m_shaders, m_textures);
         m_fields->setShownLabels(m_shownLabels);
         publishProgress();
     });
@@ -74,8 +73,7 @@ void GpuEditEngine::finish()
     std::unique_lock lock(m_mutex);
     m_hurry = true;
     m_thread.wake();
-    m_settled.wait(
-        lock, [this] { return m_waiting.empty() && !m_busy && !m_progress.running; });
+    m_settled.wait(lock, [this] { return m_waiting.empty() && !m_busy && !m_progress.running; });
     m_hurry = false;
 }
 
@@ -129,7 +127,8 @@ bool GpuEditEngine::takeNext(Waiting& next)
     if (m_waiting.empty())
         return false;
     const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
-    if (end && end->ending == core::Ending::Commit && m_transaction && m_transaction->hasStepsLeft())
+    if (end && end->ending == core::Ending::Commit && m_transaction
+        && m_transaction->hasStepsLeft())
         return false;
     next = std::move(m_waiting.front());
     m_waiting.pop_front();
@@ -164,7 +163,8 @@ void GpuEditEngine::growOneSlice()
     m_editMilliseconds += milliseconds;
     if (paced) {
         m_nextGeneration = start
-            + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / pace));
+            + std::chrono::duration_cast<Clock::duration>(
+                std::chrono::duration<double>(1.0 / pace));
         return;
     }
     if (milliseconds > 2.0 * sliceMilliseconds)
@@ -176,7 +176,7 @@ void GpuEditEngine::growOneSlice()
 void GpuEditEngine::publishProgress()
 {
     const std::lock_guard lock(m_mutex);
-    m_progress = m_transaction ? m_transaction->progress() : core::GrowthProgress {};
+    m_progress = m_transaction ? m_transaction->progress() : core::GrowthProgress{};
     m_busy = false;
     m_settled.notify_all();
 }
@@ -204,7 +204,7 @@ void GpuEditEngine::carryOut(Waiting& next)
         m_editMilliseconds += milliseconds;
         return;
     }
-    core::EngineResult result = outcome ? std::move(**outcome) : core::EngineResult {};
+    core::EngineResult result = outcome ? std::move(**outcome) : core::EngineResult{};
     if (!outcome)
         result.error = outcome.error();
     result.ticket = next.ticket;
@@ -217,7 +217,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
     if (m_transaction)
         return refusal("transaction", "another edit is open");
     m_editMilliseconds = 0.0;
-    auto transaction = EditTransaction::begin(*m_programs, *m_fields, command.edit);
+    auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
     if (!transaction)
         return tl::unexpected(transaction.error());
     m_transaction = std::move(*transaction);
@@ -295,7 +295,8 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
              && command.keys[last].plane == group.plane;
              ++last)
             bricks.push_back(command.keys[last].brick);
-        auto images = m_fields->copier().images(m_fields->textures(group.field, group.plane), bricks);
+        auto images =
+            m_fields->copier().images(m_fields->textures(group.field, group.plane), bricks);
         for (std::size_t i = 0; i < images.size(); ++i)
             result.changes.push_back(
                 {.key = command.keys[first + i], .before = {}, .after = std::move(images[i])});
@@ -312,7 +313,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
             return refusal("voxels", "outside the volume");
     }
     core::EngineResult result;
-    result.probes = m_picks->probe(*m_fields, command);
+    result.probes = m_picks.probe(*m_fields, command);
     return result;
 }
 
@@ -321,7 +322,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
     if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
         return refusal("opacityOfCode", "has 256 entries");
     core::EngineResult result;
-    result.picks = m_picks->pick(*m_fields, command);
+    result.picks = m_picks.pick(*m_fields, command);
     return result;
 }
 

@@ -16,13 +16,14 @@
 namespace gpu {
 
 /// core::EditEngine by compute shaders. Commands wait in a queue that the engine thread works off,
-/// one slice at a time; a growth runs in batches between which other commands and frames are served.
+/// one slice at a time; a growth runs in batches between which other commands and frames are
+/// served.
 ///
 /// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
 class GpuEditEngine final : public core::EditEngine, public EditWorker {
 public:
-    /// Both outlive the engine, which must be destroyed on the engine thread.
-    GpuEditEngine(EngineThread& thread, VolumeTextures& textures);
+    /// Construct and destroy it on the engine thread. Throws ShaderError.
+    explicit GpuEditEngine(const EditContext& context);
     ~GpuEditEngine() override;
 
     core::Result<void> openVolume(
@@ -67,9 +68,9 @@ private:
     VolumeTextures& m_textures;
 
     // Engine thread.
-    ShaderLibrary m_library = ShaderLibrary::builtIn();
-    std::unique_ptr<EditPrograms> m_programs;
-    std::unique_ptr<PickKernel> m_picks;
+    const ShaderLibrary& m_shaders;
+    EditPrograms m_programs;
+    PickKernel m_picks;
     std::unique_ptr<EditFields> m_fields;
     std::unique_ptr<EditTransaction> m_transaction;
     std::bitset<256> m_shownLabels;

@@ -13,7 +13,7 @@ namespace {
 
 Program program(const ShaderLibrary& library, const char* path)
 {
-    return Program(library, ComputeProgramOptions {.label = path, .path = path, .defines = {}});
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
 }
 
 Buffer listBuffer(std::span<const std::uint32_t> list)
@@ -85,7 +85,7 @@ void GrowthKernel::setCriterion(Program& each) const
 {
     // An empty interval is one whose low end no code reaches.
     const bool none = m_burst.lowCode > m_burst.highCode || m_burst.highCode < 0;
-    std::array<unsigned, 8> overwritable {};
+    std::array<unsigned, 8> overwritable{};
     for (std::size_t label = 0; label < 256; ++label) {
         if (m_burst.overwritable[label])
             overwritable[label / 32] |= 1u << (label % 32);
@@ -142,7 +142,7 @@ void GrowthKernel::findFront()
 {
     const std::vector<std::uint32_t> held = m_fields.seedWords(m_burst.plane).heldBricks();
     for (;;) {
-        m_state.write(std::span<const State>(std::array {State {.generation = m_generation}}));
+        m_state.write(std::span<const State>(std::array{State{.generation = m_generation}}));
         m_touched.fill(0);
         bind();
         const Buffer list = listBuffer(held);

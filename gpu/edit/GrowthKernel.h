@@ -56,13 +56,13 @@ public:
 
 private:
     struct State {
-        std::array<std::uint32_t, 3> dispatch {};
+        std::array<std::uint32_t, 3> dispatch{};
         std::uint32_t frontCount = 0;
         std::uint32_t nextCount = 0;
         std::uint32_t generation = 0;
         std::uint32_t overflow = 0;
         std::uint32_t ringsDone = 0;
-        std::array<std::uint32_t, ringsPerBatch> ringSizes {};
+        std::array<std::uint32_t, ringsPerBatch> ringSizes{};
     };
 
     void bind();

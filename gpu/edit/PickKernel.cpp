@@ -5,8 +5,7 @@ namespace gpu {
 
 namespace {
 
-template <class T>
-Buffer bufferOf(const char* label, const std::vector<T>& values)
+template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
 {
     Buffer buffer({.label = label, .bytes = values.size() * sizeof(T)});
     buffer.write(std::span<const T>(values));
@@ -21,10 +20,10 @@ unsigned groupsFor(std::size_t count)
 } // namespace
 
 PickKernel::PickKernel(const ShaderLibrary& library)
-    : m_pick(library,
-        ComputeProgramOptions {.label = "pick", .path = "edit/pick.comp", .defines = {}})
+    : m_pick(
+        library, ComputeProgramOptions{.label = "pick", .path = "edit/pick.comp", .defines = {}})
     , m_probe(library,
-          ComputeProgramOptions {.label = "probe", .path = "edit/probe.comp", .defines = {}})
+          ComputeProgramOptions{.label = "probe", .path = "edit/probe.comp", .defines = {}})
 {
 }
 

@@ -15,7 +15,7 @@ constexpr unsigned gatherGroupsPerBrick = 9; // 576 rows of 24, 64 to a group
 
 Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
 {
-    return Program(library, ComputeProgramOptions {.label = path, .path = path, .defines = defines});
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
 Buffer words(const char* label, std::size_t perBrick)
@@ -28,7 +28,7 @@ Buffer words(const char* label, std::size_t perBrick)
 RadiationKernel::RadiationKernel(const ShaderLibrary& library, const core::BrickGrid& grid)
     : m_gatherCoverage(program(library, "edit/radiationGather.comp", {{"SOURCE_COVERAGE", 1}}))
     , m_gatherLabels(program(library, "edit/radiationGather.comp"))
-    , m_blur {program(library, "edit/radiationBlur.comp", {{"AXIS", 0}}),
+    , m_blur{program(library, "edit/radiationBlur.comp", {{"AXIS", 0}}),
           program(library, "edit/radiationBlur.comp", {{"AXIS", 1}}),
           program(library, "edit/radiationBlur.comp", {{"AXIS", 2}})}
     , m_raise(program(library, "edit/radiationRaise.comp"))
@@ -65,7 +65,7 @@ void RadiationKernel::updateFromCoverage(std::span<BrickField* const> layers,
 void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
     const Texture3D& target, std::span<const std::uint32_t> bricks)
 {
-    std::array<unsigned, 8> bits {};
+    std::array<unsigned, 8> bits{};
     for (std::size_t label = 1; label < shown.size(); ++label) {
         if (shown[label])
             bits[label / 32] |= 1u << (label % 32);
@@ -92,7 +92,7 @@ void RadiationKernel::update(const Texture3D& target, std::span<const std::uint3
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         gather(count);
 
-        const std::array<const Buffer*, 4> chain {&m_field, &m_scratchA, &m_scratchB, &m_scratchA};
+        const std::array<const Buffer*, 4> chain{&m_field, &m_scratchA, &m_scratchB, &m_scratchA};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
             chain[axis]->bindBase(GL_SHADER_STORAGE_BUFFER, 3);

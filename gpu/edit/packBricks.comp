@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform usampler3D source;
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
-layout(binding = 1, std430) writeonly buffer Packed { uint packed[]; };
+layout(binding = 1, std430) writeonly buffer Packed { uint packedVoxels[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
@@ -33,12 +33,12 @@ void main()
 #endif
 #ifdef FIELD_WORDS
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64)
-        packed[gl_WorkGroupID.x * 4096u + uint(offset)]
+        packedVoxels[gl_WorkGroupID.x * 4096u + uint(offset)]
             = fetch(brick * brickSide + voxelInBrick(offset), entry);
 #else
     for (int group = int(gl_LocalInvocationID.x); group < 1024; group += 64) {
         ivec3 voxel = brick * brickSide + voxelInBrick(group * 4);
-        packed[gl_WorkGroupID.x * 1024u + uint(group)] = fetch(voxel, entry)
+        packedVoxels[gl_WorkGroupID.x * 1024u + uint(group)] = fetch(voxel, entry)
             | fetch(voxel + ivec3(1, 0, 0), entry) << 8 | fetch(voxel + ivec3(2, 0, 0), entry) << 16
             | fetch(voxel + ivec3(3, 0, 0), entry) << 24;
     }

@@ -11,7 +11,7 @@ layout(binding = 0, r8ui) uniform writeonly uimage3D target;
 #endif
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
-layout(binding = 1, std430) readonly buffer Packed { uint packed[]; };
+layout(binding = 1, std430) readonly buffer Packed { uint packedVoxels[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
@@ -27,9 +27,9 @@ void main()
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 local = voxelInBrick(offset);
 #ifdef FIELD_WORDS
-        uint value = packed[gl_WorkGroupID.x * 4096u + uint(offset)];
+        uint value = packedVoxels[gl_WorkGroupID.x * 4096u + uint(offset)];
 #else
-        uint value = packed[gl_WorkGroupID.x * 1024u + uint(offset >> 2)] >> ((offset & 3) * 8) & 0xFFu;
+        uint value = packedVoxels[gl_WorkGroupID.x * 1024u + uint(offset >> 2)] >> ((offset & 3) * 8) & 0xFFu;
 #endif
 #ifdef FIELD_DENSE
         if (!inside(origin + local, volumeSize))
