@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/CommandLine.h"
 
+#include "app/DemoCommand.h"
 #include "app/EditsCommand.h"
 #include "app/InfoCommand.h"
 #include "app/Version.h"
@@ -20,6 +21,8 @@ namespace {
 std::span<const Command> commands()
 {
     static const std::vector<Command> table {
+        {"demo", "DIR", "writes the demonstration study: a CT of a head, made by formulas", false,
+            runDemo},
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false, runEdits},
         {"info", "PATH [--json]", "what a file or folder holds: studies, volumes, problems", false,
             runInfo},
