@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/volume/Volume.h"
+
+#include <QStringList>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class DcmDataset;
+
+namespace core {
+
+/// What a SEG takes over from the instance of one slice: the very text of its numbers (DS).
+struct SegSlice {
+    std::array<std::string, 3> position;
+    std::array<std::string, 6> orientation;
+    std::array<std::string, 2> spacing; ///< row, column
+    std::string sliceThickness; ///< may be empty
+    std::string sopClassUid;
+    std::string sopInstanceUid;
+    std::string seriesUid;
+    int frame = 0; ///< 0-based
+    bool multiFrame = false; ///< the instance has frames that a reference must name
+};
+
+/// Reads what writeSeg() needs from the sources' headers. Only for sources of core/dicom.
+struct SegSource {
+    std::vector<SegSlice> slices;
+    /// Patient, study and frame of reference of the first slice's header, in UTF-8, holding only
+    /// values that DICOM allows.
+    std::unique_ptr<DcmDataset> header;
+    std::string lossyCompression; ///< "01" if a source says so
+    std::string lossyRatio;
+    std::string lossyMethod;
+    std::string bodyPart;
+    QStringList notes; ///< what was normalised or left out
+
+    SegSource();
+    SegSource(SegSource&&) noexcept;
+    SegSource& operator=(SegSource&&) noexcept;
+    ~SegSource();
+};
+
+Result<SegSource> readSegSource(const StudyIdentity& identity,
+    const std::vector<SourceSlice>& sources, const Progress& progress);
+
+/// A decimal string of at most 16 characters (PS3.5 6.2), as close as that allows.
+std::string decimalString(double value);
+
+} // namespace core

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/SegWriter.h"
+
+#include "core/dicom/NewUid.h"
+#include "core/dicom/PatientHeader.h"
+#include "core/dicom/SegSource.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFile>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmfg/fgderimg.h>
+#include <dcmtk/dcmfg/fgfracon.h>
+#include <dcmtk/dcmfg/fgpixmsr.h>
+#include <dcmtk/dcmfg/fgplanor.h>
+#include <dcmtk/dcmfg/fgplanpo.h>
+#include <dcmtk/dcmiod/cielabutil.h>
+#include <dcmtk/dcmseg/segdoc.h>
+#include <dcmtk/dcmseg/segment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace core {
+
+namespace {
+
+/// Carries the first failure of a chain of DCMTK calls.
+class Chain {
+public:
+    void operator()(const OFCondition& condition, const char* what)
+    {
+        if (condition.bad() && m_failure.isEmpty())
+            m_failure = QStringLiteral("%1: %2").arg(
+                QLatin1String(what), QString::fromLatin1(condition.text()));
+    }
+    [[nodiscard]] const QString& failure() const { return m_failure; }
+
+private:
+    QString m_failure;
+};
+
+std::string programVersion()
+{
+    const QString version = QCoreApplication::applicationVersion();
+    return version.isEmpty() ? "development" : version.toStdString();
+}
+
+CodeSequenceMacro codeOf(const CodedConcept& coded)
+{
+    return {coded.value.toStdString(), coded.scheme.toStdString(), coded.meaning.toStdString()};
+}
+
+bool codeIsValid(const CodedConcept& coded)
+{
+    const auto holds = [](const QString& text, int length) {
+        return !text.isEmpty() && text == singleValueText(text, length);
+    };
+    return holds(coded.value, 16) && holds(coded.scheme, 16) && holds(coded.meaning, 64);
+}
+
+Result<void> addSegments(DcmSegmentation& seg, const SegContent& content, Chain& chain)
+{
+    for (const Segment& segment : content.segments) {
+        if (!codeIsValid(segment.code) || !codeIsValid(content.category))
+            return failure(ErrorCode::InvalidField, QStringLiteral("code"),
+                QStringLiteral(
+                    "DICOM cannot hold the code of segment '%1': scheme and value take 1 "
+                    "to 16 characters, the meaning 1 to 64")
+                    .arg(segment.name));
+        const std::string label = singleValueText(segment.name, 64).toStdString();
+        DcmSegment* made = nullptr;
+        chain(DcmSegment::create(made, label.empty() ? "Segment" : label, codeOf(content.category),
+                  codeOf(segment.code), DcmSegTypes::SAT_SEMIAUTOMATIC, "Burin"),
+            "segment");
+        if (made == nullptr)
+            return {};
+        double l = 0.0, a = 0.0, b = 0.0;
+        IODCIELabUtil::rgb2Lab(l, a, b, double((segment.rgb >> 16) & 255U) / 255.0,
+            double((segment.rgb >> 8) & 255U) / 255.0, double(segment.rgb & 255U) / 255.0);
+        IODCIELabUtil::lab2DicomLab(l, a, b, l, a, b);
+        const auto word = [](double value) {
+            return Uint16(std::clamp(std::lround(value), 0L, 65535L));
+        };
+        chain(made->setRecommendedDisplayCIELabValue(word(l), word(a), word(b)), "colour");
+        chain(made->setTrackingID(label.empty() ? "Segment" : label), "tracking ID");
+        chain(made->setTrackingUID(newUid().toStdString()), "tracking UID");
+        Uint16 number = 0;
+        chain(seg.addSegment(made, number), "segment");
+    }
+    return {};
+}
+
+bool sameOrientation(const SegSource& source)
+{
+    return std::all_of(source.slices.begin(), source.slices.end(), [&](const SegSlice& slice) {
+        return slice.orientation == source.slices.front().orientation;
+    });
+}
+
+bool sameMeasures(const SegSource& source)
+{
+    return std::all_of(source.slices.begin(), source.slices.end(), [&](const SegSlice& slice) {
+        return slice.spacing == source.slices.front().spacing
+            && slice.sliceThickness == source.slices.front().sliceThickness;
+    });
+}
+
+std::unique_ptr<FGPlaneOrientationPatient> orientationOf(const SegSlice& slice)
+{
+    const auto& o = slice.orientation;
+    return std::unique_ptr<FGPlaneOrientationPatient>(
+        FGPlaneOrientationPatient::createMinimal(o[0], o[1], o[2], o[3], o[4], o[5]));
+}
+
+std::unique_ptr<FGPixelMeasures> measuresOf(
+    const SegSlice& slice, double sliceDistanceMm, Chain& chain)
+{
+    auto measures = std::make_unique<FGPixelMeasures>();
+    chain(measures->setPixelSpacing(slice.spacing[0] + "\\" + slice.spacing[1]), "pixel spacing");
+    // Even slices: frames lie side by side, whatever thickness was measured (DESIGN page
+    // DICOM, 2.4).
+    if (sliceDistanceMm > 0.0) {
+        const std::string distance = decimalString(sliceDistanceMm);
+        chain(measures->setSpacingBetweenSlices(distance), "spacing between slices");
+        chain(measures->setSliceThickness(distance), "slice thickness");
+    } else if (!slice.sliceThickness.empty()) {
+        chain(measures->setSliceThickness(slice.sliceThickness), "slice thickness");
+    }
+    return measures;
+}
+
+void addFrames(
+    DcmSegmentation& seg, const SegContent& content, const SegSource& source, Chain& chain)
+{
+    const bool sharedOrientation = sameOrientation(source);
+    const bool sharedMeasures = content.sliceDistanceMm > 0.0
+        ? std::all_of(source.slices.begin(), source.slices.end(),
+            [&](const SegSlice& slice) { return slice.spacing == source.slices.front().spacing; })
+        : sameMeasures(source);
+    if (sharedOrientation)
+        chain(seg.addForAllFrames(*orientationOf(source.slices.front())), "orientation");
+    if (sharedMeasures)
+        chain(
+            seg.addForAllFrames(*measuresOf(source.slices.front(), content.sliceDistanceMm, chain)),
+            "pixel measures");
+
+    // dcmseg packs these pixels; ours take their place afterwards.
+    std::vector<Uint8> blank(std::size_t(content.rows) * std::size_t(content.columns), 0);
+    for (const SegContent::Frame& frame : content.frames) {
+        const SegSlice& slice = source.slices[std::size_t(frame.slice)];
+        const auto number = Uint16(frame.segment + 1);
+        OFVector<FGBase*> groups;
+
+        const std::unique_ptr<FGPlanePosPatient> position(FGPlanePosPatient::createMinimal(
+            slice.position[0], slice.position[1], slice.position[2]));
+        groups.push_back(position.get());
+        FGFrameContent indices;
+        chain(indices.setDimensionIndexValues(number, 0), "dimension index");
+        chain(indices.setDimensionIndexValues(Uint32(frame.slice + 1), 1), "dimension index");
+        groups.push_back(&indices);
+
+        ImageSOPInstanceReferenceMacro* made = nullptr;
+        chain(ImageSOPInstanceReferenceMacro::create(slice.sopClassUid, slice.sopInstanceUid, made),
+            "source image");
+        if (made == nullptr)
+            return;
+        const std::unique_ptr<ImageSOPInstanceReferenceMacro> reference(made);
+        if (slice.multiFrame)
+            chain(reference->setReferencedFrameNumber({Uint16(slice.frame + 1)}), "source frame");
+        OFVector<ImageSOPInstanceReferenceMacro> references;
+        references.push_back(*reference);
+        const std::unique_ptr<FGDerivationImage> derivation(
+            DcmSegmentation::createDerivationImageFG(references, "Segmentation"));
+        if (derivation)
+            groups.push_back(derivation.get());
+        else
+            chain(EC_IllegalCall, "source image");
+
+        std::unique_ptr<FGPlaneOrientationPatient> orientation;
+        if (!sharedOrientation) {
+            orientation = orientationOf(slice);
+            groups.push_back(orientation.get());
+        }
+        std::unique_ptr<FGPixelMeasures> measures;
+        if (!sharedMeasures) {
+            measures = measuresOf(slice, content.sliceDistanceMm, chain);
+            groups.push_back(measures.get());
+        }
+        chain(seg.addFrame(blank.data(), number, groups), "frame");
+        if (!chain.failure().isEmpty())
+            return;
+    }
+}
+
+void addReferences(DcmSegmentation& seg, const SegContent& content, const SegSource& source,
+    const std::string& studyUid, Chain& chain)
+{
+    IODReferences references;
+    std::set<std::string> named;
+    for (const SegSlice& slice : source.slices) {
+        if (!named.insert(slice.sopInstanceUid).second)
+            continue;
+        auto* reference = new IODImageReference(content.identity.patientId.toStdString(), studyUid,
+            slice.seriesUid, slice.sopInstanceUid, slice.sopClassUid);
+        reference->m_Level = IODReference::LEVEL_INSTANCE;
+        if (!references.add(reference)) {
+            delete reference;
+            chain(EC_IllegalCall, "reference to a source image");
+        }
+    }
+    const std::size_t added = seg.getCommonInstanceReference().addReferences(references, studyUid);
+    if (added != named.size())
+        chain(EC_IllegalCall, "references to the source images");
+}
+
+void describe(DcmSegmentation& seg, const SegContent& content, const SegSource& source,
+    const QDateTime& now, Chain& chain)
+{
+    const std::string date = now.toString(QStringLiteral("yyyyMMdd")).toStdString();
+    const std::string time = now.toString(QStringLiteral("HHmmss")).toStdString();
+    auto& common = seg.getSOPCommon();
+    chain(common.setSpecificCharacterSet("ISO_IR 192"), "character set");
+    chain(common.setSOPInstanceUID(newUid().toStdString()), "SOP Instance UID");
+    chain(common.setInstanceCreationDate(date), "date");
+    chain(common.setInstanceCreationTime(time), "time");
+    auto& series = seg.getSeries();
+    chain(series.setSeriesInstanceUID(newUid().toStdString()), "Series Instance UID");
+    // Beside the series it was drawn on in a list, and of no scanner's own numbers.
+    bool numbered = false;
+    const int sourceNumber = content.identity.seriesNumber.toInt(&numbered);
+    const int number =
+        1000 + (numbered && sourceNumber > 0 && sourceNumber < 1'000'000 ? sourceNumber : 0);
+    chain(series.setSeriesNumber(std::to_string(number)), "series number");
+    chain(series.setSeriesDate(date), "date");
+    chain(series.setSeriesTime(time), "time");
+    chain(series.setSeriesDescription(singleValueText(
+              QStringLiteral("Segmentation ") + content.identity.seriesDescription, 64)
+                                          .toStdString()),
+        "series description");
+    if (!source.bodyPart.empty())
+        chain(series.setBodyPartExamined(source.bodyPart), "body part");
+    if (!source.lossyCompression.empty())
+        chain(seg.setLossyImageCompressionFlag(source.lossyRatio, source.lossyMethod), "lossy");
+
+    const std::string organization = newUid().toStdString();
+    auto& dimensions = seg.getDimensions();
+    chain(dimensions.addDimensionIndex(DCM_ReferencedSegmentNumber, organization,
+              DCM_SegmentIdentificationSequence, "ReferencedSegmentNumber"),
+        "dimension");
+    chain(dimensions.addDimensionIndex(DCM_ImagePositionPatient, organization,
+              DCM_PlanePositionSequence, "ImagePositionPatient"),
+        "dimension");
+}
+
+/// What dcmseg 3.6.7 gets wrong or leaves out.
+void complete(DcmDataset& dataset, const SegContent& content, Chain& chain)
+{
+    chain(dataset.putAndInsertUint8Array(
+              DCM_PixelData, content.bits.data(), static_cast<unsigned long>(content.bits.size())),
+        "pixel data");
+    chain(dataset.putAndInsertString(DCM_SegmentsOverlap, content.segmentsOverlap ? "YES" : "NO"),
+        "segments overlap");
+    DcmSequenceOfItems* frames = nullptr;
+    dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, frames);
+    // 3.6.7 writes on without a word when a functional group is not valid.
+    if (frames == nullptr || frames->card() != content.frames.size()) {
+        chain(EC_IllegalCall, "functional groups of the frames");
+        return;
+    }
+    for (DcmObject* item = frames->nextInContainer(nullptr); item != nullptr;
+         item = frames->nextInContainer(item)) {
+        DcmItem* source = nullptr;
+        auto* frame = dynamic_cast<DcmItem*>(item);
+        DcmItem* derivation = nullptr;
+        if (frame != nullptr
+            && frame->findAndGetSequenceItem(DCM_DerivationImageSequence, derivation).good()
+            && derivation->findAndGetSequenceItem(DCM_SourceImageSequence, source).good())
+            chain(source->putAndInsertString(DCM_SpatialLocationsPreserved, "YES"), "source image");
+    }
+}
+
+} // namespace
+
+Result<SegWritten> writeSeg(
+    const QString& path, const SegContent& content, const Progress& progress)
+{
+    if (!dcmDataDict.isDictionaryLoaded())
+        return failure(ErrorCode::Internal, QStringLiteral("DCMTK's data dictionary is not there"));
+    auto source = readSegSource(content.identity, content.sources, progress);
+    if (!source)
+        return tl::unexpected(source.error());
+
+    const std::string version = programVersion();
+    const IODGeneralEquipmentModule::EquipmentInfo equipment("Burin", "Burin", "0", version);
+    const ContentIdentificationMacro identification("1", "SEGMENTATION", "Segmentation", "");
+    DcmSegmentation* made = nullptr;
+    Chain chain;
+    chain(DcmSegmentation::createBinarySegmentation(
+              made, Uint16(content.rows), Uint16(content.columns), equipment, identification),
+        "segmentation");
+    if (made == nullptr)
+        return failure(ErrorCode::Internal, chain.failure());
+    const std::unique_ptr<DcmSegmentation> seg(made);
+    chain(seg->importFromSourceImage(*source->header), "patient and study");
+    OFString studyUid;
+    source->header->findAndGetOFString(DCM_StudyInstanceUID, studyUid);
+    // Frame of reference is wanted by dcmseg, but not by PS3.3 where frames name their source.
+    const bool ownFrame = !source->header->tagExists(DCM_FrameOfReferenceUID);
+    if (ownFrame)
+        chain(seg->getFrameOfReference().setFrameOfReferenceUID(newUid().toStdString()), "frame");
+
+    const QDateTime now = QDateTime::currentDateTime();
+    describe(*seg, content, *source, now, chain);
+    if (auto added = addSegments(*seg, content, chain); !added)
+        return tl::unexpected(added.error());
+    if (chain.failure().isEmpty())
+        addFrames(*seg, content, *source, chain);
+    if (chain.failure().isEmpty())
+        addReferences(*seg, content, *source, studyUid, chain);
+    if (!chain.failure().isEmpty())
+        return failure(ErrorCode::Internal, chain.failure());
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+
+    // Both compare every frame with every other; what they would find, the check afterwards does.
+    seg->setCheckFGOnWrite(OFFalse);
+    seg->setCheckDimensionsOnWrite(OFFalse);
+    DcmFileFormat format;
+    DcmDataset& dataset = *format.getDataset();
+    chain(seg->writeDataset(dataset), "data set");
+    if (chain.failure().isEmpty())
+        complete(dataset, content, chain);
+    if (!chain.failure().isEmpty())
+        return failure(ErrorCode::Internal, chain.failure());
+    if (ownFrame)
+        dataset.findAndDeleteElement(DCM_FrameOfReferenceUID);
+    const OFCondition saved =
+        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianExplicit);
+    if (saved.bad())
+        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    return SegWritten{source->notes};
+}
+
+} // namespace core

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/volume/Volume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// Bits of frames one after the other: least significant first, no gap between frames, padded to a
+/// whole number of 16-bit words at the very end (PS3.5 8.1.1). Our own, because dcmseg 3.6.7 loses
+/// bits wherever rows × columns is no multiple of 8.
+class FrameBits {
+public:
+    /// Appends one frame: 1 where a label equals @p label.
+    void append(std::span<const std::uint8_t> labels, std::uint8_t label);
+    /// The padded bytes; call once, at the end.
+    [[nodiscard]] std::vector<std::uint8_t> take();
+
+private:
+    std::vector<std::uint8_t> m_bytes;
+    std::uint64_t m_bits = 0;
+};
+
+/// What goes into a DICOM SEG. Frames are ordered by segment, then by slice.
+struct SegContent {
+    struct Frame {
+        int segment = 0; ///< index into `segments`
+        int slice = 0; ///< index into `sources`
+    };
+
+    StudyIdentity identity; ///< of the source, as it was loaded
+    std::vector<SourceSlice> sources;
+    int columns = 0;
+    int rows = 0;
+    /// Distance of neighbouring slices along their normal; 0 if it is not the same everywhere.
+    double sliceDistanceMm = 0.0;
+    std::vector<Segment> segments; ///< each coded, each with a frame
+    CodedConcept category;
+    bool segmentsOverlap = false;
+    std::vector<Frame> frames;
+    std::vector<std::uint8_t> bits; ///< FrameBits::take(), in the order of `frames`
+};
+
+struct SegWritten {
+    /// What of the source's header was not valid and had to be normalised or left out; sentences.
+    QStringList notes;
+};
+
+/// Writes a BINARY DICOM SEG (PS3.3 A.51) at @p path, which it creates or overwrites.
+///
+/// Patient, study and frame of reference are those of the source's header; positions, orientations
+/// and spacings are its very text. UIDs are new. Reads the header of every source. Any thread.
+/// Errors: FileUnreadable and FileNotFound (a source), UnsupportedFormat (what the source lacks),
+/// InvalidField (a code or name that DICOM cannot hold), FileUnwritable, Cancelled, Internal.
+Result<SegWritten> writeSeg(
+    const QString& path, const SegContent& content, const Progress& progress);
+
+} // namespace core

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/export/ExportMask.h"
+
+namespace core {
+
+/// What an exported file must hold.
+struct ExportExpectation {
+    const Volume& volume;
+    std::vector<Segment> segments; ///< those written, in order
+    std::span<const LabelPlaneView> planes;
+};
+
+/// Opens a DICOM SEG and the files of the volume's slices, and checks, from their headers alone:
+/// every frame has position, orientation, spacing, frame of reference, patient and study of the
+/// slice it names as its source; that slice lies where the volume has it and is of the patient that
+/// was shown; every voxel is as it should have been written, and no frame is missing.
+///
+/// Shares no code with the writer: plain dcmdata, bits unpacked one by one.
+/// @returns what was checked, in sentences
+/// Errors: ExportMismatch (argument 0 the file, 1 what does not agree), and those of reading.
+Result<QStringList> checkSegExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress);
+
+/// Opens a NIfTI file with the NIfTI C library, and the source files, and checks that the eight
+/// corners of both grids land on the same LPS millimetres (sform, and qform where it is set), and
+/// that every voxel is as it should have been written.
+/// Returns and errors as above.
+Result<QStringList> checkNiftiExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress);
+
+/// How far positions from a header may lie from the volume's: rounding in decimal strings and in
+/// the least-squares line through the slices, never near half a voxel.
+[[nodiscard]] double positionToleranceMm(const VolumeGeometry& geometry);
+
+/// LPS centre of the first voxel of slice @p k.
+[[nodiscard]] glm::dvec3 sliceOrigin(const VolumeGeometry& geometry, int k);
+
+} // namespace core

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/volume/Volume.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace core {
+
+enum class ExportFormat { DicomSeg, Nifti };
+
+/// "dicom-seg" and "nifti", as recipes say it.
+[[nodiscard]] std::optional<ExportFormat> exportFormatNamed(const QString& name);
+
+/// The labels of one plane on the volume's grid, x fastest.
+struct LabelPlaneView {
+    std::uint8_t plane = 0;
+    std::span<const std::uint8_t> labels;
+};
+
+/// "Anatomical Structure" (DICOM CID 7150): what a segment is unless something else is said.
+[[nodiscard]] CodedConcept anatomicalStructure();
+
+/// What to write, and where.
+struct ExportRequest {
+    ExportFormat format = ExportFormat::DicomSeg;
+    QString file;
+    bool force = false; ///< replace a file of that name
+    std::vector<Segment> segments; ///< in the order of their numbers in the file
+    std::vector<LabelPlaneView> planes; ///< every plane that a segment names
+    CodedConcept category = anatomicalStructure();
+};
+
+/// What was done, in sentences for a person.
+struct ExportReport {
+    QString file;
+    QStringList written;
+    QStringList checked;
+    QStringList cautions; ///< what a reader of the file must know
+};
+
+/// Writes the voxels of the segments and nothing else, then opens the file and the volume's source
+/// files again and checks one against the other (CheckExport.h). The file appears under its name
+/// only after that; on any failure nothing is left behind, and a file of that name is as it was.
+///
+/// Segments without a voxel are left out and named. DICOM SEG: one BINARY object, empty frames left
+/// out, every frame on its native slice, also where the stack is tilted or uneven. NIfTI: one label
+/// map on the source's grid; the file's name must end in .nii or .nii.gz.
+///
+/// Cost: reads every source header twice and the export once. Any thread.
+/// Errors: NothingToExport, SegmentNotCoded (argument 0: the segment), UnknownSegment, FileExists,
+/// FileUnwritable, UnsupportedFormat (argument 1: why, and what is possible instead),
+/// InvalidField, ExportMismatch, Cancelled, and those of reading the sources.
+Result<ExportReport> exportMask(
+    const Volume& volume, const ExportRequest& request, const Progress& progress);
+
+/// Why this volume cannot carry a DICOM SEG, as a clause; empty if it can. Reads no file.
+[[nodiscard]] QString dicomSegObstacle(const Volume& volume);
+
+} // namespace core
