@@ -101,7 +101,12 @@ Result<QStringList> checkNiftiExport(
     const glm::dvec3 spacing = volume.geometry.spacingMm();
     const double least = std::min({spacing.x, spacing.y, spacing.z});
     // Far from the origin a 32-bit float has a step of its own; never near half a voxel, though.
-    const double tolerance = positionToleranceMm(volume.geometry) + 0.1 * least;
+    // Uneven slices stray from NIfTI's single step; by how much, the export's report says.
+    const glm::dvec3 lastByStep = volume.geometry.toWorld({0.0, 0.0, size.z - 1.0});
+    const double uneven =
+        std::max(glm::distance(sliceOrigin(volume.geometry, 0), volume.geometry.originLps()),
+            glm::distance(sliceOrigin(volume.geometry, size.z - 1), lastByStep));
+    const double tolerance = positionToleranceMm(volume.geometry) + 0.1 * least + uneven;
     const auto volumeCorners = cornersOf(volume.geometry.indexToWorld, size);
     const double ofVolume = farthest(*corners, volumeCorners);
     if (ofVolume > tolerance)

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/SmallSeries.h"
+
+#include "core/dicom/Dcmtk.h"
+#include "core/dicom/DicomText.h"
+
+#include <QDir>
+#include <QFile>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <stdexcept>
+
+namespace test {
+
+namespace {
+
+std::string decimals(std::initializer_list<double> values)
+{
+    QStringList texts;
+    for (const double value : values)
+        texts += QString::number(value, 'g', 10);
+    return texts.join(QLatin1Char('\\')).toStdString();
+}
+
+std::string uid()
+{
+    char text[100];
+    return dcmGenerateUniqueIdentifier(text);
+}
+
+} // namespace
+
+void SmallSeries::placeEvenly(const glm::dvec3& first, const glm::dvec3& step)
+{
+    positions.clear();
+    for (int k = 0; k < size.z; ++k)
+        positions.push_back(first + step * double(k));
+}
+
+core::Volume SmallSeries::write(const QString& folder) const
+{
+    core::readyDcmtk();
+    core::Volume volume;
+    volume.sourceFormat = QStringLiteral("DICOM");
+    volume.sourcePath = folder;
+    volume.identity.patientName = core::dicomText(
+        QByteArray::fromStdString(patientName), QByteArray::fromStdString(characterSet));
+    volume.identity.patientId = QString::fromStdString(patientId);
+    volume.identity.birthDate = core::dicomDate(QString::fromStdString(birthDate));
+    volume.identity.modality = QStringLiteral("CT");
+    const std::string study = uid(), series = uid(), frame = uid();
+    volume.identity.studyUid = QString::fromStdString(study);
+    volume.identity.seriesUid = QString::fromStdString(series);
+    volume.identity.seriesNumber = QStringLiteral("4");
+    if (frameOfReference)
+        volume.identity.frameOfReferenceUid = QString::fromStdString(frame);
+
+    const std::vector<Uint16> pixels(std::size_t(size.x) * std::size_t(size.y), 0);
+    QDir().mkpath(folder);
+    for (int k = 0; k < size.z; ++k) {
+        DcmFileFormat format;
+        DcmDataset& dataset = *format.getDataset();
+        const std::string instance = uid();
+        const auto put = [&](const DcmTagKey& tag, const std::string& value) {
+            if (dataset.putAndInsertString(tag, value.c_str()).bad())
+                throw std::runtime_error("SmallSeries: " + value);
+        };
+        const glm::dvec3& p = positions[std::size_t(k)];
+        put(DCM_SpecificCharacterSet, characterSet);
+        put(DCM_SOPClassUID, UID_CTImageStorage);
+        put(DCM_SOPInstanceUID, instance);
+        put(DCM_PatientName, patientName);
+        put(DCM_PatientID, patientId);
+        put(DCM_PatientBirthDate, birthDate);
+        put(DCM_PatientSex, sex);
+        put(DCM_StudyDate, studyDate);
+        put(DCM_StudyTime, "101112");
+        put(DCM_StudyInstanceUID, study);
+        put(DCM_SeriesInstanceUID, series);
+        put(DCM_SeriesNumber, "4");
+        put(DCM_InstanceNumber, std::to_string((k * 7) % size.z + 1));
+        put(DCM_Modality, "CT");
+        if (frameOfReference)
+            put(DCM_FrameOfReferenceUID, frame);
+        put(DCM_ImagePositionPatient, decimals({p.x, p.y, p.z}));
+        put(DCM_ImageOrientationPatient,
+            decimals({rowDirection.x, rowDirection.y, rowDirection.z, columnDirection.x,
+                columnDirection.y, columnDirection.z}));
+        put(DCM_PixelSpacing, decimals({spacing.y, spacing.x}));
+        put(DCM_SliceThickness, "2.5");
+        put(DCM_PhotometricInterpretation, "MONOCHROME2");
+        dataset.putAndInsertUint16(DCM_SamplesPerPixel, 1);
+        dataset.putAndInsertUint16(DCM_Rows, Uint16(size.y));
+        dataset.putAndInsertUint16(DCM_Columns, Uint16(size.x));
+        dataset.putAndInsertUint16(DCM_BitsAllocated, 16);
+        dataset.putAndInsertUint16(DCM_BitsStored, 12);
+        dataset.putAndInsertUint16(DCM_HighBit, 11);
+        dataset.putAndInsertUint16(DCM_PixelRepresentation, 0);
+        dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+
+        const QString file = QDir(folder).filePath(
+            QStringLiteral("im%1.dcm").arg((k * 5 + 3) % 1000, 3, 10, QLatin1Char('0')));
+        if (format.saveFile(QFile::encodeName(file).constData(), EXS_LittleEndianExplicit).bad())
+            throw std::runtime_error("SmallSeries: cannot write");
+        volume.sources.push_back({.file = file,
+            .sopInstanceUid = QString::fromStdString(instance),
+            .sopClassUid = QStringLiteral(UID_CTImageStorage),
+            .frame = 0,
+            .instanceNumber = k + 1});
+    }
+
+    core::VolumeGeometry& geometry = volume.geometry;
+    geometry.size = size;
+    const glm::dvec3 step = size.z > 1 ? (positions.back() - positions.front()) / double(size.z - 1)
+                                       : glm::cross(rowDirection, columnDirection);
+    geometry.indexToWorld = {glm::dvec4(rowDirection * spacing.x, 0.0),
+        glm::dvec4(columnDirection * spacing.y, 0.0), glm::dvec4(step, 0.0),
+        glm::dvec4(positions.front(), 1.0)};
+    for (int k = 0; k < size.z; ++k) {
+        if (glm::distance(geometry.toWorld({0, 0, double(k)}), positions[std::size_t(k)]) > 0.01)
+            geometry.slicePositions = positions;
+    }
+    return volume;
+}
+
+} // namespace test
