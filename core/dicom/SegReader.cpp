@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SegReader.h"
 
+#include "core/dicom/Dcmtk.h"
 #include "core/dicom/HeaderReading.h"
 
 #include <QFile>
@@ -75,6 +76,7 @@ Result<SegFile> readSeg(const QString& file)
 {
     if (!QFileInfo::exists(file))
         return failure(ErrorCode::FileNotFound, file);
+    readyDcmtk();
     DcmFileFormat format;
     const OFCondition loaded = format.loadFile(QFile::encodeName(file).constData());
     if (loaded.bad())

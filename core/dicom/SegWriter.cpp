@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SegWriter.h"
 
+#include "core/dicom/Dcmtk.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegSource.h"
@@ -50,9 +51,45 @@ std::string programVersion()
     return version.isEmpty() ? "development" : version.toStdString();
 }
 
+/// dcmseg 3.6.7 takes no letters beyond ASCII, whatever the character set; complete() puts the text
+/// in their place.
+std::string placeholder(const QString& text)
+{
+    std::string plain;
+    for (const QChar character : text)
+        plain += character.unicode() < 128 ? char(character.unicode()) : '?';
+    return plain;
+}
+
+/// A copy of the source's header in ASCII.
+std::unique_ptr<DcmDataset> placeholderHeader(DcmDataset& header)
+{
+    auto plain = std::make_unique<DcmDataset>(header);
+    for (DcmObject* object = plain->nextInContainer(nullptr); object != nullptr;
+         object = plain->nextInContainer(object)) {
+        auto* element = static_cast<DcmElement*>(object);
+        OFString value;
+        element->getOFStringArray(value);
+        element->putOFStringArray(placeholder(QString::fromStdString(value)));
+    }
+    return plain;
+}
+
+QString seriesDescription(const SegContent& content)
+{
+    return singleValueText(
+        QStringLiteral("Segmentation ") + content.identity.seriesDescription, 64);
+}
+
+QString segmentLabel(const Segment& segment)
+{
+    const QString label = singleValueText(segment.name, 64);
+    return label.isEmpty() ? QStringLiteral("Segment") : label;
+}
+
 CodeSequenceMacro codeOf(const CodedConcept& coded)
 {
-    return {coded.value.toStdString(), coded.scheme.toStdString(), coded.meaning.toStdString()};
+    return {placeholder(coded.value), placeholder(coded.scheme), placeholder(coded.meaning)};
 }
 
 bool codeIsValid(const CodedConcept& coded)
@@ -72,10 +109,10 @@ Result<void> addSegments(DcmSegmentation& seg, const SegContent& content, Chain&
                     "DICOM cannot hold the code of segment '%1': scheme and value take 1 "
                     "to 16 characters, the meaning 1 to 64")
                     .arg(segment.name));
-        const std::string label = singleValueText(segment.name, 64).toStdString();
+        const std::string label = placeholder(segmentLabel(segment));
         DcmSegment* made = nullptr;
-        chain(DcmSegment::create(made, label.empty() ? "Segment" : label, codeOf(content.category),
-                  codeOf(segment.code), DcmSegTypes::SAT_SEMIAUTOMATIC, "Burin"),
+        chain(DcmSegment::create(made, label, codeOf(content.category), codeOf(segment.code),
+                  DcmSegTypes::SAT_SEMIAUTOMATIC, "Burin"),
             "segment");
         if (made == nullptr)
             return {};
@@ -87,7 +124,7 @@ Result<void> addSegments(DcmSegmentation& seg, const SegContent& content, Chain&
             return Uint16(std::clamp(std::lround(value), 0L, 65535L));
         };
         chain(made->setRecommendedDisplayCIELabValue(word(l), word(a), word(b)), "colour");
-        chain(made->setTrackingID(label.empty() ? "Segment" : label), "tracking ID");
+        chain(made->setTrackingID(label), "tracking ID");
         chain(made->setTrackingUID(newUid().toStdString()), "tracking UID");
         Uint16 number = 0;
         chain(seg.addSegment(made, number), "segment");
@@ -238,10 +275,8 @@ void describe(DcmSegmentation& seg, const SegContent& content, const SegSource& 
     chain(series.setSeriesNumber(std::to_string(number)), "series number");
     chain(series.setSeriesDate(date), "date");
     chain(series.setSeriesTime(time), "time");
-    chain(series.setSeriesDescription(singleValueText(
-              QStringLiteral("Segmentation ") + content.identity.seriesDescription, 64)
-                                          .toStdString()),
-        "series description");
+    chain(
+        series.setSeriesDescription(placeholder(seriesDescription(content))), "series description");
     if (!source.bodyPart.empty())
         chain(series.setBodyPartExamined(source.bodyPart), "body part");
     if (!source.lossyCompression.empty())
@@ -255,6 +290,40 @@ void describe(DcmSegmentation& seg, const SegContent& content, const SegSource& 
     chain(dimensions.addDimensionIndex(DCM_ImagePositionPatient, organization,
               DCM_PlanePositionSequence, "ImagePositionPatient"),
         "dimension");
+}
+
+void putText(DcmItem& item, const DcmTagKey& tag, const QString& text, Chain& chain)
+{
+    chain(item.putAndInsertString(tag, text.toStdString().c_str()), "text");
+}
+
+/// The text that placeholder() stood in for.
+void completeText(
+    DcmDataset& dataset, const SegContent& content, const SegSource& source, Chain& chain)
+{
+    for (DcmObject* object = source.header->nextInContainer(nullptr); object != nullptr;
+         object = source.header->nextInContainer(object)) {
+        auto* copy = static_cast<DcmElement*>(object->clone());
+        chain(dataset.insert(copy, OFTrue), "patient and study");
+    }
+    putText(dataset, DCM_SeriesDescription, seriesDescription(content), chain);
+    const auto putMeaning = [&](DcmItem& segment, const DcmTagKey& sequence, const QString& text) {
+        DcmItem* code = nullptr;
+        chain(segment.findAndGetSequenceItem(sequence, code), "code");
+        if (code != nullptr)
+            putText(*code, DCM_CodeMeaning, text, chain);
+    };
+    for (std::size_t i = 0; i < content.segments.size(); ++i) {
+        const Segment& segment = content.segments[i];
+        DcmItem* item = nullptr;
+        chain(dataset.findAndGetSequenceItem(DCM_SegmentSequence, item, long(i)), "segment");
+        if (item == nullptr)
+            return;
+        putText(*item, DCM_SegmentLabel, segmentLabel(segment), chain);
+        putText(*item, DCM_TrackingID, segmentLabel(segment), chain);
+        putMeaning(*item, DCM_SegmentedPropertyCategoryCodeSequence, content.category.meaning);
+        putMeaning(*item, DCM_SegmentedPropertyTypeCodeSequence, segment.code.meaning);
+    }
 }
 
 /// What dcmseg 3.6.7 gets wrong or leaves out.
@@ -289,8 +358,7 @@ void complete(DcmDataset& dataset, const SegContent& content, Chain& chain)
 Result<SegWritten> writeSeg(
     const QString& path, const SegContent& content, const Progress& progress)
 {
-    if (!dcmDataDict.isDictionaryLoaded())
-        return failure(ErrorCode::Internal, QStringLiteral("DCMTK's data dictionary is not there"));
+    readyDcmtk();
     auto source = readSegSource(content.identity, content.sources, progress);
     if (!source)
         return tl::unexpected(source.error());
@@ -306,7 +374,7 @@ Result<SegWritten> writeSeg(
     if (made == nullptr)
         return failure(ErrorCode::Internal, chain.failure());
     const std::unique_ptr<DcmSegmentation> seg(made);
-    chain(seg->importFromSourceImage(*source->header), "patient and study");
+    chain(seg->importFromSourceImage(*placeholderHeader(*source->header)), "patient and study");
     OFString studyUid;
     source->header->findAndGetOFString(DCM_StudyInstanceUID, studyUid);
     // Frame of reference is wanted by dcmseg, but not by PS3.3 where frames name their source.
@@ -333,6 +401,8 @@ Result<SegWritten> writeSeg(
     DcmFileFormat format;
     DcmDataset& dataset = *format.getDataset();
     chain(seg->writeDataset(dataset), "data set");
+    if (chain.failure().isEmpty())
+        completeText(dataset, content, *source, chain);
     if (chain.failure().isEmpty())
         complete(dataset, content, chain);
     if (!chain.failure().isEmpty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SourceHeader.h"
 
+#include "core/dicom/Dcmtk.h"
 #include "core/dicom/HeaderReading.h"
 
 #include <QFile>
@@ -17,6 +18,7 @@ namespace core {
 Result<std::vector<SourceHeader>> readSourceHeaders(
     const std::vector<SourceSlice>& slices, const Progress& progress)
 {
+    readyDcmtk();
     // Slices of one file need not follow each other; a multi-frame file is parsed once.
     QHash<QString, std::vector<std::size_t>> slicesOfFile;
     for (std::size_t k = 0; k < slices.size(); ++k)

@@ -20,7 +20,8 @@ ScriptOutput run(QProcess& process, const QString& program, const QStringList& a
     }
     result.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
     result.output = process.readAllStandardOutput();
-    result.errors = QString::fromLocal8Bit(process.readAllStandardError());
+    if (process.processChannelMode() == QProcess::SeparateChannels)
+        result.errors = QString::fromLocal8Bit(process.readAllStandardError());
     return result;
 }
 
