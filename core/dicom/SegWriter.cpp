@@ -377,8 +377,10 @@ Result<SegWritten> writeSeg(
     chain(seg->importFromSourceImage(*placeholderHeader(*source->header)), "patient and study");
     OFString studyUid;
     source->header->findAndGetOFString(DCM_StudyInstanceUID, studyUid);
-    // Frame of reference is wanted by dcmseg, but not by PS3.3 where frames name their source.
-    const bool ownFrame = !source->header->tagExists(DCM_FrameOfReferenceUID);
+    // dcmseg wants a frame of reference, PS3.3 does not where frames name their source. Where the
+    // slices have none, or none in common, the object has none.
+    const bool ownFrame = content.identity.frameOfReferenceUid.isEmpty()
+        || !source->header->tagExists(DCM_FrameOfReferenceUID);
     if (ownFrame)
         chain(seg->getFrameOfReference().setFrameOfReferenceUID(newUid().toStdString()), "frame");
 
@@ -407,8 +409,10 @@ Result<SegWritten> writeSeg(
         complete(dataset, content, chain);
     if (!chain.failure().isEmpty())
         return failure(ErrorCode::Internal, chain.failure());
-    if (ownFrame)
+    if (ownFrame) {
         dataset.findAndDeleteElement(DCM_FrameOfReferenceUID);
+        dataset.findAndDeleteElement(DCM_PositionReferenceIndicator);
+    }
     const OFCondition saved =
         format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianExplicit);
     if (saved.bad())

@@ -89,7 +89,9 @@ QString differenceFromVolume(const SourceHeader& header, const Volume& volume, i
         return what + QStringLiteral(" is not that of the study that was opened");
     if (header.studyUid != identity.studyUid)
         return QStringLiteral("the study is not the one that was opened");
-    if (header.frameOfReferenceUid != identity.frameOfReferenceUid)
+    // Slices without a frame of reference in common have none in the volume (nor in the export).
+    if (!identity.frameOfReferenceUid.isEmpty()
+        && header.frameOfReferenceUid != identity.frameOfReferenceUid)
         return QStringLiteral("the frame of reference is not the one that was opened");
     if (header.sopInstanceUid != volume.sources[std::size_t(k)].sopInstanceUid)
         return QStringLiteral("the file now holds another image");
@@ -216,7 +218,9 @@ Result<QStringList> checkSegExport(
         const SourceHeader& header = (*headers)[std::size_t(k)];
         if (const QString what = differenceOfPlanes(frame.plane, header.plane); !what.isEmpty())
             return atFrame(what);
-        if (seg.frameOfReferenceUid != header.frameOfReferenceUid)
+        if (seg.frameOfReferenceUid
+            != (volume.identity.frameOfReferenceUid.isEmpty() ? QString()
+                                                              : header.frameOfReferenceUid))
             return atFrame(QStringLiteral("frame of reference"));
         if (const QString what = differenceOfPatients(seg.patient, header.patient); !what.isEmpty())
             return atFrame(what);

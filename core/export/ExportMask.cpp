@@ -145,7 +145,7 @@ Result<QStringList> writeSegFile(const QString& path, const Volume& volume,
     report.cautions += written->notes;
     if (volume.identity.frameOfReferenceUid.isEmpty())
         report.cautions += QStringLiteral(
-            "The source has no frame of reference; the segmentation has none either.");
+            "The source images have no frame of reference in common; the segmentation names none.");
     return QStringList{QStringLiteral("DICOM SEG, binary: %1 segments in %2 frames of %3 × %4; "
                                       "slices without a voxel are left out.")
                            .arg(content.segments.size())
