@@ -1,2 +1,136 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/GpuEngine.h"
+
+#include "gpu/edit/GpuEditEngine.h"
+#include "gpu/engine/EngineThread.h"
+#include "gpu/frame/FrameScheduler.h"
+#include "gpu/gl/EglContext.h"
+#include "gpu/textures/VolumeTextures.h"
+
+#include <utility>
+
+namespace gpu {
+
+namespace {
+
+/// All that must be made and destroyed with the context current.
+struct OnThread {
+    ShaderLibrary shaders = ShaderLibrary::builtIn();
+    VolumeTextures textures;
+    GpuEditEngine edits;
+    FrameScheduler frames;
+
+    explicit OnThread(EngineThread& thread)
+        : edits(EditContext{thread, textures, shaders})
+        , frames({.volume = textures, .edits = edits, .shaders = shaders, .wake = [&thread] {
+                      thread.wake();
+                  }})
+    {
+    }
+};
+
+QString glText(GLenum name)
+{
+    return QString::fromUtf8(reinterpret_cast<const char*>(glGetString(name)));
+}
+
+} // namespace
+
+class GpuEngine::Implementation {
+public:
+    explicit Implementation(std::unique_ptr<GlContext> context)
+        : m_thread(std::move(context))
+    {
+    }
+    ~Implementation()
+    {
+        if (!m_onThread)
+            return;
+        m_thread.run([this] {
+            m_thread.setSlices({}, {});
+            m_onThread.reset();
+        });
+    }
+
+    core::Result<void> start()
+    {
+        if (auto started = m_thread.start(); !started)
+            return started;
+        core::Result<void> result;
+        m_thread.run([&] {
+            m_renderer = glText(GL_RENDERER);
+            m_version = glText(GL_VERSION);
+            try {
+                m_onThread = std::make_unique<OnThread>(m_thread);
+            } catch (const ShaderError& error) {
+                result = core::failure(core::ErrorCode::GraphicsUnavailable, m_renderer,
+                    QString::fromUtf8(error.what()));
+                return;
+            }
+            m_thread.setSlices([this] { return m_editing = m_onThread->edits.work(); },
+                [this] { return m_onThread->frames.work(m_editing); });
+        });
+        return result;
+    }
+
+    EngineThread m_thread;
+    std::unique_ptr<OnThread> m_onThread;
+    QString m_renderer;
+    QString m_version;
+
+private:
+    bool m_editing = false; ///< engine thread
+};
+
+core::Result<std::unique_ptr<GpuEngine>> GpuEngine::create()
+{
+    auto context = EglContext::create();
+    if (!context)
+        return tl::unexpected(context.error());
+    return create(std::move(*context));
+}
+
+core::Result<std::unique_ptr<GpuEngine>> GpuEngine::create(std::unique_ptr<GlContext> context)
+{
+    auto implementation = std::make_unique<Implementation>(std::move(context));
+    if (auto started = implementation->start(); !started)
+        return tl::unexpected(started.error());
+    return std::unique_ptr<GpuEngine>(new GpuEngine(std::move(implementation)));
+}
+
+GpuEngine::GpuEngine(std::unique_ptr<Implementation> implementation)
+    : m_implementation(std::move(implementation))
+{
+}
+
+GpuEngine::~GpuEngine() = default;
+
+core::EditEngine& GpuEngine::edits()
+{
+    return m_implementation->m_onThread->edits;
+}
+
+FrameSource& GpuEngine::frames()
+{
+    return m_implementation->m_onThread->frames;
+}
+
+void GpuEngine::setVolumeGeometry(
+    const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding)
+{
+    m_implementation->m_thread.post([all = m_implementation->m_onThread.get(), geometry, encoding] {
+        all->textures.setGeometry(geometry, encoding);
+    });
+}
+
+QString GpuEngine::rendererName() const
+{
+    return m_implementation->m_renderer;
+}
+
+QString GpuEngine::versionText() const
+{
+    return m_implementation->m_version;
+}
+
+} // namespace gpu

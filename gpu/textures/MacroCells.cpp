@@ -50,6 +50,8 @@ MacroCells::MacroCells(const glm::ivec3& volumeSize, std::span<const std::uint16
             accumulateRow(codes.subspan(start * width, width), y, z);
         }
     }
+    for (const Range& range : m_codes)
+        m_greatestCode = std::max(m_greatestCode, int(range.highest));
     m_ranges.upload<Range>(m_codes);
 }
 

@@ -39,6 +39,7 @@ public:
     MacroCells(const glm::ivec3& volumeSize, std::span<const std::uint16_t> codes);
 
     [[nodiscard]] glm::ivec3 cells() const { return m_cells; }
+    [[nodiscard]] int greatestCode() const { return m_greatestCode; } ///< of the volume
     /// RG16: least and greatest code of each cell.
     [[nodiscard]] const Texture3D& ranges() const { return m_ranges; }
 
@@ -69,6 +70,7 @@ private:
     void widen(int x, int y, int z, const Range& range);
 
     glm::ivec3 m_cells{0};
+    int m_greatestCode = 0;
     std::vector<Range> m_codes;
     std::vector<Sculpt> m_sculpt;
     Texture3D m_ranges;

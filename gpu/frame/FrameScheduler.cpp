@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/frame/FrameScheduler.h"
+
+#include "gpu/frame/SceneReach.h"
+#include "gpu/textures/VolumeTextures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace gpu {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double sliceMilliseconds = 8.0;
+constexpr double coarseMilliseconds = 40.0;
+/// A full picture expected to be faster than this comes at once, without a coarse one before it.
+constexpr double directMilliseconds = 90.0;
+constexpr int accumulated = 8;
+constexpr int coarsest = 6;
+
+double since(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Points spread evenly over the pixel (Halton 2, 3), centred; the first is the centre.
+glm::vec2 pixelJitter(int sample)
+{
+    const auto radicalInverse = [](int base, int n) {
+        double result = 0.0;
+        for (double digit = 1.0 / base; n > 0; n /= base, digit /= base)
+            result += digit * (n % base);
+        return result;
+    };
+    if (sample == 0)
+        return glm::vec2(0.0f);
+    return glm::vec2(radicalInverse(2, sample) - 0.5, radicalInverse(3, sample) - 0.5);
+}
+
+} // namespace
+
+FrameScheduler::FrameScheduler(const Options& options)
+    : m_volume(options.volume)
+    , m_edits(options.edits)
+    , m_wake(options.wake)
+    , m_raycast(options.shaders)
+    , m_slice(options.shaders)
+    , m_noVertices("no vertices")
+    , m_resolve(options.shaders)
+    , m_cellKernel(options.shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
+{
+    // Guesses of a software renderer; the first tiles correct them.
+    m_cost = {60.0, 500.0, 800.0, 800.0};
+}
+
+FrameScheduler::~FrameScheduler() = default;
+
+void FrameScheduler::request(FrameRequest request)
+{
+    {
+        const std::lock_guard lock(m_inboxMutex);
+        const ViewId view = request.view;
+        const bool fresh =
+            m_forgotten.erase(view) > 0 || (m_inbox.contains(view) && m_inbox[view].fresh);
+        m_inbox.insert_or_assign(view, Incoming{std::move(request), fresh});
+    }
+    if (m_wake)
+        m_wake();
+}
+
+void FrameScheduler::forget(ViewId view)
+{
+    {
+        const std::lock_guard lock(m_inboxMutex);
+        m_inbox.erase(view);
+        m_forgotten.insert(view);
+    }
+    // Whoever delivers looks at m_forgotten under this lock: after it nothing follows.
+    const std::lock_guard wait(m_listenerMutex);
+}
+
+void FrameScheduler::setListener(Listener listener)
+{
+    const std::lock_guard lock(m_listenerMutex);
+    m_listener = std::move(listener);
+}
+
+bool FrameScheduler::work(bool editing)
+{
+    takeRequests();
+    takeChanges();
+    const bool waiting = deliver();
+    if (View* view = next(editing)) {
+        drawSlice(*view, editing);
+        return true;
+    }
+    if (waiting) {
+        m_deliveries.begin()->second.fence.wait();
+        deliver();
+    }
+    return !m_deliveries.empty();
+}
+
+void FrameScheduler::takeRequests()
+{
+    std::map<ViewId, Incoming> inbox;
+    std::set<ViewId> forgotten;
+    {
+        const std::lock_guard lock(m_inboxMutex);
+        inbox.swap(m_inbox);
+        forgotten = m_forgotten;
+    }
+    for (const ViewId view : forgotten) {
+        m_views.erase(view);
+        m_deliveries.erase(view);
+    }
+    for (auto& [id, incoming] : inbox) {
+        if (incoming.fresh) {
+            m_views.erase(id);
+            m_deliveries.erase(id);
+        }
+        FrameRequest& request = incoming.request;
+        if (request.sizePixels.x > 0 && request.sizePixels.y > 0)
+            begin(m_views[id], std::move(request));
+    }
+}
+
+void FrameScheduler::begin(View& view, FrameRequest request)
+{
+    const bool same = view.request.sizePixels == request.sizePixels
+        && view.request.scene == request.scene && view.request.segments == request.segments;
+    std::bitset<256> shown;
+    for (std::size_t label = 1; label < 256; ++label)
+        shown[label] = request.segments.visible[label];
+    if (shown != m_shown) {
+        m_shown = shown;
+        m_edits.showSegments(shown);
+    }
+    view.request = std::move(request);
+    // The same picture again is no work, interacting or not.
+    if (!same)
+        restart(view);
+}
+
+void FrameScheduler::takeChanges()
+{
+    if (m_volume.takeReplaced()) {
+        for (const VolumeField field :
+            {VolumeField::Labels, VolumeField::Radiation, VolumeField::Segmentation})
+            (void)m_volume.takeDirty(field);
+        for (auto& [id, view] : m_views)
+            restart(view);
+    }
+    if (!m_volume.isDrawable())
+        return;
+    const core::VoxelBox labels = m_volume.takeDirty(VolumeField::Labels);
+    const core::VoxelBox radiation = m_volume.takeDirty(VolumeField::Radiation);
+    const core::VoxelBox segmentation = m_volume.takeDirty(VolumeField::Segmentation);
+    if (labels.empty() && radiation.empty() && segmentation.empty())
+        return;
+    m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
+        radiation.united(segmentation));
+    for (auto& [id, view] : m_views) {
+        const auto* slice = std::get_if<SliceScene>(&view.request.scene);
+        const core::VoxelBox seen =
+            slice != nullptr ? labels.united(radiation) : radiation.united(segmentation);
+        if (seen.empty() || (slice != nullptr && !meetsPlane(*slice, m_volume.geometry(), seen)))
+            continue;
+        // A coarse picture under way is finished first, or a long edit would never show.
+        if (view.stage == Stage::Coarse && view.tiles)
+            view.stale = true;
+        else
+            restart(view);
+    }
+}
+
+void FrameScheduler::restart(View& view)
+{
+    view.stage = Stage::Coarse;
+    view.tiles.reset();
+    view.stale = false;
+    view.sample = 0;
+    view.milliseconds = 0.0;
+}
+
+bool FrameScheduler::wants(const View& view, bool editing) const
+{
+    if (view.stage == Stage::Done)
+        return false;
+    return view.stage == Stage::Coarse || !(view.request.interacting || editing);
+}
+
+FrameScheduler::View* FrameScheduler::next(bool editing)
+{
+    View* best = nullptr;
+    ViewId bestId = 0;
+    for (auto& [id, view] : m_views) {
+        if (!wants(view, editing))
+            continue;
+        const bool better = best == nullptr || view.stage < best->stage
+            || (view.stage == best->stage && view.request.interacting && !best->request.interacting)
+            || (view.stage == best->stage && view.request.interacting == best->request.interacting
+                && view.turn < best->turn);
+        if (better) {
+            best = &view;
+            bestId = id;
+        }
+    }
+    // Its buffer is still on the way home: that must arrive before the next picture.
+    if (best != nullptr) {
+        const auto pending = m_deliveries.find(bestId);
+        if (pending != m_deliveries.end()) {
+            pending->second.fence.wait();
+            deliver();
+        }
+    }
+    return best;
+}
+
+double& FrameScheduler::costOf(const Scene& scene)
+{
+    if (const auto* volume = std::get_if<VolumeScene>(&scene))
+        return m_cost[1 + std::size_t(volume->mode)];
+    return m_cost[0];
+}
+
+int FrameScheduler::coarseFactor(const View& view, bool editing)
+{
+    const glm::dvec2 size(view.request.sizePixels);
+    const double expected = costOf(view.request.scene) * size.x * size.y * 1e-6;
+    const bool patient = !view.request.interacting && !editing;
+    if (expected <= (patient ? directMilliseconds : coarseMilliseconds))
+        return 1;
+    return std::clamp(int(std::ceil(std::sqrt(expected / coarseMilliseconds))), 1, coarsest);
+}
+
+void FrameScheduler::preparePass(View& view, const PassTarget& target)
+{
+    m_palette.set(view.request.segments);
+    if (const auto* slice = std::get_if<SliceScene>(&view.request.scene))
+        m_slice.prepare(m_volume, *slice, view.request.segments, m_palette, target);
+    else
+        m_raycast.prepare(m_volume, std::get<VolumeScene>(view.request.scene), m_palette, target);
+}
+
+void FrameScheduler::drawSlice(View& view, bool editing)
+{
+    const Clock::time_point start = Clock::now();
+    view.turn = ++m_turn;
+    view.targets.resize(view.request.sizePixels);
+    if (!m_volume.isDrawable()) {
+        view.targets.picture.clear();
+        view.stage = Stage::Done;
+        readBack(view, Frame::Quality::Refined);
+        return;
+    }
+    if (!view.tiles) {
+        int factor = 1;
+        if (view.stage == Stage::Coarse) {
+            factor = coarseFactor(view, editing);
+            if (factor == 1)
+                view.stage = Stage::Full;
+        }
+        view.tiles.emplace((view.request.sizePixels + (factor - 1)) / factor);
+        view.milliseconds = 0.0;
+    }
+    double& cost = costOf(view.request.scene);
+    const Tile tile = view.tiles->take(sliceMilliseconds / cost * 1e6);
+    const PassTarget target{
+        .frameSize = view.request.sizePixels,
+        .pixelScale = float(view.request.sizePixels.x) / float(view.tiles->size().x),
+        .pixelJitter = pixelJitter(view.sample),
+        .sample = view.sample,
+    };
+    view.targets.sumFrame.bind();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
+    if (view.stage == Stage::Accumulate) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else {
+        glDisable(GL_BLEND);
+    }
+    preparePass(view, target);
+    m_noVertices.drawFullScreenTriangle();
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    Fence::insert().wait();
+    ++m_counters.tiles;
+
+    const double spent = since(start);
+    view.milliseconds += spent;
+    const double measured = spent / (double(tile.size.x) * tile.size.y) * 1e6;
+    // Follows slowly and by bounded steps: a first use compiles, a corner may be empty.
+    cost = std::clamp(0.7 * cost + 0.3 * measured, 0.5 * cost, 2.0 * cost);
+    if (view.tiles->finished())
+        finishPicture(view);
+}
+
+void FrameScheduler::finishPicture(View& view)
+{
+    const Clock::time_point start = Clock::now();
+    const glm::ivec2 drawn = view.tiles->size();
+    view.tiles.reset();
+    const bool flat = std::holds_alternative<SliceScene>(view.request.scene);
+    if (view.stage == Stage::Accumulate && view.sample + 1 < accumulated) {
+        ++view.sample;
+        return;
+    }
+    m_resolve.draw(view.targets, view.sample + 1, drawn, m_noVertices);
+    Frame::Quality quality = Frame::Quality::Full;
+    switch (view.stage) {
+    case Stage::Coarse:
+        quality = Frame::Quality::Coarse;
+        view.stage = Stage::Full;
+        break;
+    case Stage::Full:
+        quality = flat ? Frame::Quality::Refined : Frame::Quality::Full;
+        view.stage = flat ? Stage::Done : Stage::Accumulate;
+        view.sample = flat ? 0 : 1;
+        break;
+    case Stage::Accumulate:
+    case Stage::Done:
+        quality = Frame::Quality::Refined;
+        view.stage = Stage::Done;
+        break;
+    }
+    view.milliseconds += since(start);
+    readBack(view, quality);
+    if (view.stale)
+        restart(view);
+}
+
+void FrameScheduler::readBack(View& view, Frame::Quality quality)
+{
+    view.targets.pictureFrame.readInto(view.targets.home.id());
+    Delivery delivery;
+    delivery.frame = Frame{
+        .view = view.request.view,
+        .sizePixels = view.targets.size,
+        .rgba = nullptr,
+        .quality = quality,
+        .renderMilliseconds = view.milliseconds,
+        .scene = view.request.scene,
+    };
+    delivery.fence = Fence::insert();
+    m_deliveries.insert_or_assign(view.request.view, std::move(delivery));
+}
+
+bool FrameScheduler::deliver()
+{
+    for (auto it = m_deliveries.begin(); it != m_deliveries.end();) {
+        if (!it->second.fence.passed()) {
+            ++it;
+            continue;
+        }
+        Frame frame = std::move(it->second.frame);
+        const auto view = m_views.find(it->first);
+        it = m_deliveries.erase(it);
+        if (view == m_views.end())
+            continue;
+        const Buffer& home = view->second.targets.home;
+        std::vector<std::uint8_t> bytes(home.bytes());
+        std::memcpy(bytes.data(), home.mapped(), bytes.size());
+        frame.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
+        ++m_counters.frames;
+        const std::lock_guard listening(m_listenerMutex);
+        bool wanted = true;
+        {
+            const std::lock_guard lock(m_inboxMutex);
+            wanted = !m_forgotten.contains(frame.view);
+        }
+        if (wanted && m_listener)
+            m_listener(frame);
+    }
+    return !m_deliveries.empty();
+}
+
+} // namespace gpu

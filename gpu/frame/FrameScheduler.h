@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/edit/EditWorker.h"
+#include "gpu/frame/FrameSource.h"
+#include "gpu/frame/FrameTargets.h"
+#include "gpu/frame/TilePlan.h"
+#include "gpu/gl/Fence.h"
+#include "gpu/gl/VertexArray.h"
+#include "gpu/render/Palette.h"
+#include "gpu/render/RaycastPass.h"
+#include "gpu/render/SlicePass.h"
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+
+namespace gpu {
+
+class VolumeTextures;
+
+/// Draws what views ask for, in slices between which the engine thread serves edits and newer
+/// requests. Per view: a coarse picture where a full one would take too long, a full one tile by
+/// tile, then (3D only) more with the pixels' sampling points moved, averaged; then nothing until
+/// the request or the voxels change.
+///
+/// request(), forget(), setListener(): any thread. All else: the engine thread. The listener must
+/// not wait for a thread that may be in forget().
+class FrameScheduler : public FrameSource {
+public:
+    struct Options {
+        VolumeTextures& volume;
+        EditWorker& edits;
+        const ShaderLibrary& shaders;
+        std::function<void()> wake; ///< called by request()
+    };
+    /// Throws ShaderError.
+    explicit FrameScheduler(const Options& options);
+    ~FrameScheduler() override;
+
+    void request(FrameRequest request) override;
+    void forget(ViewId view) override;
+    void setListener(Listener listener) override;
+
+    /// One slice. @param editing edits are running: only coarse pictures meanwhile
+    /// @return whether more is to do at once
+    bool work(bool editing);
+
+    /// Tiles drawn and frames handed out since the beginning; both stand still at rest.
+    struct Counters {
+        std::int64_t tiles = 0;
+        std::int64_t frames = 0;
+    };
+    [[nodiscard]] const Counters& counters() const { return m_counters; }
+
+private:
+    enum class Stage { Coarse, Full, Accumulate, Done };
+    struct View {
+        FrameRequest request;
+        Stage stage = Stage::Done;
+        int sample = 0; ///< of Accumulate
+        std::optional<TilePlan> tiles; ///< of the picture being drawn; none: about to begin
+        bool stale = false; ///< changed while its coarse picture was drawn
+        double milliseconds = 0.0;
+        std::uint64_t turn = 0;
+        FrameTargets targets;
+    };
+    struct Incoming {
+        FrameRequest request;
+        bool fresh = false; ///< forgotten before: nothing of the view's past counts
+    };
+    /// A picture on its way from the GPU.
+    struct Delivery {
+        Frame frame;
+        Fence fence;
+    };
+
+    void takeRequests();
+    void begin(View& view, FrameRequest request);
+    void takeChanges();
+    void restart(View& view);
+    [[nodiscard]] View* next(bool editing);
+    [[nodiscard]] bool wants(const View& view, bool editing) const;
+    void drawSlice(View& view, bool editing);
+    void preparePass(View& view, const PassTarget& target);
+    void finishPicture(View& view);
+    void readBack(View& view, Frame::Quality quality);
+    bool deliver();
+    [[nodiscard]] double& costOf(const Scene& scene);
+    [[nodiscard]] int coarseFactor(const View& view, bool editing);
+
+    VolumeTextures& m_volume;
+    EditWorker& m_edits;
+    std::function<void()> m_wake;
+    RaycastPass m_raycast;
+    SlicePass m_slice;
+    Palette m_palette;
+    VertexArray m_noVertices;
+    Resolve m_resolve;
+    Program m_cellKernel;
+    std::bitset<256> m_shown;
+    std::map<ViewId, View> m_views;
+    std::map<ViewId, Delivery> m_deliveries;
+    std::array<double, 4> m_cost; ///< milliseconds per megapixel: slice, surface, DVR, MIP
+    std::uint64_t m_turn = 0;
+    Counters m_counters;
+
+    std::mutex m_inboxMutex;
+    std::map<ViewId, Incoming> m_inbox; ///< guarded; the latest per view
+    std::set<ViewId> m_forgotten; ///< guarded
+    std::mutex m_listenerMutex; ///< held while the listener runs
+    Listener m_listener; ///< guarded by m_listenerMutex
+};
+
+} // namespace gpu

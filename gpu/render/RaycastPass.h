@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/Scene.h"
+#include "gpu/gl/Program.h"
+#include "gpu/render/Palette.h"
+#include "gpu/render/PassTarget.h"
+#include "gpu/render/TransferLookup.h"
+
+#include <array>
+
+namespace gpu {
+
+class VolumeTextures;
+struct ViewFrame;
+
+/// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering or maximum
+/// intensity; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not seen;
+/// shown segments are, whole. Background black.
+class RaycastPass {
+public:
+    /// Throws ShaderError.
+    explicit RaycastPass(const ShaderLibrary& library);
+
+    /// Makes everything ready for drawing a full-screen triangle. Cheap unless voxels, threshold or
+    /// transfer function changed (then the skip map is computed anew, linear in the cells).
+    void prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+        const PassTarget& target);
+
+private:
+    void setRays(Program& program, const VolumeTextures& volume, const VolumeScene& scene,
+        const ViewFrame& view, const PassTarget& target);
+    /// @return codes that the mode shows
+    VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
+
+    std::array<Program, 3> m_programs;
+    TransferLookup m_transfer;
+};
+
+} // namespace gpu

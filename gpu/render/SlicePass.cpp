@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/render/SlicePass.h"
+
+#include "gpu/render/WindowMapping.h"
+#include "gpu/textures/VolumeTextures.h"
+
+namespace gpu {
+
+SlicePass::SlicePass(const ShaderLibrary& library)
+    : m_program(library, {.label = "slice", .fragmentPath = "render/slice.frag"})
+{
+}
+
+void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+{
+    const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
+    const glm::dmat3 directions(worldToIndex);
+    const glm::dvec3 perX = directions * (scene.rightLps * scene.mmPerPixel);
+    const glm::dvec3 perY = directions * (scene.downLps * scene.mmPerPixel);
+    const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5;
+    const glm::dvec3 base = glm::dvec3(worldToIndex * glm::dvec4(scene.centreLps, 1.0))
+        - perX * middle.x - perY * middle.y;
+
+    volume.intensity().bindUnit(0);
+    volume.radiation().bindUnit(1);
+    volume.labels().bindUnit(3);
+    palette.texture().bindUnit(7);
+    m_program.set("base", glm::vec3(base))
+        .set("perX", glm::vec3(perX))
+        .set("perY", glm::vec3(perY))
+        .set("pixelScale", target.pixelScale)
+        .set("window", glm::vec2(greyOfTexel(volume.encoding(), scene.window)))
+        .set("inverted", scene.inverted)
+        .set("interpolated", scene.interpolated)
+        .set("showCarved", scene.showCarved)
+        .set("fillOpacity", segments.fillOpacity)
+        .set("outlineWidth", segments.outlineWidthPixels);
+    m_program.use();
+}
+
+} // namespace gpu

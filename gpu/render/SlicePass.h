@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/Scene.h"
+#include "gpu/gl/Program.h"
+#include "gpu/render/Palette.h"
+#include "gpu/render/PassTarget.h"
+
+namespace gpu {
+
+class VolumeTextures;
+
+/// Draws any plane through the volume: window/level (DICOM LINEAR), fill and outline of segments,
+/// outline of what is carved away. Outside the volume it is black.
+class SlicePass {
+public:
+    /// Throws ShaderError.
+    explicit SlicePass(const ShaderLibrary& library);
+
+    /// Makes everything ready for drawing a full-screen triangle. Cheap: called for every tile,
+    /// since other work may come between two tiles.
+    void prepare(VolumeTextures& volume, const SliceScene& scene, const SegmentDisplay& segments,
+        const Palette& palette, const PassTarget& target);
+
+private:
+    Program m_program;
+};
+
+} // namespace gpu

@@ -1,0 +1,44 @@
+// Maximum intensity projection: the greatest interpolated value that is not carved away.
+
+/* Uniforms */
+uniform vec2 window;     // grey = code / 65535 · x + y
+uniform float saturated; // code / 65535 from which on every grey is the same
+
+vec3 seenAlong(Ray ray)
+{
+    float t = ray.gridZero + stepMm;
+    float greatest = -1.0;
+    float segmentAt = -1.0;
+    while (t < ray.last) {
+        const float start = t;
+        const Stretch stretch = stretchAt(ray, t);
+        const bool wanted = stretch.distance == 0u && greatest < saturated
+            && texelFetch(cellRanges, stretch.cell, 0).g > greatest;
+        const bool plain = (stretch.flags & (carvedFlag | segmentFlag)) == 0u;
+        const bool segments = (stretch.flags & segmentFlag) != 0u && segmentAt < 0.0;
+        float end = wanted && plain ? stretch.end : t;
+        while (t < end) {
+            greatest = max(greatest, texture(intensity, ray.origin + ray.direction * t).r);
+            t += stepMm;
+        }
+        end = !plain && (wanted || segments) ? stretch.end : t;
+        while (t < end) {
+            const vec3 at = ray.origin + ray.direction * t;
+            const bool kept = texture(radiation, at).r < 0.5;
+            greatest = max(greatest, kept ? texture(intensity, at).r : -1.0);
+            segmentAt = segmentAt < 0.0 && texture(segmentation, at).r >= 0.5 ? t : segmentAt;
+            t += stepMm;
+        }
+        if (t == start)
+            t = gridAfter(ray, t, stretch.end);
+    }
+    vec3 result = vec3(greatest < 0.0 ? 0.0 : clamp(greatest * window.x + window.y, 0.0, 1.0));
+    while (segmentAt >= 0.0) {
+        const vec3 at = ray.origin + ray.direction * segmentAt;
+        const vec3 rise = centralDifferences(segmentation, at, 1.0);
+        const vec3 normal = normalize(gradientToWorld * -rise - 1e-9 * ray.world);
+        result = mix(result, lit(segmentColour(at), normal, -ray.world, 1.0, 0.15), 0.7);
+        segmentAt = -1.0;
+    }
+    return result;
+}

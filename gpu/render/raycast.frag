@@ -1,0 +1,15 @@
+// One pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity.
+#include "render/raycast.glsl"
+#if MODE == 0
+#include "render/surface.glsl"
+#elif MODE == 1
+#include "render/dvr.glsl"
+#else
+#include "render/mip.glsl"
+#endif
+
+void main()
+{
+    const Ray ray = rayOf(gl_FragCoord.xy);
+    colour = vec4(seenAlong(ray), 1.0);
+}

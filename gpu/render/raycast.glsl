@@ -1,0 +1,170 @@
+// What all ray-cast pictures share: the ray of a pixel, the skip map, shading, segments.
+//
+// Spaces. Texture: 0 … 1 over the volume's voxel cells (voxel centres at (index + 0.5) / size).
+// World: patient millimetres, only directions occur. t: millimetres along the ray.
+//
+// llvmpipe computes both sides of an `if` and only loops really branch: work that few pixels need
+// stands in `while` loops, which cost nothing when no pixel of a group enters.
+
+/* Textures */
+layout(binding = 0) uniform sampler3D intensity;    // code / 65535
+layout(binding = 1) uniform sampler3D radiation;    // ≥ 0.5: carved away
+layout(binding = 2) uniform sampler3D segmentation; // ≥ 0.5: inside a shown segment
+layout(binding = 3) uniform usampler3D labels;
+layout(binding = 4) uniform usampler3D skipMap;     // distance in cells, flags
+layout(binding = 5) uniform sampler3D cellRanges;   // least and greatest code / 65535
+layout(binding = 6) uniform sampler2D transferFunction;
+layout(binding = 7) uniform sampler2D palette;      // rgb, shown
+
+/* Uniforms */
+uniform vec3 originBase;      // texture: start of the ray of pixel (0, 0)
+uniform vec3 originPerX;      // texture per pixel
+uniform vec3 originPerY;
+uniform vec3 directionBase;   // texture per millimetre, before division by the length
+uniform vec3 directionPerX;
+uniform vec3 directionPerY;
+uniform vec2 planeCentre;     // pixel
+uniform float planePerPixel;  // 0: orthographic; else pixel size over distance of the target
+uniform float nearest;        // t before which nothing is drawn
+uniform float stepMm;
+uniform float jitterPhase;    // 0 … 1, another for every accumulated sample
+uniform float pixelScale;     // frame pixels per drawn pixel
+uniform vec2 pixelJitter;     // frame pixels
+uniform vec3 voxel;           // texture: size of one voxel
+uniform mat3 gradientToWorld; // per-voxel differences → world
+uniform mat3 worldToTexture;  // directions
+uniform vec3 toLight;         // world, unit
+uniform vec3 viewUp;          // world, unit
+uniform float aoTilt;         // 0: straight along the normal
+
+/* Output */
+layout(location = 0) out vec4 colour;
+
+const float cellSide = 8.0;
+const uint carvedFlag = 2u;
+const uint segmentFlag = 4u;
+
+struct Ray {
+    vec3 origin;    // texture
+    vec3 direction; // texture per millimetre
+    vec3 inverse;   // 1 / direction
+    vec3 world;     // world, unit, away from the viewer
+    float first;    // t of entry
+    float last;     // t of exit
+    float gridZero; // t of the sample grid's number 0; samples stand at gridZero + n · stepMm
+};
+
+uniform mat3 textureToWorld; // directions
+
+/// White enough noise without a pattern that eyes find (Jimenez 2014, interleaved gradient noise).
+float pixelNoise(vec2 pixel)
+{
+    return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
+}
+
+Ray rayOf(vec2 fragment)
+{
+    Ray ray;
+    const vec2 pixel = fragment * pixelScale + pixelJitter;
+    ray.origin = originBase + originPerX * pixel.x + originPerY * pixel.y;
+    const vec2 slope = (pixel - planeCentre) * planePerPixel;
+    ray.direction = (directionBase + directionPerX * pixel.x + directionPerY * pixel.y)
+        * inversesqrt(1.0 + dot(slope, slope));
+    // A ray along an axis must not divide by zero.
+    const vec3 tiny = vec3(1e-12);
+    const vec3 safe = mix(ray.direction, tiny, lessThan(abs(ray.direction), tiny));
+    ray.inverse = 1.0 / safe;
+    const vec3 toLow = -ray.origin * ray.inverse;
+    const vec3 toHigh = (1.0 - ray.origin) * ray.inverse;
+    const vec3 enter = min(toLow, toHigh);
+    const vec3 leave = max(toLow, toHigh);
+    ray.first = max(max(max(enter.x, enter.y), enter.z), nearest);
+    ray.last = min(min(leave.x, leave.y), leave.z);
+    ray.world = normalize(textureToWorld * ray.direction);
+    const float jitter = fract(pixelNoise(fragment) + jitterPhase);
+    ray.gridZero = ray.first - stepMm * jitter;
+    return ray;
+}
+
+/// The cell of a sample and where the ray leaves what the skip map lets it treat at once.
+struct Stretch {
+    uint distance; // 0: something may be there
+    uint flags;
+    float end; // t
+    ivec3 cell;
+};
+
+Stretch stretchAt(Ray ray, float t)
+{
+    Stretch stretch;
+    const vec3 cellsPerTexture = 1.0 / (voxel * cellSide);
+    const vec3 here = (ray.origin + ray.direction * t) * cellsPerTexture - 0.5 / cellSide;
+    const vec3 cell = clamp(floor(here), vec3(0.0), vec3(textureSize(skipMap, 0) - 1));
+    stretch.cell = ivec3(cell);
+    const uvec2 skip = texelFetch(skipMap, stretch.cell, 0).rg;
+    stretch.distance = skip.x;
+    stretch.flags = skip.y;
+    const float reach = max(float(skip.x), 1.0) - 1.0;
+    vec3 low = cell - reach;
+    low -= vec3(lessThanEqual(low, vec3(0.0))); // the outermost half voxel belongs to cell 0
+    const vec3 high = cell + 1.0 + reach;
+    const vec3 border = mix(low, high, greaterThan(ray.direction, vec3(0.0)));
+    const vec3 times = ((border * cellSide + 0.5) * voxel - ray.origin) * ray.inverse;
+    stretch.end = min(min(min(times.x, times.y), times.z), ray.last);
+    return stretch;
+}
+
+/// The first grid sample after both this one and the stretch's end.
+float gridAfter(Ray ray, float t, float end)
+{
+    const float now = floor((t - ray.gridZero) / stepMm + 0.5);
+    const float next = floor((end - ray.gridZero) / stepMm) + 1.0;
+    return ray.gridZero + max(now + 1.0, next) * stepMm;
+}
+
+vec3 centralDifferences(sampler3D field, vec3 at, float reach)
+{
+    const vec3 h = voxel * reach;
+    return vec3(
+        texture(field, at + vec3(h.x, 0, 0)).r - texture(field, at - vec3(h.x, 0, 0)).r,
+        texture(field, at + vec3(0, h.y, 0)).r - texture(field, at - vec3(0, h.y, 0)).r,
+        texture(field, at + vec3(0, 0, h.z)).r - texture(field, at - vec3(0, 0, h.z)).r)
+        * (0.5 / reach);
+}
+
+/// Colour of the shown segments around a point, weighted like interpolation weighs them.
+vec3 segmentColour(vec3 at)
+{
+    const vec3 place = at / voxel - 0.5;
+    const ivec3 base = ivec3(floor(place));
+    const vec3 part = place - vec3(base);
+    const ivec3 last = textureSize(labels, 0) - 1;
+    vec4 sum = vec4(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const ivec3 offset = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+        const vec3 share = mix(1.0 - part, part, vec3(offset));
+        const uint label = texelFetch(labels, clamp(base + offset, ivec3(0), last), 0).r;
+        const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
+        // Nothing shown may be within reach of a thin part: then any weight will do.
+        sum += vec4(entry.rgb, 1.0) * (entry.a * (share.x * share.y * share.z + 1e-4));
+    }
+    return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
+}
+
+/// Soft headlight from above the viewer's shoulder, sky light, a little gloss.
+/// @param open 0: enclosed … 1: nothing near
+vec3 lit(vec3 albedo, vec3 normal, vec3 toViewer, float open, float gloss)
+{
+    const float facing = dot(normal, toLight);
+    const float wrapped = clamp((facing + 0.35) / 1.35, 0.0, 1.0);
+    const float sky = 0.5 + 0.5 * dot(normal, viewUp);
+    // What is shadowed turns warmer, not grey.
+    const vec3 ambient = mix(vec3(0.20, 0.16, 0.14), vec3(0.36, 0.36, 0.38), sky);
+    const vec3 shadow = mix(vec3(0.62, 0.50, 0.42), vec3(1.0), open);
+    const float facingViewer = clamp(dot(normal, toViewer), 0.0, 1.0);
+    const float edge = mix(0.72, 1.0, sqrt(facingViewer));
+    const vec3 halfway = normalize(toLight + toViewer);
+    const float shine = pow(max(dot(normal, halfway), 0.0), 28.0) * gloss * open;
+    return albedo * (ambient + vec3(0.80, 0.785, 0.76) * pow(wrapped, 1.25)) * edge * shadow
+        + vec3(shine);
+}

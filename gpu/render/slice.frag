@@ -1,0 +1,85 @@
+// One pixel of a slice view.
+
+/* Textures */
+layout(binding = 0) uniform sampler3D intensity; // code / 65535
+layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
+layout(binding = 3) uniform usampler3D labels;
+layout(binding = 7) uniform sampler2D palette;   // rgb, shown
+
+/* Uniforms */
+uniform vec3 base;   // index: place of pixel (0, 0)
+uniform vec3 perX;   // index per pixel
+uniform vec3 perY;
+uniform float pixelScale;
+uniform vec2 window; // grey = code / 65535 · x + y
+uniform bool inverted;
+uniform bool interpolated;
+uniform bool showCarved;
+uniform float fillOpacity;
+uniform float outlineWidth; // pixels
+
+/* Output */
+layout(location = 0) out vec4 colour;
+
+const vec3 carvedColour = vec3(0.94, 0.55, 0.29);
+const float carvedWidth = 1.5; // pixels
+
+/// Index space at a pixel (centres at + 0.5).
+vec3 indexAt(vec2 pixel)
+{
+    return base + perX * pixel.x + perY * pixel.y;
+}
+
+ivec3 nearestVoxel(vec3 index)
+{
+    return clamp(ivec3(floor(index + 0.5)), ivec3(0), textureSize(labels, 0) - 1);
+}
+
+vec2 around(int i)
+{
+    const float angle = 0.785398163 * float(i);
+    return vec2(cos(angle), sin(angle));
+}
+
+void main()
+{
+    const vec2 pixel = gl_FragCoord.xy * pixelScale;
+    const vec3 index = indexAt(pixel);
+    const vec3 size = vec3(textureSize(intensity, 0));
+    const bool inside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
+    const ivec3 voxel = nearestVoxel(index);
+    vec3 result = vec3(0.0);
+    bool draw = inside;
+    while (draw) {
+        draw = false;
+        const vec3 place = interpolated ? index : vec3(voxel);
+        float grey = clamp(texture(intensity, (place + 0.5) / size).r * window.x + window.y, 0.0, 1.0);
+        grey = inverted ? 1.0 - grey : grey;
+        result = vec3(grey);
+
+        const uint label = texelFetch(labels, voxel, 0).r;
+        const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
+        bool fill = entry.a > 0.0;
+        while (fill) {
+            fill = false;
+            bool edge = false;
+            for (int i = 0; i < 8; ++i) {
+                const vec3 there = indexAt(pixel + around(i) * outlineWidth);
+                edge = edge || texelFetch(labels, nearestVoxel(there), 0).r != label;
+            }
+            result = mix(result, entry.rgb, edge ? 1.0 : fillOpacity);
+        }
+
+        bool carved = showCarved && texture(radiation, (index + 0.5) / size).r >= 0.5;
+        while (carved) {
+            carved = false;
+            float least = 1.0;
+            for (int i = 0; i < 8; ++i) {
+                const vec3 there = indexAt(pixel + around(i) * carvedWidth);
+                least = min(least, texture(radiation, (there + 0.5) / size).r);
+            }
+            result = mix(result, carvedColour, least < 0.5 ? 0.9 : 0.10);
+        }
+    }
+    colour = vec4(result, 1.0);
+}
