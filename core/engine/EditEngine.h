@@ -24,6 +24,7 @@ public:
 
     /// Replace everything by a volume with empty fields. Waits until it is there.
     /// @param codes x fastest, then y, then z; size.x · size.y · size.z of them
+    /// Errors: InvalidGeometry (another number of codes, or none), OutOfMemory.
     virtual Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
 
     virtual Ticket submit(EngineCommand command) = 0;

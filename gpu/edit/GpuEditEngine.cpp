@@ -35,6 +35,10 @@ GpuEditEngine::~GpuEditEngine() = default;
 core::Result<void> GpuEditEngine::openVolume(
     const glm::ivec3& size, std::span<const std::uint16_t> codes)
 {
+    const bool voxels = size.x > 0 && size.y > 0 && size.z > 0;
+    if (!voxels || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+        return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"),
+            QStringLiteral("its size and the number of its codes do not agree"));
     finish();
     core::Result<void> opened;
     m_thread.run([&] {

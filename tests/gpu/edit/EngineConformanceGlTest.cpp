@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/DelayedEngine.h"
+#include "tests/reference/Radiation.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EditEngineFixture.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+
+#include <QtTest>
+
+using namespace core;
+using reference::DelayedEngine;
+using reference::ReferenceEngine;
+using test::EngineCase;
+using test::EngineOutcome;
+
+/// Holds the GPU engine to the oracle: every result and the whole state at the end, byte for byte.
+class EngineConformanceGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init() { test::failOnUnexpectedMessages(); }
+    void cleanup();
+
+    void conforms_data();
+    void conforms();
+    void derivedTexturesFollow_data();
+    void derivedTexturesFollow();
+    void pausedGrowthIsGrowthOfSoManySteps_data();
+    void pausedGrowthIsGrowthOfSoManySteps();
+    void wakesWhenThereIsSomethingToCollect();
+    void opensOneVolumeAfterTheOther();
+
+private:
+    [[nodiscard]] static std::vector<EngineCase> cases();
+
+    test::EditEngineFixture m_gpu;
+};
+
+void EngineConformanceGlTest::initTestCase()
+{
+    QVERIFY2(m_gpu.isReady(), m_gpu.why());
+    qInfo("%s", m_gpu.rendererName().constData());
+}
+
+void EngineConformanceGlTest::cleanup()
+{
+    QCOMPARE(m_gpu.newErrors(), 0);
+}
+
+std::vector<EngineCase> EngineConformanceGlTest::cases()
+{
+    const bool all = test::longRun();
+    std::vector<EngineCase> collected = test::growthCases(all ? 400 : 20);
+    for (auto more :
+        {test::drillCases(all ? 400 : 20), test::pickCases(all ? 150 : 8), test::refusalCases()})
+        collected.insert(collected.end(), more.begin(), more.end());
+    return collected;
+}
+
+void EngineConformanceGlTest::conforms_data()
+{
+    QTest::addColumn<int>("number");
+    QTest::addColumn<bool>("delayed");
+    int number = 0;
+    for (const EngineCase& engineCase : cases()) {
+        QTest::addRow("%s", engineCase.name.constData()) << number << false;
+        QTest::addRow("%s, delayed", engineCase.name.constData()) << number << true;
+        ++number;
+    }
+}
+
+void EngineConformanceGlTest::conforms()
+{
+    QFETCH(int, number);
+    QFETCH(bool, delayed);
+    static const std::vector<EngineCase> all = cases();
+    const EngineCase& engineCase = all.at(std::size_t(number));
+
+    ReferenceEngine oracle;
+    const EngineOutcome expected = test::runCase(oracle, engineCase);
+    EngineOutcome actual;
+    if (delayed) {
+        DelayedEngine engine(m_gpu.engine(), std::uint32_t(number));
+        actual = test::runCase(engine, engineCase);
+    } else {
+        actual = test::runCase(m_gpu.engine(), engineCase);
+    }
+    const QString text = test::difference(expected, actual);
+    QVERIFY2(text.isEmpty(), qPrintable(text));
+}
+
+void EngineConformanceGlTest::derivedTexturesFollow_data()
+{
+    QTest::addColumn<int>("number");
+    const int count = int(cases().size());
+    for (int number = 0; number < count; number += test::longRun() ? 1 : 3)
+        QTest::addRow("%s", cases().at(std::size_t(number)).name.constData()) << number;
+}
+
+/// What the renderers read is what the oracle derives from the same state.
+void EngineConformanceGlTest::derivedTexturesFollow()
+{
+    QFETCH(int, number);
+    const EngineCase engineCase = cases().at(std::size_t(number));
+    std::bitset<256> shown;
+    shown.set(1).set(3).set(255);
+    m_gpu.showSegments(shown);
+    ReferenceEngine oracle;
+    (void)test::runCase(oracle, engineCase);
+    (void)test::runCase(m_gpu.engine(), engineCase);
+
+    reference::DenseFields fields = oracle.fields();
+    QVERIFY(m_gpu.read(gpu::VolumeField::Labels).values == fields.labels(0).values);
+    QVERIFY(m_gpu.read(gpu::VolumeField::Radiation).values
+        == reference::radiation(fields.composedCoverage()).values);
+    reference::DenseArray<std::uint8_t> members = fields.labels(0);
+    for (std::uint8_t& value : members.values)
+        value = shown.test(value) ? 255 : 0;
+    QVERIFY(
+        m_gpu.read(gpu::VolumeField::Segmentation).values == reference::radiation(members).values);
+}
+
+void EngineConformanceGlTest::pausedGrowthIsGrowthOfSoManySteps_data()
+{
+    QTest::addColumn<double>("pace");
+    QTest::addColumn<int>("waitMs");
+    QTest::addRow("paused at once") << 0.0 << 0;
+    QTest::addRow("paced, paused") << 200.0 << 60;
+    QTest::addRow("unpaced, paused") << 0.0 << 20;
+}
+
+/// A pause depends on time; what it leaves is the growth of some number of steps, and which one the
+/// result says.
+void EngineConformanceGlTest::pausedGrowthIsGrowthOfSoManySteps()
+{
+    QFETCH(double, pace);
+    QFETCH(int, waitMs);
+    const test::Codes codes = test::spiralCorridor({33, 33, 9});
+    const SeedPlacement seeds{.label = 5, .voxels = {{0, 0, 0}}};
+    const GrowBurst burst{.lowCode = 1, .highCode = 65535};
+    EditEngine& engine = m_gpu.engine();
+    engine.finish();
+    (void)engine.collect();
+    QVERIFY(engine.openVolume(codes.size, codes.values));
+    submitWhole(engine, seeds);
+    engine.submit(BeginEdit{burst});
+    engine.submit(ExtendEdit{GrowAdvance{GrowAdvance::toClosure, pace}});
+    QTest::qWait(waitMs);
+    engine.submit(ExtendEdit{GrowPause{}});
+    engine.submit(EndEdit{Ending::Commit});
+    engine.finish();
+    const std::vector<EngineResult> results = engine.collect();
+    QCOMPARE(results.size(), std::size_t(2));
+    const EngineResult& paused = results.back();
+    QVERIFY(!paused.error);
+    QVERIFY(paused.generation >= 1);
+
+    ReferenceEngine oracle;
+    QVERIFY(oracle.openVolume(codes.size, codes.values));
+    submitWhole(oracle, seeds);
+    submitWhole(oracle, burst,
+        {GrowAdvance{paused.atClosure ? GrowAdvance::toClosure : int(paused.generation) - 1}});
+    const EngineResult expected = oracle.collect().back();
+    EngineOutcome a;
+    EngineOutcome b;
+    a.results.push_back(expected);
+    b.results.push_back(paused);
+    b.results.back().ticket = expected.ticket;
+    const QString text = test::difference(a, b);
+    QVERIFY2(text.isEmpty(), qPrintable(text));
+}
+
+void EngineConformanceGlTest::wakesWhenThereIsSomethingToCollect()
+{
+    EditEngine& engine = m_gpu.engine();
+    std::atomic<int> calls = 0;
+    engine.setWakeUp([&calls] { ++calls; });
+    QVERIFY(engine.openVolume({4, 4, 4}, test::constantVolume({4, 4, 4}, 9).values));
+    engine.submit(ProbeVoxels{{{1, 2, 3}}});
+    std::vector<EngineResult> results;
+    for (int seen = 0; results.empty();) {
+        QTRY_VERIFY(calls > seen);
+        seen = calls;
+        results = engine.collect();
+    }
+    QCOMPARE(results.front().probes.front().code, 9);
+    engine.finish();
+    engine.setWakeUp({});
+}
+
+void EngineConformanceGlTest::opensOneVolumeAfterTheOther()
+{
+    EditEngine& engine = m_gpu.engine();
+    std::vector<std::uint16_t> codes(8);
+    QVERIFY(!engine.openVolume({2, 2, 3}, codes));
+    // Nothing of the first volume is left in the second: neither cuts nor an open edit.
+    const std::vector<EngineCase> all = cases();
+    QVERIFY(engine.openVolume({20, 20, 20}, test::constantVolume({20, 20, 20}, 9).values));
+    submitWhole(engine, SeedPlacement{.label = 1, .voxels = {{1, 1, 1}}});
+    engine.submit(BeginEdit{GrowBurst{.lowCode = 0, .highCode = 9}});
+    engine.submit(ExtendEdit{GrowAdvance{3}});
+    engine.finish();
+    (void)engine.collect();
+    ReferenceEngine oracle;
+    const QString text =
+        test::difference(test::runCase(oracle, all.front()), test::runCase(engine, all.front()));
+    QVERIFY2(text.isEmpty(), qPrintable(text));
+}
+
+QTEST_GUILESS_MAIN(EngineConformanceGlTest)
+#include "EngineConformanceGlTest.moc"
