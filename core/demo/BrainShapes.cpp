@@ -8,8 +8,8 @@ namespace core::demo {
 
 namespace {
 
-constexpr float greyHu = 38.0F;
-constexpr float whiteHu = 28.0F;
+constexpr float greyHu = 39.0F;
+constexpr float whiteHu = 27.5F;
 
 /// Paints tissue over what is there, with soft edges; the tissue with the greater share names it.
 class Painter {
@@ -30,7 +30,7 @@ private:
 /// Height of the tentorium: a tent whose ridge falls to the back.
 float tentorium(const vec3& p)
 {
-    return 17.0F - 0.27F * (p.y - 14.0F) - 0.24F * std::abs(p.x);
+    return 11.0F - 0.2F * (p.y - 14.0F) - 0.24F * std::abs(p.x);
 }
 
 float ventricles(const vec3& p)
@@ -113,8 +113,9 @@ BrainSample brainAt(const vec3& p, float cavity)
     // cleft.
     float cerebrum = 2.3F + 0.9F * noise(p / 12.0F, 61).value - depth;
     if (p.y > 6.0F)
-        cerebrum = std::max(cerebrum, std::min(1.6F - tent, 34.0F - q.x + (p.y - 6.0F) * -3.0F));
-    cerebrum = std::max(cerebrum, 3.2F - stem);
+        cerebrum =
+            std::max(cerebrum, std::min(1.6F - tent, 0.32F * (3.0F * (p.y - 6.0F) + q.x - 34.0F)));
+    cerebrum = std::max(cerebrum, std::min(3.2F - stem, 2.0F - p.z));
     cerebrum = carve(cerebrum, ellipsoid(p, {0, -15, -5}, {14, 11, 8}), 5);
     cerebrum = carve(cerebrum, ellipsoid(p, {0, 24, 4}, {12, 8, 6}), 4);
     const float core = ellipsoid(p, {0, 4, 14}, {24, 41, 22});
@@ -152,7 +153,7 @@ BrainSample brainAt(const vec3& p, float cavity)
     // Cerebellum with its leaves: shells around the fourth ventricle.
     if (p.y > 4.0F && tent < 4.0F && p.z < 14.0F) {
         float cerebellum = std::max(
-            {2.4F - depth, tent + 1.4F, 2.0F - stem, ellipsoid(q, {15, 43, -18}, {34, 30, 27})});
+            {2.4F - depth, tent + 1.4F, 2.0F - stem, ellipsoid(q, {16, 40, -18}, {37, 34, 27})});
         const float bend = 2.2F * noise(p / 9.0F, 64).value;
         const float radius = glm::length((p - vec3(0, 16, -14)) * vec3(0.55F, 1.0F, 1.1F)) + bend;
         const float leaf = std::abs(radius / 4.6F - std::round(radius / 4.6F)) * 4.6F;
@@ -168,7 +169,7 @@ BrainSample brainAt(const vec3& p, float cavity)
 
     // Membranes: falx between the halves, tentorium over the cerebellum.
     if (core > 3.0F && p.z > 4.0F)
-        painter.paint(std::abs(p.x) - 0.55F, 55, BrainTissue::Membrane);
+        painter.paint(std::abs(p.x) - 0.45F, 55, BrainTissue::Membrane);
     if (p.y > 14.0F && p.z < 20.0F && stem > 6.0F)
         painter.paint(std::abs(tent) - 0.5F, 52, BrainTissue::Membrane);
     painter.paint(0.3F + depth - 1.2F, 50, BrainTissue::Membrane);

@@ -12,23 +12,14 @@ namespace {
 float upperFace(const vec3& p, const FaceDistances& face)
 {
     const vec3 q = folded(p);
-    float bone = capsule(q, {53, -52, -24}, {68, -24, -24}, 4.0F, 3.2F);
-    bone = join(bone, capsule(q, {68, -24, -24}, {66, 6, -19}, 3.2F, 4.5F), 3);
-    bone = join(bone, ellipsoid(q, {46, -64, -24}, {11, 9, 12}), 8);
-    bone = join(bone, capsule(q, {50, -60, -20}, {51, -60, 8}, 4.5F, 5), 5);
-    bone = join(bone, capsule(q, {51, -60, 8}, {32, -82, 11}, 5, 5), 6);
-    bone = join(bone, capsule(q, {32, -82, 11}, {9, -87, 5}, 5, 5.5F), 6);
-    bone = join(bone, capsule(q, {46, -66, -24}, {29, -82, -26}, 6, 4), 6);
-    bone = join(bone, capsule(q, {29, -82, -26}, {13, -84, -6}, 4, 4), 5);
-    bone = join(bone, capsule(q, {4, -87, 4}, {3.5F, -97, -15}, 4, 2.6F), 4);
+    float bone = facialMass(p);
     // Upper jaw with the anterior nasal spine, palate and tooth sockets.
-    bone = join(bone, ellipsoid(q, {24, -64, -44}, {18, 20, 13}), 8);
+
     bone = join(bone, capsule(p, {0, -84, -46}, {0, -90, -45}, 4, 1.5F), 4);
     bone = join(bone, roundBox(p, {0, -58, -47}, {26, 24, 2.5F}, 2), 3);
     bone = join(bone, capsule(q, {18, -38, -26}, {20, -34, -50}, 4, 3), 4); // pterygoid plates
-    // Thin walls wherever a cavity ends.
-    bone = std::min(bone, std::max(face.sinus - 1.7F, std::min(p.y + 26.0F, p.z + 70.0F) - 60.0F));
-    bone = std::min(bone, std::max(face.orbit - 1.9F, -72.0F - p.y));
+    // Thin walls where a cavity ends.
+    bone = std::min(bone, std::max(face.orbit - 2.1F, -66.0F - p.y));
     return bone;
 }
 
@@ -64,11 +55,12 @@ float toothRow(const ArchPoint& arch, float z)
     // Incisors are chisels, molars are blocks; roots taper.
     const float taper = z < 8.0F ? 1.0F : 1.0F - 0.045F * (z - 8.0F);
     const float halfAcross = (molar ? 4.6F : 1.6F + 0.28F * std::min(z, 8.0F)) * taper;
-    const float halfAlong = 3.45F * (z < 8.0F ? 0.93F + 0.07F * z / 8.0F : taper * 0.9F);
+    const float halfAlong = 3.25F * (z < 8.0F ? 0.93F + 0.07F * z / 8.0F : taper * 0.9F);
     const vec3 d(std::abs(along) - halfAlong, std::abs(arch.across) - halfAcross,
         std::abs(z - 10.0F) - 10.0F);
-    return glm::length(glm::max(d + 1.0F, 0.0F)) + std::min(std::max({d.x, d.y, d.z}) + 1.0F, 0.0F)
-        - 1.0F;
+    const float rounding = 1.4F;
+    return glm::length(glm::max(d + rounding, 0.0F))
+        + std::min(std::max({d.x, d.y, d.z}) + rounding, 0.0F) - rounding;
 }
 
 float jaw(const vec3& p)
@@ -76,7 +68,7 @@ float jaw(const vec3& p)
     const vec3 q = folded(p);
     const ArchPoint arch = onArch(p, 33, -82, 42);
     // Body: a band along the arch that leans outwards to its lower edge.
-    const float lower = -92.0F + 0.006F * q.x * q.x;
+    const float lower = -90.0F + 0.006F * q.x * q.x;
     const float middle = 0.5F * (lower - 72.0F);
     const vec3 d(
         0.0F, std::abs(arch.across - 1.5F) - 5.0F, std::abs(p.z - middle) - (middle - lower));
@@ -151,11 +143,11 @@ BoneDistances bones(const vec3& p, float cavity, float thickness, const FaceDist
         float skull = cavity - thickness;
         // The vault ends at the base: below, only what follows.
         skull = join(skull, capsule(q, {62, 22, -24}, {15, -1, -24}, 10, 6), 6);
-        skull = join(skull, capsule(q, {58, 30, -26}, {53, 26, -50}, 13, 6), 6); // mastoid
+        skull = join(skull, mastoid(p), 6);
         skull = join(skull, capsule(p, {0, -38, -17}, {0, 8, -38}, 15, 8), 8);
         skull = join(skull, capsule(q, {13, 12, -42}, {16, 20, -45}, 6), 4); // condyles
-        skull = join(skull, ellipsoid(p, {0, 90, -4}, {8, 5, 6}), 10); // inion
-        skull = join(skull, upperFace(p, face), 4);
+        skull = join(skull, ellipsoid(p, {0, 81, -8}, {8, 4, 5}), 12); // inion
+        skull = join(skull, upperFace(p, face), 9);
         skull = std::max(skull, -cavity);
         skull = carve(skull, spinalCanal(p), 2);
         skull = std::max({skull, -face.orbit, -face.sinus, -face.earCanal});
@@ -182,10 +174,10 @@ BoneDistances bones(const vec3& p, float cavity, float thickness, const FaceDist
         const ArchPoint lower = onArch(p, 29.5F, -84.5F, 45);
         bone.teeth = std::min(toothRow(upper, p.z + 64.5F), toothRow(lower, -65.5F - p.z));
         // Sockets.
+        const glm::vec2 d(std::abs(upper.across) - 2.0F, std::abs(p.z + 50.0F) - 3.5F);
         const float alveolus =
-            std::max(std::abs(upper.across) - 5.5F, std::abs(p.z + 50.0F) - 6.0F);
-        if (p.y < -44.0F)
-            bone.skull = std::min(bone.skull, alveolus);
+            glm::length(glm::max(d, 0.0F)) + std::min(std::max(d.x, d.y), 0.0F) - 3.5F;
+        bone.skull = join(bone.skull, std::max(alveolus, p.y + 44.0F), 4);
     }
     return bone;
 }

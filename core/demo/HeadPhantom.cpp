@@ -71,7 +71,7 @@ void paint(HeadPhantom::Sample& sample, float share, float value, HeadPart part)
 float boneValue(const vec3& p, float distance)
 {
     const float texture = noise(p / 2.6F, 71).value + 0.7F * noise(p / 1.4F, 72).value;
-    const float sponge = 430.0F + 210.0F * texture;
+    const float sponge = 500.0F + 140.0F * texture;
     const float cortex = 1290.0F + 90.0F * noise(p / 6.0F, 73).value;
     return mix(sponge, cortex, coverage(-distance - 1.9F, 1.2F));
 }
@@ -87,31 +87,35 @@ void paintSoftTissue(HeadPhantom::Sample& sample, const vec3& p, float body, flo
     paint(sample, coverage(body + 1.9F), -95.0F, HeadPart::Fat);
     if (body > -1.5F)
         return;
-    // Muscles are bundles with fat between them.
-    const NoiseSample bundles = noise(vec3(p.x / 13.0F, p.y / 13.0F, p.z / 34.0F), 82);
-    const float septum =
-        std::abs(bundles.value) * 13.0F / (glm::length(bundles.slope) + 0.4F) - 0.9F;
-    const float muscle = std::max(body + 1.9F + fat, -septum);
-    paint(sample, coverage(muscle), 56.0F, HeadPart::Muscle);
+    paint(sample, coverage(body + 1.9F + fat), 57.0F, HeadPart::Muscle);
+    // Muscles are bundles with a little fat between them.
+    const NoiseSample bundles = noise(vec3(p.x / 17.0F, p.y / 17.0F, p.z / 40.0F), 82);
+    const float septum = std::abs(bundles.value) * 17.0F / (glm::length(bundles.slope) + 0.5F);
+    paint(sample, 0.45F * coverage(std::max(septum - 0.9F, body + 4.0F + fat)), -95.0F,
+        HeadPart::Fat);
+    // The tongue, and a film of air over it.
+    paint(sample, coverage(ellipsoid(p, {0, -54, -68}, {22, 28, 18})), 58.0F, HeadPart::Muscle);
+    paint(sample, coverage(ellipsoid(p, {0, -58, -50.5F}, {17, 18, 1.6F})), -700.0F,
+        HeadPart::Airway);
 }
 
-void paintEye(HeadPhantom::Sample& sample, const vec3& p, const FaceDistances& face)
+void paintEye(HeadPhantom::Sample& sample, const vec3& p, const FaceDistances& face, float body)
 {
     const vec3 q = folded(p);
-    paint(sample, coverage(std::max(face.orbit, -89.0F - p.y)), -85.0F, HeadPart::Fat);
+    paint(sample, coverage(std::max(face.orbit, body + 2.5F)), -85.0F, HeadPart::Fat);
     if (face.orbit < 2.0F) {
-        float muscles = capsule(q, {31, -70, 4.5F}, {17, -40, -3}, 2.1F, 1.4F);
-        muscles = std::min(muscles, capsule(q, {31, -70, -20}, {17, -40, -9}, 2.2F, 1.4F));
-        muscles = std::min(muscles, capsule(q, {43, -70, -8}, {20, -40, -6}, 2.2F, 1.4F));
-        muscles = std::min(muscles, capsule(q, {19, -70, -8}, {14, -40, -6}, 2.3F, 1.4F));
+        float muscles = capsule(q, {31, -66, 4.5F}, {17, -40, -3}, 2.1F, 1.4F);
+        muscles = std::min(muscles, capsule(q, {31, -66, -20}, {17, -40, -9}, 2.2F, 1.4F));
+        muscles = std::min(muscles, capsule(q, {43, -66, -8}, {20, -40, -6}, 2.2F, 1.4F));
+        muscles = std::min(muscles, capsule(q, {19, -66, -8}, {14, -40, -6}, 2.3F, 1.4F));
         paint(sample, coverage(muscles), 60.0F, HeadPart::Muscle);
-        paint(sample, coverage(capsule(q, {29.5F, -66, -8}, {15, -36, -5}, 2.2F)), 38.0F,
+        paint(sample, coverage(capsule(q, {29.5F, -62, -8}, {15, -36, -5}, 2.2F)), 38.0F,
             HeadPart::Eye);
     }
     paint(sample, coverage(face.globe), 62.0F, HeadPart::Eye);
     paint(sample, coverage(face.globe + 1.3F), 8.0F, HeadPart::Eye);
     paint(
-        sample, coverage(ellipsoid(q, {31, -83.5F, -8}, {4.8F, 2.2F, 4.8F})), 85.0F, HeadPart::Eye);
+        sample, coverage(ellipsoid(q, {31, -79.5F, -8}, {4.8F, 2.2F, 4.8F})), 85.0F, HeadPart::Eye);
 }
 
 } // namespace
@@ -145,7 +149,7 @@ HeadPhantom::Sample HeadPhantom::at(const vec3& scanned) const
         const bool faceNear = p.z < 45.0F;
         const FaceDistances face = faceNear ? faceCavities(p) : FaceDistances{99, 99, 99, 99, 99};
         if (face.orbit < 2.0F || face.globe < 2.0F)
-            paintEye(sample, p, face);
+            paintEye(sample, p, face, body);
         // Mucosa and cartilage around the airways.
         paint(sample, coverage(std::max(face.nasal - 3.0F, body + 1.0F)), 45.0F, HeadPart::Muscle);
 

@@ -14,6 +14,11 @@ float spinalCanal(const glm::vec3& p);
 /// Thickness of the skull at @p p.
 float skullThickness(const glm::vec3& p);
 
+/// The bones of the upper face as a solid, before cavities are taken out.
+float facialMass(const glm::vec3& p);
+/// The mastoid processes, solid.
+float mastoid(const glm::vec3& p);
+
 /// Outer surface of the body: cranium, face, ears, neck.
 /// @param vault signed distance of the outer surface of the skull's vault
 float bodySurface(const glm::vec3& p, float vault);

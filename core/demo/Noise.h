@@ -39,38 +39,7 @@ struct NoiseSample {
     glm::vec3 slope{0.0F};
 };
 
-/// Smooth value noise with its gradient, lattice constant 1.
-inline NoiseSample noise(const glm::vec3& p, int seed)
-{
-    const glm::vec3 cell = glm::floor(p);
-    const glm::vec3 f = p - cell;
-    const auto x = static_cast<std::int32_t>(cell.x) + seed * 101;
-    const auto y = static_cast<std::int32_t>(cell.y) + seed * 57;
-    const auto z = static_cast<std::int32_t>(cell.z);
-    const glm::vec3 u = f * f * f * (f * (f * 6.0F - 15.0F) + 10.0F);
-    const glm::vec3 du = 30.0F * f * f * (f * (f - 2.0F) + 1.0F);
-    const float a = uniform(hash(x, y, z));
-    const float b = uniform(hash(x + 1, y, z));
-    const float c = uniform(hash(x, y + 1, z));
-    const float d = uniform(hash(x + 1, y + 1, z));
-    const float e = uniform(hash(x, y, z + 1));
-    const float g = uniform(hash(x + 1, y, z + 1));
-    const float h = uniform(hash(x, y + 1, z + 1));
-    const float i = uniform(hash(x + 1, y + 1, z + 1));
-    const float k1 = b - a;
-    const float k2 = c - a;
-    const float k3 = e - a;
-    const float k4 = a - b - c + d;
-    const float k5 = a - c - e + h;
-    const float k6 = a - b - e + g;
-    const float k7 = -a + b + c - d + e - g - h + i;
-    NoiseSample sample;
-    sample.value = a + k1 * u.x + k2 * u.y + k3 * u.z + k4 * u.x * u.y + k5 * u.y * u.z
-        + k6 * u.z * u.x + k7 * u.x * u.y * u.z;
-    sample.slope = du
-        * glm::vec3(k1 + k4 * u.y + k6 * u.z + k7 * u.y * u.z,
-            k2 + k5 * u.z + k4 * u.x + k7 * u.z * u.x, k3 + k6 * u.x + k5 * u.y + k7 * u.x * u.y);
-    return sample;
-}
+/// Gradient noise (K. Perlin, Improving Noise, 2002) with its slope, lattice constant 1.
+NoiseSample noise(const glm::vec3& p, int seed);
 
 } // namespace core::demo

@@ -66,7 +66,7 @@ inline float carve(float a, float b, float width)
 }
 
 /// Share of a voxel that lies inside, for an edge @p width millimetres wide.
-inline float coverage(float distance, float width = 1.3F)
+inline float coverage(float distance, float width = 2.0F)
 {
     const float t = std::clamp(0.5F - distance / width, 0.0F, 1.0F);
     return t * t * (3.0F - 2.0F * t);

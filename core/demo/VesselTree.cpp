@@ -169,8 +169,8 @@ void VesselTree::addVeins()
     using Points = std::vector<vec3>;
     // Deep veins and the straight sinus.
     curve(Points{{2, -6, 19}, {2, 8, 20}, {1.5F, 20, 17}}, 0.9F, 1.1F, true);
-    curve(Points{{0, 20, 17}, {0, 29, 15}, {0, 33, 17}}, 1.8F, 2.0F, false);
-    curve(Points{{0, 33, 17}, {0, 55, 9}, {0, 79, -2}}, 1.9F, 2.3F, false);
+    curve(Points{{0, 20, 17}, {0, 27, 13}, {0, 33, 12}}, 1.8F, 2.0F, false);
+    curve(Points{{0, 33, 12}, {0, 55, 5}, {0, 79, -2}}, 1.9F, 2.3F, false);
     // Transverse and sigmoid sinuses follow the bone; the right one is larger.
     for (const float side : {1.0F, -1.0F}) {
         std::vector<vec3> points;
@@ -194,8 +194,11 @@ void VesselTree::addVeins()
         }
     }
     // Superficial temporal arteries in the scalp.
-    curve(Points{{70, 2, -30}, {77, 0, -8}, {74, -8, 14}, {70, -24, 36}}, 1.3F, 0.8F, true);
-    curve(Points{{77, 0, -8}, {75.5F, 8, 22}, {68, 16, 52}}, 1.1F, 0.8F, true);
+    const auto inScalp = [](const vec3& p) { return settled(p, -skullThickness(p) - 3.2F); };
+    curve(Points{inScalp({70, 2, 6}), inScalp({70, -6, 24}), inScalp({62, -26, 44})}, 1.2F, 0.8F,
+        true);
+    curve(Points{inScalp({70, 2, 6}), inScalp({70, 10, 28}), inScalp({58, 18, 58})}, 1.1F, 0.8F,
+        true);
 }
 
 void VesselTree::addSuperiorSagittalSinus()

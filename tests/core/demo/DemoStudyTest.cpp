@@ -58,7 +58,7 @@ void DemoStudyTest::partHasItsDensityAndVolume_data()
     row("air", HeadPart::Air, -1001, -985, 4000, 8000);
     row("skin", HeadPart::Skin, -250, 60, 100, 500);
     row("fat", HeadPart::Fat, -110, -60, 150, 900);
-    row("muscle", HeadPart::Muscle, 30, 70, 300, 1300);
+    row("muscle", HeadPart::Muscle, 30, 90, 300, 1300);
     row("skull", HeadPart::Skull, 500, 1200, 350, 900);
     row("mandible", HeadPart::Mandible, 400, 1200, 15, 90);
     row("teeth", HeadPart::Teeth, 1200, 2400, 5, 45);
