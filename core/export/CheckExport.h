@@ -30,11 +30,4 @@ Result<QStringList> checkSegExport(
 Result<QStringList> checkNiftiExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
-/// How far positions from a header may lie from the volume's: rounding in decimal strings and in
-/// the least-squares line through the slices, never near half a voxel.
-[[nodiscard]] double positionToleranceMm(const VolumeGeometry& geometry);
-
-/// LPS centre of the first voxel of slice @p k.
-[[nodiscard]] glm::dvec3 sliceOrigin(const VolumeGeometry& geometry, int k);
-
 } // namespace core

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CheckExport.h"
 
-#include "core/dicom/SourceHeader.h"
+#include "core/export/CheckSources.h"
 
 #include <QFile>
 
@@ -21,15 +21,20 @@ using NiftiPointer = std::unique_ptr<nifti_image, NiftiDeleter>;
 
 NiftiPointer open(const QString& file, bool withVoxels)
 {
+    nifti_set_debug_level(0);
     return NiftiPointer(nifti_image_read(QFile::encodeName(file).constData(), withVoxels ? 1 : 0));
 }
 
-glm::dmat4 lpsFrom(const mat44& ras)
+/// RAS in the file's unit of length → LPS mm.
+glm::dmat4 lpsFrom(const mat44& ras, int units)
 {
+    const double scale = units == NIFTI_UNITS_METER ? 1000.0
+        : units == NIFTI_UNITS_MICRON               ? 0.001
+                                                    : 1.0;
     glm::dmat4 lps(1.0);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column)
-            lps[column][row] = (row < 2 ? -1.0 : 1.0) * double(ras.m[row][column]);
+            lps[column][row] = (row < 2 ? -scale : scale) * double(ras.m[row][column]);
     }
     return lps;
 }
@@ -55,17 +60,18 @@ double farthest(const std::array<glm::dvec3, 8>& a, const std::array<glm::dvec3,
 }
 
 /// The corners as the source files themselves say them.
-Result<std::array<glm::dvec3, 8>> sourceCorners(const Volume& volume, const Progress& progress)
+Result<std::array<glm::dvec3, 8>> sourceCorners(
+    const QString& file, const Volume& volume, const Progress& progress)
 {
     const glm::ivec3 size = volume.geometry.size;
     if (!volume.sources.empty()) {
-        const auto headers =
-            readSourceHeaders({volume.sources.front(), volume.sources.back()}, progress);
+        const auto headers = checkedSourceHeaders(file, volume, progress);
         if (!headers)
             return tl::unexpected(headers.error());
         std::array<glm::dvec3, 8> corners{};
         for (int corner = 0; corner < 8; ++corner) {
-            const HeaderPlane& plane = (*headers)[(corner & 4) != 0 ? 1 : 0].plane;
+            const HeaderPlane& plane =
+                (corner & 4) != 0 ? headers->back().plane : headers->front().plane;
             corners[std::size_t(corner)] =
                 plane.at((corner & 1) != 0 ? size.x - 1 : 0, (corner & 2) != 0 ? size.y - 1 : 0);
         }
@@ -74,8 +80,11 @@ Result<std::array<glm::dvec3, 8>> sourceCorners(const Volume& volume, const Prog
     const NiftiPointer source = open(volume.sourcePath, false);
     if (source == nullptr)
         return failure(ErrorCode::FileUnreadable, volume.sourcePath);
+    if (source->nx != size.x || source->ny != size.y || source->nz != size.z)
+        return failure(ErrorCode::ExportMismatch, volume.sourcePath,
+            QStringLiteral("its size is not that of the volume that was opened"));
     const mat44& affine = source->sform_code > 0 ? source->sto_xyz : source->qto_xyz;
-    return cornersOf(lpsFrom(affine), size);
+    return cornersOf(lpsFrom(affine, source->xyz_units), size);
 }
 
 } // namespace
@@ -95,7 +104,7 @@ Result<QStringList> checkNiftiExport(
         || image->nvox != volume.geometry.voxelCount() || image->datatype != DT_UINT8)
         return mismatch(QStringLiteral("size or type of the voxels"));
 
-    const auto corners = sourceCorners(volume, progress);
+    const auto corners = sourceCorners(file, volume, progress);
     if (!corners)
         return tl::unexpected(corners.error());
     const glm::dvec3 spacing = volume.geometry.spacingMm();
@@ -116,14 +125,15 @@ Result<QStringList> checkNiftiExport(
                 .arg(ofVolume));
     if (image->sform_code <= 0)
         return mismatch(QStringLiteral("the sform is missing"));
-    const double bySform = farthest(cornersOf(lpsFrom(image->sto_xyz), size), *corners);
+    const double bySform =
+        farthest(cornersOf(lpsFrom(image->sto_xyz, image->xyz_units), size), *corners);
     if (bySform > tolerance)
         return mismatch(QStringLiteral("the sform puts a corner %1 mm away from where the source "
                                        "has it")
                             .arg(bySform));
     double byQform = 0.0;
     if (image->qform_code > 0) {
-        byQform = farthest(cornersOf(lpsFrom(image->qto_xyz), size), *corners);
+        byQform = farthest(cornersOf(lpsFrom(image->qto_xyz, image->xyz_units), size), *corners);
         if (byQform > tolerance)
             return mismatch(QStringLiteral("the qform puts a corner %1 mm away from where the "
                                            "source has it")

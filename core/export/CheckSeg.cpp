@@ -2,7 +2,7 @@
 #include "core/export/CheckExport.h"
 
 #include "core/dicom/SegReader.h"
-#include "core/dicom/SourceHeader.h"
+#include "core/export/CheckSources.h"
 
 #include <QHash>
 
@@ -18,44 +18,6 @@ namespace {
 constexpr double copiedPositionToleranceMm = 1e-4;
 constexpr double copiedDirectionTolerance = 1e-6;
 constexpr double copiedSpacingTolerance = 1e-6; ///< relative
-/// Slices of one stack may differ in orientation by the rounding of their text.
-constexpr double cornerToleranceVoxels = 0.1;
-
-QString inMm(const glm::dvec3& point)
-{
-    return QStringLiteral("(%1, %2, %3) mm").arg(point.x).arg(point.y).arg(point.z);
-}
-
-/// A name for comparison: letters as they are, marks between its parts not.
-QString nameParts(const QString& name)
-{
-    QString plain = name;
-    for (QChar& character : plain) {
-        if (character == QLatin1Char('^') || character == QLatin1Char(',')
-            || character == QLatin1Char('='))
-            character = QLatin1Char(' ');
-    }
-    return plain.simplified();
-}
-
-QString digits(QString date)
-{
-    return date.remove(QLatin1Char('-'));
-}
-
-/// @returns what differs, or nothing
-QString differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b)
-{
-    if (a.decoded && b.decoded && nameParts(a.name) != nameParts(b.name))
-        return QStringLiteral("the patient's name");
-    if (a.decoded && b.decoded && a.id.simplified() != b.id.simplified())
-        return QStringLiteral("the patient ID");
-    // A birth date that DICOM cannot hold is left out of the export, and said so.
-    if (!a.birthDate.isEmpty() && !b.birthDate.isEmpty() && a.birthDate != b.birthDate)
-        return QStringLiteral("the patient's birth date");
-    return {};
-}
-
 QString differenceOfPlanes(const HeaderPlane& a, const HeaderPlane& b)
 {
     if (glm::distance(a.position, b.position) > copiedPositionToleranceMm)
@@ -73,46 +35,6 @@ QString differenceOfPlanes(const HeaderPlane& a, const HeaderPlane& b)
             .arg(a.columnSpacing)
             .arg(b.rowSpacing)
             .arg(b.columnSpacing);
-    return {};
-}
-
-/// The slice's header against the volume as it was shown and drawn on.
-QString differenceFromVolume(const SourceHeader& header, const Volume& volume, int k)
-{
-    const VolumeGeometry& geometry = volume.geometry;
-    const StudyIdentity& identity = volume.identity;
-    const HeaderPatient shown{.name = identity.patientName,
-        .id = identity.patientId,
-        .birthDate = digits(identity.birthDate),
-        .decoded = true};
-    if (const QString what = differenceOfPatients(header.patient, shown); !what.isEmpty())
-        return what + QStringLiteral(" is not that of the study that was opened");
-    if (header.studyUid != identity.studyUid)
-        return QStringLiteral("the study is not the one that was opened");
-    // Slices without a frame of reference in common have none in the volume (nor in the export).
-    if (!identity.frameOfReferenceUid.isEmpty()
-        && header.frameOfReferenceUid != identity.frameOfReferenceUid)
-        return QStringLiteral("the frame of reference is not the one that was opened");
-    if (header.sopInstanceUid != volume.sources[std::size_t(k)].sopInstanceUid)
-        return QStringLiteral("the file now holds another image");
-    if (header.columns != geometry.size.x || header.rows != geometry.size.y)
-        return QStringLiteral("rows or columns are not those of the volume");
-
-    const glm::dvec3 origin = sliceOrigin(geometry, k);
-    if (glm::distance(header.plane.position, origin) > positionToleranceMm(geometry))
-        return QStringLiteral("its header puts it at %1, the volume has it at %2")
-            .arg(inMm(header.plane.position), inMm(origin));
-    for (const glm::ivec2 corner :
-        {glm::ivec2(geometry.size.x - 1, 0), glm::ivec2(0, geometry.size.y - 1)}) {
-        const glm::dvec3 inVolume =
-            origin + glm::dmat3(geometry.indexToWorld) * glm::dvec3(corner.x, corner.y, 0.0);
-        const glm::dvec3 inHeader = header.plane.at(corner.x, corner.y);
-        const double tolerance = positionToleranceMm(geometry)
-            + cornerToleranceVoxels * std::min(geometry.spacingMm().x, geometry.spacingMm().y);
-        if (glm::distance(inVolume, inHeader) > tolerance)
-            return QStringLiteral("its header puts a corner at %1, the volume has it at %2")
-                .arg(inMm(inHeader), inMm(inVolume));
-    }
     return {};
 }
 
@@ -147,18 +69,6 @@ bool holdsLabel(
 
 } // namespace
 
-double positionToleranceMm(const VolumeGeometry& geometry)
-{
-    const glm::dvec3 spacing = geometry.spacingMm();
-    return std::min(0.015, 0.02 * std::min({spacing.x, spacing.y, spacing.z}));
-}
-
-glm::dvec3 sliceOrigin(const VolumeGeometry& geometry, int k)
-{
-    return geometry.slicePositions.empty() ? geometry.toWorld({0.0, 0.0, double(k)})
-                                           : geometry.slicePositions[std::size_t(k)];
-}
-
 Result<QStringList> checkSegExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
@@ -181,15 +91,13 @@ Result<QStringList> checkSegExport(
             return mismatch(QStringLiteral("number or code of segment %1").arg(i + 1));
     }
 
-    const auto headers = readSourceHeaders(volume.sources, progress);
+    const auto headers = checkedSourceHeaders(file, volume, progress);
     if (!headers)
         return tl::unexpected(headers.error());
     QHash<QString, int> sliceOfInstance;
     for (int k = 0; k < int(headers->size()); ++k) {
         const SourceHeader& header = (*headers)[std::size_t(k)];
         const QString name = volume.sources[std::size_t(k)].file;
-        if (const QString what = differenceFromVolume(header, volume, k); !what.isEmpty())
-            return mismatch(QStringLiteral("source %1: %2").arg(name, what));
         const QString key = QStringLiteral("%1/%2")
                                 .arg(header.sopInstanceUid)
                                 .arg(volume.sources[std::size_t(k)].frame);
