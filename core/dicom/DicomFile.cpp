@@ -169,11 +169,16 @@ struct DicomFile::Walk {
                 return damaged(QStringLiteral("sequences are nested deeper than %1 levels")
                                    .arg(int(maximumDepth)));
             const bool outermost = levels.size() == 1;
-            if (bytes.size() - at < 8) {
-                if (outermost)
+            const Bytes rest = bytes.subspan(at);
+            if (rest.size() < 8) {
+                if (levels.size() > 1)
+                    return failure(ErrorCode::FileTruncated, path,
+                        QStringLiteral("it ends inside a sequence"));
+                // Zero bytes behind the last element are padding.
+                if (std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0; }))
                     return {};
                 return failure(
-                    ErrorCode::FileTruncated, path, QStringLiteral("it ends inside a sequence"));
+                    ErrorCode::FileTruncated, path, QStringLiteral("it ends inside an element"));
             }
             Element element;
             if (!readElement(bytes, at, levels.back().explicitVr, bigEndian, element))
@@ -182,7 +187,7 @@ struct DicomFile::Walk {
                 readPixels(element);
                 return {};
             }
-            // Zero bytes behind the last element are padding.
+            // Nothing but padding begins like this.
             if (outermost && element.tag == 0)
                 return {};
             const Result<void> entered =
