@@ -4,6 +4,7 @@
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/DicomText.h"
+#include "core/dicom/TransferSyntax.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -191,7 +192,8 @@ Result<ImageHeader> read(const QString& path)
     header.pixelsCut = file->pixelsCut();
     header.isEnhanced = from.has(DCM_SharedFunctionalGroupsSequence)
         || from.has(DCM_PerFrameFunctionalGroupsSequence);
-    header.isLossy = from.text(DCM_LossyImageCompression) == QLatin1String("01");
+    header.isLossy = from.text(DCM_LossyImageCompression) == QLatin1String("01")
+        || transferSyntax(header.transferSyntaxUid).lossy;
     header.frames = int(std::clamp(from.number(DCM_NumberOfFrames).value_or(1.0), 1.0, 1e6));
     header.layout = readLayout(from);
     if (file->hasPixels() && !file->isEncapsulated()) {

@@ -23,6 +23,7 @@ struct TransferSyntax {
     bool explicitVr = true;
     bool bigEndian = false;
     bool deflated = false;
+    bool lossy = false; ///< always, whatever the data set says
 };
 
 /// The syntax of this UID; coding Unknown where Burin cannot read it.

@@ -20,7 +20,7 @@ void registerEncoders()
 {
     static std::once_flag once;
     std::call_once(once, [] {
-        OFLog::configure(OFLogger::ERROR_LOG_LEVEL);
+        OFLog::configure(OFLogger::OFF_LOG_LEVEL);
         DJEncoderRegistration::registerCodecs();
         DJLSEncoderRegistration::registerCodecs();
         DcmRLEEncoderRegistration::registerCodecs();
