@@ -138,7 +138,7 @@ bool isNiftiName(const QString& path)
         || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
 }
 
-Result<NiftiHeader> readNiftiHeader(const QString& path)
+Result<SeriesEntry> readNiftiEntry(const QString& path)
 {
     if (QFileInfo(path).size() == 0)
         return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
@@ -162,8 +162,7 @@ Result<NiftiHeader> readNiftiHeader(const QString& path)
         return failure(ErrorCode::InvalidGeometry, path,
             QStringLiteral("%1 × %2 × %3 voxels").arg(image->nx).arg(image->ny).arg(image->nz));
     }
-    NiftiHeader header;
-    SeriesEntry& entry = header.entry;
+    SeriesEntry entry;
     entry.geometry.size = {image->nx, image->ny, image->nz};
     entry.geometry.indexToWorld = affine(*image, entry.problems);
     entry.files = {path};
@@ -173,13 +172,13 @@ Result<NiftiHeader> readNiftiHeader(const QString& path)
         return failure(ErrorCode::InvalidGeometry, path,
             QStringLiteral("its axes do not span a volume (sform or qform)"));
     }
-    return header;
+    return entry;
 }
 
-Result<LoadedVolume> loadNifti(const NiftiHeader& header, const Progress& progress)
+Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
 {
-    const QString path = header.entry.files.front();
-    if (const Result<void> fits = checkMemory(2 * header.entry.geometry.voxelCount()); !fits)
+    const QString path = entry.files.front();
+    if (const Result<void> fits = checkMemory(2 * entry.geometry.voxelCount()); !fits)
         return tl::unexpected<Error>(fits.error());
     progress.report(QStringLiteral("Reading voxels"), 0, 1);
     const Image image = readImage(path);
@@ -190,10 +189,10 @@ Result<LoadedVolume> loadNifti(const NiftiHeader& header, const Progress& progre
 
     LoadedVolume loaded;
     Volume& volume = loaded.volume;
-    volume.identity = header.entry.identity;
-    volume.geometry = header.entry.geometry;
+    volume.identity = entry.identity;
+    volume.geometry = entry.geometry;
     volume.sourceFormat = QStringLiteral("NIfTI");
-    volume.problems = header.entry.problems;
+    volume.problems = entry.problems;
     // A slope of 0 means that there is none (nifti1.h).
     const bool scaled = image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
         && std::isfinite(image->scl_inter);

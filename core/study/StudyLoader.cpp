@@ -22,7 +22,7 @@ constexpr int deepestFolder = 32;
 struct Scan {
     StudyListing listing;
     std::vector<ListedStack> stacks;
-    std::vector<NiftiHeader> niftis;
+    std::vector<SeriesEntry> niftis;
 };
 
 Result<QStringList> filesBelow(const QString& path)
@@ -91,26 +91,23 @@ void list(Scan& scan)
 void listNifti(Scan& scan, const QString& root)
 {
     const bool besideDicom = !scan.stacks.empty();
-    std::vector<NiftiHeader> volumes;
-    for (NiftiHeader& header : scan.niftis) {
+    std::vector<SeriesEntry> volumes;
+    for (SeriesEntry& entry : scan.niftis) {
         if (besideDicom) {
             scan.listing.foreign.push_back({.kind = QStringLiteral("NIfTI file"),
                 .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
-                .files = header.entry.files});
+                .files = entry.files});
             continue;
         }
-        const QString file = header.entry.files.front();
-        header.entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
+        const QString file = entry.files.front();
+        entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
                                                    : QFileInfo(file).fileName();
-        volumes.push_back(std::move(header));
+        volumes.push_back(std::move(entry));
     }
     scan.niftis = std::move(volumes);
     if (scan.niftis.empty())
         return;
-    StudyEntry study;
-    for (const NiftiHeader& header : scan.niftis)
-        study.series.push_back(header.entry);
-    scan.listing.studies.push_back(std::move(study));
+    scan.listing.studies.push_back({.studyUid = {}, .series = scan.niftis});
 }
 
 Error nothingFound(const StudyListing& listing)
@@ -148,11 +145,11 @@ Result<Scan> scanPath(const QString& path, const Progress& progress)
             others.append(file);
             continue;
         }
-        Result<NiftiHeader> header = readNiftiHeader(file);
-        if (header)
-            scan.niftis.push_back(std::move(*header));
+        Result<SeriesEntry> entry = readNiftiEntry(file);
+        if (entry)
+            scan.niftis.push_back(std::move(*entry));
         else
-            scan.listing.unreadable.push_back({.file = file, .error = header.error()});
+            scan.listing.unreadable.push_back({.file = file, .error = entry.error()});
     }
     DicomScan dicom = scanDicom(others, progress);
     if (progress.cancelled())
@@ -212,9 +209,9 @@ Result<LoadedVolume> loadVolume(
         if (listed.entry.key == (*entry)->key)
             return opened(loadStack(listed, progress));
     }
-    for (const NiftiHeader& header : scan->niftis) {
-        if (header.entry.key == (*entry)->key)
-            return opened(loadNifti(header, progress));
+    for (const SeriesEntry& nifti : scan->niftis) {
+        if (nifti.key == (*entry)->key)
+            return opened(loadNifti(nifti, progress));
     }
     return failure(ErrorCode::SeriesNotFound, path, series);
 }
