@@ -10,9 +10,10 @@ namespace core {
 /// By name, as the format asks for it: .nii and .nii.gz.
 [[nodiscard]] bool isNiftiName(const QString& path);
 
-/// Geometry and facts of a file, from its header; the key is left to the listing: sform, else qform, else pixel sizes with a caution; RAS turned
-/// into LPS, millimetres. The file's index order is kept, even where it is left-handed, so that a
-/// mask lands on its grid. UnsupportedFormat for more than one volume, colour or complex values.
+/// Geometry and facts of a file, from its header; the key is left to the listing: sform, else
+/// qform, else pixel sizes with a caution; RAS turned into LPS, millimetres. The file's index order
+/// is kept, even where it is left-handed, so that a mask lands on its grid. UnsupportedFormat for
+/// more than one volume, colour or complex values.
 [[nodiscard]] Result<SeriesEntry> readNiftiEntry(const QString& path);
 
 /// The volume with its voxels; scl_slope and scl_inter applied. FileTruncated, OutOfMemory.

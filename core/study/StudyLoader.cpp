@@ -101,7 +101,7 @@ void listNifti(Scan& scan, const QString& root)
         }
         const QString file = entry.files.front();
         entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
-                                                   : QFileInfo(file).fileName();
+                                            : QFileInfo(file).fileName();
         volumes.push_back(std::move(entry));
     }
     scan.niftis = std::move(volumes);
