@@ -45,4 +45,18 @@ void History::moveTo(RowId id)
         m_lastChild[std::size_t(row(id).parent)] = id;
 }
 
+History History::restored(std::vector<HistoryRow> rows,
+    const std::vector<std::pair<RowId, RowId>>& visited, RowId position)
+{
+    History history;
+    history.m_rows = std::move(rows);
+    history.m_lastChild.assign(history.m_rows.size() + 1, 0);
+    for (const HistoryRow& row : history.m_rows)
+        history.m_lastChild[std::size_t(row.parent)] = row.id;
+    for (const auto& [parent, child] : visited)
+        history.m_lastChild[std::size_t(parent)] = child;
+    history.moveTo(position);
+    return history;
+}
+
 } // namespace core

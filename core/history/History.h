@@ -8,7 +8,7 @@
 #include <QString>
 
 #include <cstdint>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -22,6 +22,7 @@ struct HistoryRow {
     QString name; ///< for people: "Drill 6.2 mm, 214 bricks"
     Edit edit; ///< quantised; what replay applies
     EditStatistics statistics;
+    std::uint32_t growthGeneration = 0; ///< the counter of plane 0 after this row
     std::size_t deltaBytes = 0; ///< compressed before-image; 0 while it is still being made
     QByteArray stateHash; ///< hex, of the state after this row; empty while it is being made
 };
@@ -50,6 +51,11 @@ public:
     /// Appends a child of the position and moves there; sets id and parent.
     RowId append(HistoryRow row);
     void moveTo(RowId id);
+
+    /// A history read from a file. @p visited: parent and the child visited last, where known.
+    /// @pre ids are 1, 2, 3 …, and every parent comes before its children
+    [[nodiscard]] static History restored(std::vector<HistoryRow> rows,
+        const std::vector<std::pair<RowId, RowId>>& visited, RowId position);
 
 private:
     std::vector<HistoryRow> m_rows;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionDatabase.h"
+
+#include <QFileInfo>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QStorageInfo>
+#include <QUrl>
+
+#include <atomic>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+const char* const tables[]{
+    "CREATE TABLE source (id INTEGER PRIMARY KEY CHECK (id = 1), json TEXT NOT NULL)",
+    "CREATE TABLE row (id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, name TEXT NOT NULL,"
+    " edit TEXT NOT NULL, statistics TEXT NOT NULL, growthGeneration INTEGER NOT NULL,"
+    " chain TEXT NOT NULL, stateHash TEXT, deltaSha256 TEXT, seal TEXT)",
+    "CREATE TABLE delta (row INTEGER NOT NULL, piece INTEGER NOT NULL, bytes BLOB NOT NULL,"
+    " PRIMARY KEY (row, piece))",
+    "CREATE TABLE visited (parent INTEGER PRIMARY KEY, child INTEGER NOT NULL)",
+    "CREATE TABLE state (key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+};
+
+QString newConnectionName()
+{
+    static std::atomic<int> count = 0;
+    return QStringLiteral("burin.session.%1").arg(++count);
+}
+
+/// WAL needs shared memory and honest locks, which network file systems do not give.
+bool isNetworkFileSystem(const QString& path)
+{
+    const QByteArray type = QStorageInfo(QFileInfo(path).absolutePath()).fileSystemType();
+    for (const char* network : {"nfs", "cifs", "smb", "9p", "afs", "ncp", "fuse.sshfs", "ceph"}) {
+        if (type.startsWith(network))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+SessionDatabase::SessionDatabase(QString path)
+    : m_path(std::move(path))
+    , m_connection(newConnectionName())
+{
+}
+
+SessionDatabase::~SessionDatabase()
+{
+    // Leaving WAL checkpoints it and removes the file beside.
+    if (!m_readOnly && QSqlDatabase::contains(m_connection))
+        run(QStringLiteral("PRAGMA journal_mode=DELETE"));
+    QSqlDatabase::database(m_connection, false).close();
+    QSqlDatabase::removeDatabase(m_connection);
+}
+
+Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& path)
+{
+    std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
+    if (const Result<void> connected = database->connect(path, {}); !connected)
+        return tl::unexpected(connected.error());
+    // The tables are made in rollback mode, so that the file alone is a session from the start.
+    const bool made = database->transaction([&database] {
+        for (const char* table : tables) {
+            if (!database->run(QLatin1String(table)))
+                return false;
+        }
+        return database->run(QStringLiteral("PRAGMA application_id=%1").arg(applicationId))
+            && database->run(QStringLiteral("PRAGMA user_version=%1").arg(schemaVersion));
+    });
+    if (!made)
+        return database->failed();
+    if (const Result<void> writing = database->beginWriting(); !writing)
+        return tl::unexpected(writing.error());
+    return database;
+}
+
+Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& path, bool readOnly)
+{
+    std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
+    database->m_readOnly = readOnly;
+    const bool unfinished = QFileInfo(path + QStringLiteral("-wal")).size() > 0;
+    QString name = path;
+    QString options;
+    if (readOnly) {
+        // A finished file cannot change under us; "immutable" spares lock files on read-only media.
+        QUrl url = QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath());
+        url.setQuery(
+            unfinished ? QStringLiteral("mode=ro") : QStringLiteral("mode=ro&immutable=1"));
+        name = QString::fromLatin1(url.toEncoded());
+        options = QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI");
+    }
+    if (const Result<void> connected = database->connect(name, options); !connected)
+        return tl::unexpected(connected.error());
+    if (const Result<void> checked = database->checkFormat(); !checked)
+        return tl::unexpected(checked.error());
+    if (!readOnly) {
+        if (const Result<void> writing = database->beginWriting(); !writing)
+            return tl::unexpected(writing.error());
+    }
+    return database;
+}
+
+Result<void> SessionDatabase::connect(const QString& name, const QString& options)
+{
+    QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_connection);
+    database.setDatabaseName(name);
+    database.setConnectOptions(options.isEmpty()
+            ? QStringLiteral("QSQLITE_BUSY_TIMEOUT=500")
+            : options + QStringLiteral(";QSQLITE_BUSY_TIMEOUT=500"));
+    if (!database.open()) {
+        m_reason = database.lastError().databaseText();
+        return failure(
+            m_readOnly ? ErrorCode::FileUnreadable : ErrorCode::FileUnwritable, m_path, m_reason);
+    }
+    if (!m_readOnly && !run(QStringLiteral("PRAGMA locking_mode=EXCLUSIVE")))
+        return failed();
+    return {};
+}
+
+Result<void> SessionDatabase::checkFormat()
+{
+    const int application = number("application_id");
+    if (application < 0)
+        return failed();
+    if (application != applicationId)
+        return failure(
+            ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
+    const int version = number("user_version");
+    if (version != schemaVersion)
+        return failure(ErrorCode::UnsupportedFormat, m_path,
+            QStringLiteral("sessions of schema version %1 are not known here").arg(version));
+    return {};
+}
+
+Result<void> SessionDatabase::beginWriting()
+{
+    // Taking the lock now tells at once that another program has the session open.
+    if (!run(QStringLiteral("BEGIN EXCLUSIVE")) || !run(QStringLiteral("COMMIT")))
+        return failed();
+    const QString journal =
+        isNetworkFileSystem(m_path) ? QStringLiteral("TRUNCATE") : QStringLiteral("WAL");
+    if (!run(QStringLiteral("PRAGMA journal_mode=") + journal)
+        || !run(QStringLiteral("PRAGMA synchronous=FULL")))
+        return failed();
+    return {};
+}
+
+int SessionDatabase::number(const char* pragma)
+{
+    int value = -1;
+    query(QStringLiteral("PRAGMA ") + QLatin1String(pragma), {}, [&value](const QSqlQuery& answer) {
+        value = answer.value(0).toInt();
+        return true;
+    });
+    return value;
+}
+
+bool SessionDatabase::run(const QString& sql, const QVariantList& values)
+{
+    return query(sql, values, [](const QSqlQuery&) { return true; });
+}
+
+bool SessionDatabase::query(const QString& sql, const QVariantList& values,
+    const std::function<bool(const QSqlQuery&)>& take)
+{
+    QSqlQuery statement(QSqlDatabase::database(m_connection, false));
+    statement.setForwardOnly(true);
+    bool good = statement.prepare(sql);
+    if (good) {
+        for (const QVariant& value : values)
+            statement.addBindValue(value);
+        good = statement.exec();
+    }
+    while (good && statement.next()) {
+        if (!take(statement))
+            break;
+    }
+    // A failure while stepping through an answer ends next() like the last row does.
+    if (statement.lastError().isValid()) {
+        m_reason = statement.lastError().databaseText();
+        m_code = statement.lastError().nativeErrorCode();
+        return false;
+    }
+    return good;
+}
+
+bool SessionDatabase::transaction(const std::function<bool()>& work)
+{
+    if (!run(QStringLiteral("BEGIN IMMEDIATE")))
+        return false;
+    if (work() && run(QStringLiteral("COMMIT")))
+        return true;
+    const QString reason = m_reason;
+    const QString code = m_code;
+    run(QStringLiteral("ROLLBACK"));
+    m_reason = reason;
+    m_code = code;
+    return false;
+}
+
+tl::unexpected<Error> SessionDatabase::failed() const
+{
+    // https://www.sqlite.org/rescode.html; extended codes carry the primary one in the low byte.
+    switch (m_code.toInt() & 0xFF) {
+    case 5: // SQLITE_BUSY
+    case 6: // SQLITE_LOCKED
+        return failure(
+            ErrorCode::FileUnreadable, m_path, QStringLiteral("another program has it open"));
+    case 11: // SQLITE_CORRUPT
+        return failure(ErrorCode::SessionDamaged, m_path, m_reason);
+    case 26: // SQLITE_NOTADB
+        return failure(
+            ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
+    case 8: // SQLITE_READONLY
+    case 13: // SQLITE_FULL
+        return failure(ErrorCode::FileUnwritable, m_path, m_reason);
+    default:
+        return failure(
+            m_readOnly ? ErrorCode::FileUnreadable : ErrorCode::FileUnwritable, m_path, m_reason);
+    }
+}
+
+} // namespace core

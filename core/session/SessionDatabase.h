@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <QString>
+#include <QVariant>
+
+#include <functional>
+#include <memory>
+
+class QSqlQuery;
+
+namespace core {
+
+/// One SQLite connection to a session file: how it is opened, locked and left (README.md beside
+/// this file). Knows nothing of rows. Belongs to the thread that made it.
+class SessionDatabase {
+public:
+    static constexpr int applicationId = 0x4275726E; // "Burn"
+    static constexpr int schemaVersion = 1;
+
+    /// @pre the file exists and is empty
+    static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
+    static Result<std::unique_ptr<SessionDatabase>> open(const QString& path, bool readOnly);
+    ~SessionDatabase(); ///< leaves one file
+
+    /// One statement with its values for `?`. @return false: see reason()
+    bool run(const QString& sql, const QVariantList& values = {});
+    /// Calls @p take for every row of an answer; stops when it returns false.
+    bool query(const QString& sql, const QVariantList& values,
+        const std::function<bool(const QSqlQuery&)>& take);
+    /// @p work in one transaction, which is rolled back when it returns false.
+    bool transaction(const std::function<bool()>& work);
+
+    [[nodiscard]] QString reason() const { return m_reason; }
+
+private:
+    explicit SessionDatabase(QString path);
+    [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
+    [[nodiscard]] Result<void> checkFormat();
+    [[nodiscard]] Result<void> beginWriting();
+    [[nodiscard]] tl::unexpected<Error> failed() const;
+    [[nodiscard]] int number(const char* pragma);
+
+    QString m_path;
+    QString m_connection;
+    QString m_reason;
+    QString m_code; ///< SQLite's result code
+    bool m_readOnly = false;
+};
+
+} // namespace core

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/brick/BrickDelta.h"
+#include "core/history/History.h"
+#include "core/session/SessionSource.h"
+
+#include <QString>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace core {
+
+/// Everything of a session file but the differences, which are read one by one.
+struct SessionContents {
+    SessionSource source;
+    std::vector<HistoryRow> rows; ///< those without second half have an empty stateHash
+    std::vector<std::pair<RowId, RowId>> visited; ///< parent, child
+    RowId position = 0;
+    std::vector<int> hiddenSegments;
+};
+
+/// The history on disk (README.md beside this file): an SQLite database behind one writer thread
+/// that owns the connection. Writing calls return at once and are carried out in order; the first
+/// one that fails is told by flush(). Any thread may call.
+class SessionFile {
+public:
+    /// A new file, readable by its owner only.
+    /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
+    static Result<std::unique_ptr<SessionFile>> create(
+        const QString& path, const SessionSource& source, bool replaceExisting);
+
+    enum class Access { ReadWrite, ReadOnly };
+    /// Checks the chain of all rows; read-only media are fine with Access::ReadOnly.
+    /// Errors: FileNotFound, FileUnreadable (in use by another program), FileUnwritable,
+    /// UnsupportedFormat, SessionDamaged.
+    static Result<std::unique_ptr<SessionFile>> open(const QString& path, Access access);
+
+    /// Writes what is waiting and leaves one file.
+    ~SessionFile();
+
+    /// As it was when the file was opened.
+    [[nodiscard]] const SessionContents& contents() const;
+    [[nodiscard]] QString path() const;
+
+    /// First half of a row: it becomes the position, and the child that redo goes to.
+    void addRow(const HistoryRow& row);
+    /// Second half.
+    void completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta);
+    void setPosition(RowId position);
+    void setHiddenSegments(const std::vector<int>& labels);
+
+    /// Waits. Errors: SessionDamaged.
+    [[nodiscard]] Result<BrickDelta> readDelta(RowId row);
+    /// Waits until everything is on disk. Errors: FileUnwritable, from the first failure on
+    /// (nothing more is written then: a row must not stand on one that is missing).
+    [[nodiscard]] Result<void> flush();
+
+private:
+    class Writer;
+    explicit SessionFile(std::unique_ptr<Writer> writer);
+    std::unique_ptr<Writer> m_writer;
+};
+
+} // namespace core

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <QJsonObject>
+
+#include <optional>
+
+namespace core {
+
+/// What a session was made on: where it was, and how to know it again. No patient's name.
+struct SessionSource {
+    QString path;
+    QString format;
+    QString studyUid;
+    QString seriesUid;
+    glm::ivec3 size{0};
+    glm::dmat4 indexToWorld{1.0};
+    QByteArray voxelsSha256; ///< hex; empty if the loader did not tell
+
+    [[nodiscard]] static SessionSource of(const Volume& volume);
+    [[nodiscard]] QJsonObject toJson() const;
+    [[nodiscard]] static std::optional<SessionSource> fromJson(const QJsonObject& json);
+
+    /// Why @p volume is not the one; empty if it is.
+    [[nodiscard]] QString differenceFrom(const Volume& volume) const;
+};
+
+} // namespace core
