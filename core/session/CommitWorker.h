@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/TaskThread.h"
+#include "core/brick/BrickDelta.h"
+#include "core/history/History.h"
+#include "core/session/SessionFile.h"
+#include "core/session/StateHash.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+using Changes = std::shared_ptr<const std::vector<BrickChange>>;
+
+/// What follows an edit while the user goes on: the compressed difference, the state hash, the
+/// second half of the row on disk. One thread, in the order of the calls; the session's thread
+/// calls.
+class CommitWorker {
+public:
+    /// Something that was asked for is there.
+    struct Report {
+        RowId row = 0;
+        std::size_t deltaBytes = 0; ///< after commit()
+        QByteArray stateHash; ///< after commit()
+        std::optional<Result<std::vector<BrickImage>>> differences; ///< after load()
+    };
+
+    /// @param file where differences go; null: they stay in memory, compressed
+    /// @param wakeUp called on the worker's thread when collect() has something
+    CommitWorker(SessionFile* file, std::function<void()> wakeUp);
+
+    /// The voxels that the session begins with.
+    void start(std::vector<BrickImage> bricks);
+    void commit(RowId row, Changes changes, QByteArray documentJson);
+    /// Undo or redo happened.
+    void move(Changes changes);
+    /// Asks for the difference of a row that was committed.
+    void load(RowId row);
+
+    [[nodiscard]] std::vector<Report> collect();
+    void finish() { m_thread.finish(); }
+    /// Waits.
+    [[nodiscard]] QByteArray stateHash(const QByteArray& documentJson);
+
+private:
+    void report(Report report);
+    [[nodiscard]] Result<std::vector<BrickImage>> differencesOf(RowId row);
+
+    SessionFile* m_file = nullptr;
+    std::function<void()> m_wakeUp;
+    std::mutex m_mutex;
+    std::vector<Report> m_reports; ///< under m_mutex
+
+    // The worker's thread only:
+    StateHash m_hash;
+    std::map<RowId, BrickDelta> m_deltas;
+
+    TaskThread m_thread; ///< last: it uses all of the above
+};
+
+} // namespace core

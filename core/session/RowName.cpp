@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/RowName.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+/// 18204 → "18 204".
+QString grouped(std::int64_t count)
+{
+    QString digits = QString::number(count);
+    for (qsizetype place = digits.size() - 3; place > 0; place -= 3)
+        digits.insert(place, QLatin1Char(' '));
+    return digits;
+}
+
+QString counted(std::int64_t count, const char* noun)
+{
+    return grouped(count) + QLatin1Char(' ') + QLatin1String(noun)
+        + (count == 1 ? QString() : QStringLiteral("s"));
+}
+
+QString segmentName(int label, const Document& document)
+{
+    const Segment* segment = document.segment(label);
+    return segment ? segment->name : QString::number(label);
+}
+
+std::int64_t seedWordsChanged(const std::vector<BrickChange>& changes)
+{
+    std::int64_t count = 0;
+    const std::vector<std::uint8_t> empty(
+        std::size_t(4) * BrickGrid::voxelsPerBrick, emptyByte(Field::SeedWords));
+    for (const BrickChange& change : changes) {
+        if (change.key.field != Field::SeedWords)
+            continue;
+        const std::vector<std::uint8_t>& before = change.before.empty() ? empty : change.before;
+        const std::vector<std::uint8_t>& after = change.after.empty() ? empty : change.after;
+        for (std::size_t word = 0; word < before.size(); word += 4) {
+            if (!std::equal(&before[word], &before[word] + 4, &after[word]))
+                ++count;
+        }
+    }
+    return count;
+}
+
+double deepestMm(const DrillStroke& stroke)
+{
+    double pressure = 0.0;
+    for (const PenSample& sample : stroke.samples)
+        pressure = std::max(pressure, sample.pressure);
+    return stroke.depthMm * std::pow(pressure, stroke.pressureExponent);
+}
+
+QString changeName(const ChangeSegment& edit, const Document& document)
+{
+    if (edit.name)
+        return QStringLiteral("Rename segment %1 to '%2'").arg(edit.segment).arg(*edit.name);
+    const QString name = segmentName(edit.segment, document);
+    if (edit.code)
+        return edit.code->isSet()
+            ? QStringLiteral("Code segment '%1' as %2").arg(name, edit.code->meaning)
+            : QStringLiteral("Take the code from segment '%1'").arg(name);
+    return QStringLiteral("Recolour segment '%1'").arg(name);
+}
+
+} // namespace
+
+QString rowName(const Edit& edit, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const Document& document)
+{
+    if (const auto* add = std::get_if<AddSegment>(&edit))
+        return QStringLiteral("Add segment '%1'").arg(add->name);
+    if (const auto* change = std::get_if<ChangeSegment>(&edit))
+        return changeName(*change, document);
+    if (std::holds_alternative<SeedStroke>(edit))
+        return QStringLiteral("Seed stroke, ") + counted(seedWordsChanged(changes), "voxel");
+    if (std::holds_alternative<GrowSteps>(edit))
+        return QStringLiteral("Grow %1, +%2")
+            .arg(counted(statistics.generations, "step"),
+                counted(statistics.voxelsChanged, "voxel"));
+    return QStringLiteral("Drill %1 mm, %2")
+        .arg(QString::number(deepestMm(std::get<DrillStroke>(edit)), 'f', 1),
+            counted(statistics.bricks, "brick"));
+}
+
+} // namespace core

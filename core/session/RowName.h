@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/document/Document.h"
+#include "core/edits/Edits.h"
+#include "core/engine/EngineCommands.h"
+
+namespace core {
+
+/// A row's name for people: "Drill 6.2 mm, 214 bricks", "Grow 41 steps, +18 204 voxels".
+/// @param document as it is after the edit
+[[nodiscard]] QString rowName(const Edit& edit, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const Document& document);
+
+} // namespace core

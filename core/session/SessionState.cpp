@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionState.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/session/RowName.h"
+
+#include <QJsonDocument>
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+std::size_t bytesOf(const std::vector<BrickChange>& changes)
+{
+    std::size_t sum = 0;
+    for (const BrickChange& change : changes)
+        sum += change.before.size() + change.after.size();
+    return sum;
+}
+
+void count(const std::vector<std::uint8_t>& labels, std::int64_t sign,
+    std::array<std::int64_t, 256>& voxels)
+{
+    for (const std::uint8_t label : labels)
+        voxels[label] += sign;
+}
+
+} // namespace
+
+SessionState::SessionState(EditEngine& lentEngine, Volume volume)
+    : engine(lentEngine)
+    , document(initialDocument(std::move(volume)))
+{
+}
+
+void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
+    const EditStatistics& statistics, std::optional<std::uint32_t> generation)
+{
+    takeIn(changes);
+    if (generation)
+        document.growths.front().generation = *generation;
+    placeSegments();
+
+    HistoryRow row;
+    row.name = rowName(edit, statistics, changes, document);
+    row.edit = edit;
+    row.statistics = statistics;
+    row.growthGeneration = document.growths.front().generation;
+    const RowId id = history.append(std::move(row));
+    if (file)
+        file->addRow(history.row(id));
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    worker->commit(id, shared, documentJson());
+    remember(id, shared);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::complete(RowId row, std::vector<BrickChange> changes)
+{
+    takeIn(changes);
+    history.moveTo(row);
+    placeDocument();
+    if (file)
+        file->setPosition(row);
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    worker->commit(row, shared, documentJson());
+    remember(row, shared);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::moveTo(RowId position, std::vector<BrickChange> changes)
+{
+    takeIn(changes);
+    history.moveTo(position);
+    placeDocument();
+    if (file)
+        file->setPosition(position);
+    worker->move(std::make_shared<const std::vector<BrickChange>>(std::move(changes)));
+    tell(DocumentChange::What::Segments);
+    tell(DocumentChange::What::Growth);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::begin(std::vector<BrickImage> bricks)
+{
+    for (const BrickImage& brick : bricks) {
+        if (brick.key.field == Field::Labels)
+            count(brick.bytes, 1, m_voxels);
+    }
+    placeDocument();
+    worker->start(std::move(bricks));
+}
+
+Changes SessionState::recent(RowId row) const
+{
+    const auto found = m_recent.find(row);
+    return found == m_recent.end() ? nullptr : found->second;
+}
+
+void SessionState::remember(RowId row, const Changes& changes)
+{
+    m_recentBytes += bytesOf(*changes);
+    m_recent[row] = changes;
+    while (m_recentBytes > maxRecentBytes && !m_recent.empty()) {
+        m_recentBytes -= bytesOf(*m_recent.begin()->second);
+        m_recent.erase(m_recent.begin());
+    }
+}
+
+/// Counts voxels of segments and tells where something is different.
+void SessionState::takeIn(const std::vector<BrickChange>& changes)
+{
+    const BrickGrid grid{document.volumes.front().geometry.size};
+    VoxelBox coverage;
+    VoxelBox labels;
+    VoxelBox seeds;
+    for (const BrickChange& change : changes) {
+        const VoxelBox box = grid.boxOf(int(change.key.brick));
+        switch (change.key.field) {
+        case Field::Coverage:
+            coverage = coverage.united(box);
+            break;
+        case Field::Labels:
+            count(change.before, -1, m_voxels);
+            count(change.after, 1, m_voxels);
+            labels = labels.united(box);
+            break;
+        case Field::SeedWords:
+            seeds = seeds.united(box);
+            break;
+        }
+    }
+    if (!coverage.empty())
+        tell(DocumentChange::What::Coverage, coverage);
+    if (!labels.empty()) {
+        tell(DocumentChange::What::Labels, labels);
+        tell(DocumentChange::What::Segments);
+    }
+    if (!seeds.empty())
+        tell(DocumentChange::What::Growth, seeds);
+}
+
+/// The document at the history's position: what the edits on the way there made of the first one.
+void SessionState::placeDocument()
+{
+    Document placed = initialDocument({});
+    for (const RowId id : history.pathTo(history.position())) {
+        const HistoryRow& row = history.row(id);
+        // An edit that is in the history was carried out once, so it cannot fail on the way.
+        static_cast<void>(applyToDocument(row.edit, placed));
+        placed.growths.front().generation = row.growthGeneration;
+    }
+    document.segments = std::move(placed.segments);
+    document.layers = std::move(placed.layers);
+    document.growths = std::move(placed.growths);
+    placeSegments();
+}
+
+/// What a segment shows besides what the history says.
+void SessionState::placeSegments()
+{
+    for (Segment& segment : document.segments) {
+        segment.voxels = m_voxels[segment.label];
+        segment.visible = m_hidden.count(segment.label) == 0;
+    }
+}
+
+void SessionState::setVisible(int label, bool visible)
+{
+    const bool changed = visible ? m_hidden.erase(label) > 0 : m_hidden.insert(label).second;
+    if (!changed)
+        return;
+    placeSegments();
+    if (file)
+        file->setHiddenSegments({m_hidden.begin(), m_hidden.end()});
+    tell(DocumentChange::What::Segments);
+}
+
+void SessionState::hide(const std::vector<int>& labels)
+{
+    m_hidden = {labels.begin(), labels.end()};
+    placeSegments();
+}
+
+void SessionState::tell(DocumentChange::What what, const VoxelBox& box)
+{
+    for (DocumentChange& change : news) {
+        if (change.what == what) {
+            change.box = change.box.united(box);
+            return;
+        }
+    }
+    news.push_back({what, box});
+}
+
+void SessionState::fail(const Error& error)
+{
+    errors.push_back(error);
+    if (!firstError)
+        firstError = error;
+}
+
+QByteArray SessionState::documentJson() const
+{
+    return QJsonDocument(document.hashedState()).toJson(QJsonDocument::Compact);
+}
+
+} // namespace core

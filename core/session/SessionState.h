@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+#include "core/engine/EditEngine.h"
+#include "core/history/History.h"
+#include "core/session/CommitWorker.h"
+#include "core/session/SessionFile.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace core {
+
+/// What the operations of a session work on: document, history and where both are kept. Part of
+/// EditSession; one thread.
+class SessionState {
+public:
+    SessionState(EditEngine& lentEngine, Volume volume);
+
+    /// A command was carried out: a row for it, in memory and on its way to disk.
+    void commit(const Edit& edit, std::vector<BrickChange> changes,
+        const EditStatistics& statistics, std::optional<std::uint32_t> generation);
+    /// A row of an opened session was carried out again, because it lacked its second half.
+    void complete(RowId row, std::vector<BrickChange> changes);
+    /// The voxels now are those of @p position.
+    void moveTo(RowId position, std::vector<BrickChange> changes);
+    /// Takes in the bricks of an opened session.
+    void begin(std::vector<BrickImage> bricks);
+
+    /// What a row changed, if it is still at hand.
+    [[nodiscard]] Changes recent(RowId row) const;
+
+    void setVisible(int label, bool visible);
+    void hide(const std::vector<int>& labels);
+
+    void tell(DocumentChange::What what, const VoxelBox& box = {});
+    void fail(const Error& error);
+
+    /// The canonical form that the state hash covers.
+    [[nodiscard]] QByteArray documentJson() const;
+
+    EditEngine& engine;
+    Document document;
+    History history;
+    std::unique_ptr<SessionFile> file; ///< null: history in memory only
+    std::unique_ptr<CommitWorker> worker; ///< after file: it writes there to the end
+
+    std::vector<DocumentChange> news; ///< not told yet
+    std::vector<Error> errors; ///< not told yet
+    std::optional<Error> firstError; ///< since settle() was called last
+
+private:
+    /// Differences of the last edits are kept up to here, so that undo needs no disk.
+    static constexpr std::size_t maxRecentBytes = std::size_t(256) << 20;
+
+    void takeIn(const std::vector<BrickChange>& changes);
+    void remember(RowId row, const Changes& changes);
+    void placeDocument();
+    void placeSegments();
+
+    std::map<RowId, Changes> m_recent;
+    std::size_t m_recentBytes = 0;
+    std::array<std::int64_t, 256> m_voxels{}; ///< by label
+    std::set<int> m_hidden; ///< labels
+};
+
+} // namespace core

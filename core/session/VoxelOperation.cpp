@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/VoxelOperation.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/EngineEdits.h"
+#include "core/growth/SeedWord.h"
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+std::uint32_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t voxel)
+{
+    const std::uint8_t* word = &bytes[voxel * 4];
+    return std::uint32_t(word[0]) | std::uint32_t(word[1]) << 8 | std::uint32_t(word[2]) << 16
+        | std::uint32_t(word[3]) << 24;
+}
+
+/// Whether the opening of a burst admitted a pending seed: it is a member of that generation then.
+bool openingAdmittedSeeds(const std::vector<BrickChange>& changes, std::uint32_t generation)
+{
+    for (const BrickChange& change : changes) {
+        if (change.key.field != Field::SeedWords || change.after.empty())
+            continue;
+        for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
+            const std::uint32_t word = wordAt(change.after, voxel);
+            if (seedWord::isMember(word) && seedWord::generation(word) == generation
+                && seedWord::direction(word) == seedWord::seedDirection)
+                return true;
+        }
+    }
+    return false;
+}
+
+std::vector<BrickImage> imagesBefore(const std::vector<BrickChange>& changes)
+{
+    std::vector<BrickImage> images;
+    for (const BrickChange& change : changes)
+        images.push_back({change.key, change.before});
+    return images;
+}
+
+} // namespace
+
+VoxelOperation::VoxelOperation(Edit edit, Kind kind, RowId again)
+    : m_edit(std::move(edit))
+    , m_kind(kind)
+    , m_again(again)
+{
+}
+
+Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
+{
+    if (const auto* seed = std::get_if<SeedStroke>(&m_edit)) {
+        Result<SeedPlacement> placement = seedPlacement(*seed, document);
+        if (!placement)
+            return tl::unexpected(placement.error());
+        return EngineEdit(*std::move(placement));
+    }
+    if (const auto* grow = std::get_if<GrowSteps>(&m_edit)) {
+        Result<GrowBurst> burst = growBurst(*grow, document);
+        if (!burst)
+            return tl::unexpected(burst.error());
+        m_firstGeneration = burst->generation;
+        return EngineEdit(*std::move(burst));
+    }
+    Result<DrillCut> cut = drillCut(std::get<DrillStroke>(m_edit), document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    m_frame = cut->frame;
+    return EngineEdit(*std::move(cut));
+}
+
+void VoxelOperation::start(SessionState& state)
+{
+    const auto* drill = std::get_if<DrillStroke>(&m_edit);
+    const auto* grow = std::get_if<GrowSteps>(&m_edit);
+    Result<EngineEdit> edit = engineEdit(state.document);
+    if (!edit) {
+        state.fail(edit.error());
+        m_refused = true;
+        m_finished = m_kind == Kind::Whole;
+        return;
+    }
+    // Samples of a stroke that had to wait in line are all in the edit by now.
+    if (drill && !drill->samples.empty())
+        m_waiting.push_front(DrillPath{drillPath(*drill, *m_frame, nullptr, drill->samples)});
+    if (grow && m_kind == Kind::Whole && grow->steps.value_or(1) > 0)
+        m_waiting.push_back(GrowAdvance{.steps = grow->steps.value_or(GrowAdvance::toClosure)});
+    if (m_kind == Kind::Whole)
+        m_ending = Ending::Commit;
+    m_begun = state.engine.submit(BeginEdit{*std::move(edit)});
+    submitWaiting(state);
+}
+
+void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSample>& samples)
+{
+    auto* drill = std::get_if<DrillStroke>(&m_edit);
+    if (!drill || !open() || samples.empty())
+        return;
+    if (m_begun) {
+        const PenSample* last = drill->samples.empty() ? nullptr : &drill->samples.back();
+        m_waiting.push_back(DrillPath{drillPath(*drill, *m_frame, last, samples)});
+    }
+    drill->samples.insert(drill->samples.end(), samples.begin(), samples.end());
+    submitWaiting(state);
+}
+
+void VoxelOperation::extendGrowth(SessionState& state, EngineExtension extension)
+{
+    if (!isGrowth() || !open())
+        return;
+    m_waiting.push_back(std::move(extension));
+    submitWaiting(state);
+}
+
+void VoxelOperation::end(SessionState& state, Ending ending)
+{
+    if (!open())
+        return;
+    m_ending = ending;
+    submitWaiting(state);
+}
+
+void VoxelOperation::submitWaiting(SessionState& state)
+{
+    if (!m_begun || m_refused || m_ended)
+        return;
+    for (; !m_waiting.empty(); m_waiting.pop_front())
+        state.engine.submit(ExtendEdit{std::move(m_waiting.front())});
+    if (m_ending)
+        m_ended = state.engine.submit(EndEdit{m_failed ? Ending::Rollback : *m_ending});
+}
+
+void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (!m_begun || result.ticket < *m_begun)
+        return;
+    if (m_ended && result.ticket == *m_ended) {
+        finish(state, std::move(result));
+    } else if (result.error) {
+        if (!m_failed)
+            state.fail(*result.error);
+        m_failed = true;
+        m_refused = m_refused || (result.ticket == *m_begun && !m_ended);
+    }
+}
+
+void VoxelOperation::finish(SessionState& state, EngineResult&& result)
+{
+    m_finished = true;
+    if (result.error && !m_failed)
+        state.fail(*result.error);
+    if (m_failed && !result.changes.empty())
+        state.engine.submit(SwapBricks{imagesBefore(result.changes)});
+    if (isGrowth())
+        state.tell(DocumentChange::What::Growth);
+    if (result.error || m_failed || result.changes.empty()) {
+        if (m_again != 0 && !result.error && !m_failed)
+            state.fail({ErrorCode::SessionDamaged,
+                {state.file ? state.file->path() : QString(),
+                    QStringLiteral("row %1 changes nothing when it is carried out again")
+                        .arg(m_again)}});
+        return;
+    }
+    if (m_again != 0) {
+        state.complete(m_again, std::move(result.changes));
+        return;
+    }
+    const Edit edit = carriedOut(result);
+    std::optional<std::uint32_t> generation;
+    if (isGrowth())
+        generation = result.generation;
+    state.commit(edit, std::move(result.changes), result.statistics, generation);
+}
+
+/// The edit as replay must repeat it: a burst that the user watched says how far it came.
+Edit VoxelOperation::carriedOut(const EngineResult& result) const
+{
+    if (!isGrowth() || m_kind == Kind::Whole)
+        return m_edit;
+    GrowSteps grow = std::get<GrowSteps>(m_edit);
+    grow.steps.reset();
+    if (!result.atClosure) {
+        const bool admitted = openingAdmittedSeeds(result.changes, m_firstGeneration + 1);
+        grow.steps = int(result.generation - m_firstGeneration) - (admitted ? 1 : 0);
+    }
+    return grow;
+}
+
+DocumentOperation::DocumentOperation(Edit edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+void DocumentOperation::start(SessionState& state)
+{
+    m_done = true;
+    if (m_again != 0) {
+        state.complete(m_again, {});
+        return;
+    }
+    const Result<bool> changed = applyToDocument(m_edit, state.document);
+    if (!changed) {
+        state.fail(changed.error());
+        return;
+    }
+    if (*changed) {
+        state.commit(m_edit, {}, {}, {});
+        state.tell(DocumentChange::What::Segments);
+    }
+}
+
+bool DocumentOperation::foresee(Document& document) const
+{
+    return bool(applyToDocument(m_edit, document));
+}
+
+} // namespace core

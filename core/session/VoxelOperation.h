@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/Operation.h"
+
+#include <deque>
+
+namespace core {
+
+/// An edit of voxels: one engine transaction, one row if it changed anything.
+class VoxelOperation final : public Operation {
+public:
+    enum class Kind {
+        Whole, ///< everything is in the edit
+        Interactive, ///< the user goes on telling until end()
+    };
+    /// @param again a row that is carried out again (opening a session); 0: a new one
+    VoxelOperation(Edit edit, Kind kind, RowId again = 0);
+
+    // Interactive ones only:
+    void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
+    void extendGrowth(SessionState& state, EngineExtension extension);
+    void end(SessionState& state, Ending ending);
+    [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
+    [[nodiscard]] bool isGrowth() const { return std::holds_alternative<GrowSteps>(m_edit); }
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool done() const override { return m_finished || (m_refused && m_ending); }
+
+private:
+    [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
+    void submitWaiting(SessionState& state);
+    void finish(SessionState& state, EngineResult&& result);
+    [[nodiscard]] Edit carriedOut(const EngineResult& result) const;
+
+    Edit m_edit;
+    Kind m_kind;
+    RowId m_again = 0;
+    std::optional<DrillFrame> m_frame;
+    std::uint32_t m_firstGeneration = 0;
+    std::deque<EngineExtension> m_waiting;
+    std::optional<Ending> m_ending;
+    std::optional<Ticket> m_begun;
+    std::optional<Ticket> m_ended;
+    bool m_refused = false; ///< the engine never opened it
+    bool m_failed = false; ///< something in it went wrong: nothing of it may stay
+    bool m_finished = false;
+};
+
+/// An edit of the document alone.
+class DocumentOperation final : public Operation {
+public:
+    explicit DocumentOperation(Edit edit, RowId again = 0);
+    void start(SessionState& state) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foresee(Document& document) const override;
+
+private:
+    Edit m_edit;
+    RowId m_again = 0;
+    bool m_done = false;
+};
+
+} // namespace core

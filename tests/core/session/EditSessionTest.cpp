@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/EditSession.h"
+#include "tests/reference/DelayedEngine.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace core;
+
+namespace {
+
+/// A session on the oracle, told by itself or late.
+struct Bench {
+    explicit Bench(bool delayed = false, const QString& file = {})
+        : late(inner, 7)
+    {
+        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
+        session = *EditSession::create(engine, test::smallStudy(), {.file = file});
+    }
+    void run(const Edit& edit)
+    {
+        const Result<void> applied = session->apply(edit);
+        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
+        QVERIFY(session->settle());
+    }
+    [[nodiscard]] const HistoryRow& lastRow() const { return session->history().rows().back(); }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        const std::vector<std::uint8_t> labels = *session->labels(0);
+        return std::count(labels.begin(), labels.end(), label);
+    }
+
+    reference::ReferenceEngine inner;
+    reference::DelayedEngine late;
+    std::unique_ptr<EditSession> session;
+};
+
+} // namespace
+
+class EditSessionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void rowsHaveNamesForPeople()
+    {
+        Bench bench;
+        bench.run(test::addSegment("Skull"));
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Add segment 'Skull'"));
+        bench.run(test::seedInBrain(1));
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Seed stroke, 2 voxels"));
+        bench.run(test::growBrain(3));
+        QCOMPARE(
+            bench.lastRow().name, QStringLiteral("Grow 4 steps, +%1 voxels").arg(bench.voxels(1)));
+        bench.run(test::growBrain());
+        QVERIFY(bench.lastRow().name.startsWith(QStringLiteral("Grow ")));
+        QVERIFY(
+            bench.lastRow().name.contains(QRegularExpression(QStringLiteral("\\+\\d \\d{3} "))));
+        bench.run(test::drillAt(0));
+        QCOMPARE(bench.lastRow().name,
+            QStringLiteral("Drill 5.0 mm, %1 bricks").arg(bench.lastRow().statistics.bricks));
+        bench.run(ChangeSegment{.segment = 1, .name = QStringLiteral("Brain")});
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Rename segment 1 to 'Brain'"));
+        QCOMPARE(bench.session->document().segment(1)->name, QStringLiteral("Brain"));
+    }
+
+    void countsVoxelsOfSegments()
+    {
+        Bench bench;
+        for (const Edit& edit : test::manyEdits()) {
+            bench.run(edit);
+            for (const Segment& segment : bench.session->document().segments)
+                QCOMPARE(segment.voxels, bench.voxels(segment.label));
+        }
+        QVERIFY(bench.session->document().segment(1)->voxels > 1000);
+        QVERIFY(bench.session->document().segment(2)->voxels > 0);
+        QVERIFY(bench.session->goTo(4));
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->document().segment(1)->voxels, bench.voxels(1));
+    }
+
+    void undoAllAndRedoAll_data()
+    {
+        QTest::addColumn<bool>("delayed");
+        QTest::newRow("at once") << false;
+        QTest::newRow("late and in bursts") << true;
+    }
+    void undoAllAndRedoAll()
+    {
+        QFETCH(bool, delayed);
+        Bench bench(delayed);
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(0));
+        std::vector<QByteArray> hashes{bench.session->stateHash()};
+        for (const Edit& edit : test::manyEdits()) {
+            bench.run(edit);
+            hashes.push_back(bench.session->stateHash());
+            QCOMPARE(bench.lastRow().stateHash, hashes.back());
+        }
+        const std::size_t rows = test::manyEdits().size();
+        QCOMPARE(bench.session->history().rows().size(), rows);
+        for (std::size_t i = 1; i < hashes.size(); ++i)
+            QVERIFY(hashes[i] != hashes[i - 1]);
+
+        for (std::size_t row = rows; row > 0; --row) {
+            QVERIFY(bench.session->undo());
+            QVERIFY(bench.session->settle());
+            QCOMPARE(bench.session->stateHash(), hashes[row - 1]);
+        }
+        QVERIFY(bench.inner.fields().occupiedBricks().empty());
+        QVERIFY(bench.session->document().segments.empty());
+        QVERIFY(!bench.session->undo());
+        for (std::size_t row = 1; row <= rows; ++row) {
+            QVERIFY(bench.session->redo());
+            QVERIFY(bench.session->settle());
+            QCOMPARE(bench.session->stateHash(), hashes[row]);
+        }
+        QVERIFY(!bench.session->redo());
+    }
+
+    void nobodyHasToWait()
+    {
+        // The same edits and undos thrown in at once, with news taken in as it comes.
+        Bench calm;
+        for (const Edit& edit : test::manyEdits())
+            calm.run(edit);
+        QVERIFY(calm.session->undo());
+        QVERIFY(calm.session->settle());
+
+        Bench hasty(true);
+        for (const Edit& edit : test::manyEdits()) {
+            QVERIFY(hasty.session->apply(edit));
+            hasty.session->poll();
+        }
+        QVERIFY(hasty.session->undo());
+        QVERIFY(hasty.session->undo());
+        QVERIFY(hasty.session->redo());
+        QVERIFY(hasty.session->settle());
+        QCOMPARE(hasty.session->stateHash(), calm.session->stateHash());
+        QCOMPARE(hasty.session->history().position(), calm.session->history().position());
+        for (std::size_t i = 0; i < calm.session->history().rows().size(); ++i)
+            QCOMPARE(hasty.session->history().rows()[i].stateHash,
+                calm.session->history().rows()[i].stateHash);
+    }
+
+    void branchesAreKept()
+    {
+        Bench bench;
+        for (const Edit& edit :
+            {Edit(test::addSegment("A")), Edit(test::drillAt(-6)), Edit(test::drillAt(6))})
+            bench.run(edit);
+        const QByteArray first = bench.session->stateHash();
+        QVERIFY(bench.session->goTo(1));
+        bench.run(test::drillAt(0));
+        const QByteArray second = bench.session->stateHash();
+        QCOMPARE(bench.lastRow().parent, RowId(1));
+        QVERIFY(bench.session->goTo(3));
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), first);
+        QVERIFY(bench.session->goTo(4));
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), second);
+        QVERIFY(bench.session->goTo(0));
+        QVERIFY(bench.session->settle());
+        QVERIFY(bench.inner.fields().occupiedBricks().empty());
+        QVERIFY(!bench.session->goTo(5));
+        QVERIFY(!bench.session->goTo(-1));
+    }
+
+    void aRollbackLeavesNoTrace()
+    {
+        Bench bench;
+        bench.run(test::addSegment("A"));
+        const QByteArray before = bench.session->stateHash();
+        DrillStroke stroke = test::drillAt(0);
+        const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
+        QVERIFY(bench.session->begin(stroke));
+        bench.session->extendDrill(samples);
+        QVERIFY(bench.session->transactionOpen());
+        QVERIFY(!bench.inner.fields().occupiedBricks().empty());
+        bench.session->end(Ending::Rollback);
+        QVERIFY(!bench.session->transactionOpen());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(1));
+        QCOMPARE(bench.session->stateHash(), before);
+        QVERIFY(bench.inner.fields().occupiedBricks().empty());
+    }
+
+    void anEditThatChangesNothingLeavesNoRow()
+    {
+        Bench bench;
+        bench.run(test::addSegment("A"));
+        bench.run(ChangeSegment{.segment = 1, .name = QStringLiteral("A")});
+        DrillStroke beside = test::drillAt(0);
+        for (PenSample& sample : beside.samples)
+            sample.xMm += 500;
+        bench.run(beside);
+        bench.run(test::growBrain()); // no seeds
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(1));
+        bench.run(test::drillAt(0));
+        bench.run(test::drillAt(0)); // deeper below the new surface
+        const std::size_t rows = bench.session->history().rows().size();
+        QVERIFY(rows >= 2);
+    }
+
+    void aStrokeInPiecesEqualsTheWhole_data() { undoAllAndRedoAll_data(); }
+    void aStrokeInPiecesEqualsTheWhole()
+    {
+        QFETCH(bool, delayed);
+        DrillStroke stroke = test::drillAt(-8);
+        for (int i = 0; i < 20; ++i)
+            stroke.samples.push_back({.xMm = -5 + i * 0.517,
+                .yMm = i * 0.311 - 2,
+                .pressure = 0.3 + 0.03 * i,
+                .tSeconds = 0.2 + 0.01 * i});
+        Bench whole;
+        whole.run(stroke);
+
+        Bench pieces(delayed);
+        DrillStroke begun = stroke;
+        begun.samples.clear();
+        QVERIFY(pieces.session->begin(begun));
+        for (std::size_t i = 0; i < stroke.samples.size(); i += 3) {
+            pieces.session->extendDrill({stroke.samples.begin() + std::ptrdiff_t(i),
+                stroke.samples.begin() + std::ptrdiff_t(std::min(i + 3, stroke.samples.size()))});
+            pieces.session->poll();
+        }
+        pieces.session->end(Ending::Commit);
+        QVERIFY(pieces.session->settle());
+        QCOMPARE(pieces.session->stateHash(), whole.session->stateHash());
+        QCOMPARE(pieces.lastRow().name, whole.lastRow().name);
+        QCOMPARE(
+            std::get<DrillStroke>(pieces.lastRow().edit).samples.size(), stroke.samples.size());
+    }
+
+    void aRunningGrowthIsClosedByWhateverComes_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("an edit") << 0;
+        QTest::newRow("undo") << 1;
+        QTest::newRow("another growth") << 2;
+        QTest::newRow("saving") << 3;
+        QTest::newRow("walking") << 4;
+    }
+    void aRunningGrowthIsClosedByWhateverComes()
+    {
+        QFETCH(int, what);
+        Bench bench;
+        bench.run(test::addSegment("Brain"));
+        bench.run(test::seedInBrain(1));
+        const QByteArray seeded = bench.session->stateHash();
+        QVERIFY(bench.session->begin(test::growBrain()));
+        bench.session->extendGrowth({.steps = 2});
+        bench.session->poll();
+        QVERIFY(bench.session->transactionOpen());
+        if (what == 0)
+            QVERIFY(bench.session->apply(test::drillAt(0)));
+        else if (what == 1)
+            QVERIFY(bench.session->undo());
+        else if (what == 2)
+            QVERIFY(bench.session->begin(test::growBrain()));
+        else if (what == 4)
+            QVERIFY(bench.session->goTo(0));
+        QVERIFY(bench.session->settle());
+        QVERIFY(!bench.session->transactionOpen());
+        const HistoryRow& grown = bench.session->history().row(3);
+        QCOMPARE(std::get<GrowSteps>(grown.edit).steps, std::optional<int>(2));
+        QCOMPARE(grown.growthGeneration, 3u);
+        if (what == 1)
+            QCOMPARE(bench.session->stateHash(), seeded);
+        if (what == 2)
+            QCOMPARE(bench.session->history().rows().size(), std::size_t(3));
+
+        // What was recorded leads to the same state.
+        Bench replay;
+        for (const Edit& edit :
+            {Edit(test::addSegment("Brain")), Edit(test::seedInBrain(1)), grown.edit})
+            replay.run(edit);
+        QCOMPARE(replay.session->stateHash(), grown.stateHash);
+    }
+
+    void aGrowthSaysHowFarItCame()
+    {
+        // Without fresh seeds the opening adds nothing, so steps and generations agree.
+        Bench bench;
+        bench.run(test::addSegment("Brain"));
+        bench.run(test::seedInBrain(1));
+        bench.run(test::growBrain(1));
+        QVERIFY(bench.session->begin(test::growBrain()));
+        bench.session->extendGrowth({.steps = 2});
+        bench.session->extendGrowth({.steps = 1});
+        bench.session->end(Ending::Commit);
+        QVERIFY(bench.session->settle());
+        QCOMPARE(std::get<GrowSteps>(bench.lastRow().edit).steps, std::optional<int>(3));
+        QCOMPARE(bench.lastRow().growthGeneration, 5u);
+        QVERIFY(bench.session->begin(test::growBrain()));
+        bench.session->extendGrowth({});
+        bench.session->end(Ending::Commit);
+        QVERIFY(bench.session->settle());
+        QVERIFY(!std::get<GrowSteps>(bench.lastRow().edit).steps);
+    }
+
+    void undoneGrowthGrowsAgainTheSame()
+    {
+        Bench bench;
+        for (const Edit& edit : {Edit(test::addSegment("Brain")), Edit(test::seedInBrain(1)),
+                 Edit(test::growBrain(2)), Edit(test::growBrain(2))})
+            bench.run(edit);
+        const QByteArray hash = bench.session->stateHash();
+        QVERIFY(bench.session->undo());
+        bench.run(test::growBrain(2));
+        QCOMPARE(bench.session->stateHash(), hash);
+        QCOMPARE(bench.lastRow().id, RowId(5));
+        QCOMPARE(bench.lastRow().parent, RowId(3));
+    }
+
+    void refusesBeforeAnythingChanges()
+    {
+        Bench bench;
+        bench.run(test::addSegment("A"));
+        const QByteArray before = bench.session->stateHash();
+        QCOMPARE(
+            bench.session->apply(test::seedInBrain(2)).error().code, ErrorCode::UnknownSegment);
+        SeedStroke outside = test::seedInBrain(1);
+        outside.pointsLps.push_back({1000, 0, 0});
+        QCOMPARE(bench.session->apply(outside).error().code, ErrorCode::SeedOutsideVolume);
+        GrowSteps crossed = test::growBrain();
+        crossed.lower = 200;
+        QCOMPARE(bench.session->apply(crossed).error().code, ErrorCode::InvalidField);
+        DrillStroke empty = test::drillAt(0);
+        empty.samples.clear();
+        QCOMPARE(bench.session->apply(empty).error().code, ErrorCode::InvalidField);
+        QVERIFY(!bench.session->begin(test::seedInBrain(1)));
+        QVERIFY(bench.session->begin(test::drillAt(0)));
+        QVERIFY(!bench.session->begin(test::drillAt(0)));
+        bench.session->end(Ending::Rollback);
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(1));
+        QCOMPARE(bench.session->stateHash(), before);
+    }
+
+    void segmentsOfEditsInLineAreKnown()
+    {
+        Bench bench(true);
+        QVERIFY(bench.session->apply(test::drillAt(0)));
+        QVERIFY(bench.session->apply(test::addSegment("A")));
+        QVERIFY(bench.session->apply(test::seedInBrain(1)));
+        QCOMPARE(
+            bench.session->apply(test::seedInBrain(2)).error().code, ErrorCode::UnknownSegment);
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(3));
+    }
+
+    void tellsWhatChangedWhere()
+    {
+        Bench bench;
+        std::vector<DocumentChange> news;
+        bench.session->setListener(
+            [&news](const DocumentChange& change) { news.push_back(change); });
+        bench.run(test::drillAt(0));
+        const auto coverage =
+            std::find_if(news.begin(), news.end(), [](const DocumentChange& change) {
+                return change.what == DocumentChange::What::Coverage;
+            });
+        QVERIFY(coverage != news.end());
+        QVERIFY(!coverage->box.empty());
+        QVERIFY(coverage->box.maximum.y <= 36 && coverage->box.maximum.z <= 34);
+        const auto isHistory = [](const DocumentChange& change) {
+            return change.what == DocumentChange::What::History;
+        };
+        QVERIFY(std::any_of(news.begin(), news.end(), isHistory));
+        news.clear();
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QVERIFY(std::any_of(news.begin(), news.end(), isHistory));
+        QVERIFY(std::any_of(news.begin(), news.end(), [&](const DocumentChange& change) {
+            return change.what == DocumentChange::What::Coverage && !change.box.empty();
+        }));
+    }
+
+    void answersQuestionsInTheirPlace()
+    {
+        Bench bench(true);
+        QVERIFY(bench.session->apply(test::addSegment("A")));
+        QVERIFY(bench.session->apply(test::seedInBrain(1)));
+        QVERIFY(bench.session->apply(test::growBrain(2)));
+        QVERIFY(bench.session->undo());
+        std::vector<int> labels;
+        const auto probe = [&] {
+            bench.session->ask(ProbeVoxels{.voxels = {{20, 18, 17}}},
+                [&](const EngineResult& result) { labels.push_back(result.probes.at(0).label); });
+        };
+        probe();
+        QVERIFY(bench.session->redo());
+        probe();
+        QVERIFY(bench.session->settle());
+        QCOMPARE(labels, (std::vector<int>{0, 1}));
+    }
+
+    void visibilityIsNoStep()
+    {
+        Bench bench;
+        bench.run(test::addSegment("A"));
+        const QByteArray hash = bench.session->stateHash();
+        bench.session->setSegmentVisible(1, false);
+        QVERIFY(!bench.session->document().segment(1)->visible);
+        QCOMPARE(bench.session->stateHash(), hash);
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->redo());
+        QVERIFY(bench.session->settle());
+        QVERIFY(!bench.session->document().segment(1)->visible);
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(1));
+    }
+};
+
+QTEST_GUILESS_MAIN(EditSessionTest)
+#include "EditSessionTest.moc"
