@@ -4,6 +4,8 @@
 #include "app/DemoCommand.h"
 #include "app/EditsCommand.h"
 #include "app/InfoCommand.h"
+#include "app/ReplayCommand.h"
+#include "app/RunCommand.h"
 #include "app/Version.h"
 
 #include <QApplication>
@@ -26,6 +28,12 @@ std::span<const Command> commands()
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false, runEdits},
         {"info", "PATH [--json]", "what a file or folder holds: studies, volumes, problems", false,
             runInfo},
+        {"replay", "FILE.burin --verify [--study PATH] [--series UID]",
+            "carries out a session's history again, from nothing, and compares every hash", false,
+            runReplay},
+        {"run", "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force]",
+            "carries out a recipe without a window (burin edits: what it can hold)", false,
+            runRecipe},
     };
     return table;
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/Arguments.h"
+
+#include "ui/ErrorText.h"
+
+#include <cstdio>
+
+namespace app {
+
+Arguments::Arguments(const QStringList& words, const QStringList& valued, const QStringList& flags)
+{
+    for (qsizetype i = 0; i < words.size() && m_problem.isEmpty(); ++i) {
+        const QString& word = words[i];
+        if (!word.startsWith(QLatin1String("--"))) {
+            m_rest.append(word);
+            continue;
+        }
+        const QString option = word.mid(2);
+        if (m_options.contains(option))
+            m_problem = QStringLiteral("%1 is given twice").arg(word);
+        else if (flags.contains(option))
+            m_options.insert(option, {});
+        else if (!valued.contains(option))
+            m_problem = QStringLiteral("unknown option %1").arg(word);
+        else if (i + 1 == words.size() || words[i + 1].isEmpty())
+            m_problem = QStringLiteral("%1 needs a value").arg(word);
+        else
+            m_options.insert(option, words[++i]);
+    }
+}
+
+QString Arguments::value(const char* option) const
+{
+    return m_options.value(QLatin1String(option));
+}
+
+bool Arguments::has(const char* option) const
+{
+    return m_options.contains(QLatin1String(option));
+}
+
+int tellFailure(const core::Error& error, const QString& about)
+{
+    const QString prefix = about.isEmpty() ? QString() : about + QStringLiteral(": ");
+    std::fprintf(stderr, "burin: %s\n", qUtf8Printable(prefix + ui::errorText(error)));
+    return 1;
+}
+
+int tellUsage(const char* command, const QString& problem)
+{
+    std::fprintf(stderr, "burin %s: %s (burin --help)\n", command, qUtf8Printable(problem));
+    return 2;
+}
+
+} // namespace app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Error.h"
+
+#include <QMap>
+#include <QString>
+#include <QStringList>
+
+namespace app {
+
+/// The words after a verb: options with and without a value, and the rest.
+class Arguments {
+public:
+    /// @param valued options that take a value, @param flags options that do not, without "--"
+    Arguments(const QStringList& words, const QStringList& valued, const QStringList& flags);
+
+    /// Why the words cannot be understood; empty if they can.
+    [[nodiscard]] const QString& problem() const { return m_problem; }
+    [[nodiscard]] QString value(const char* option) const;
+    [[nodiscard]] bool has(const char* option) const;
+    [[nodiscard]] const QStringList& rest() const { return m_rest; }
+
+private:
+    QMap<QString, QString> m_options;
+    QStringList m_rest;
+    QString m_problem;
+};
+
+/// Tells a failure in one line on stderr. @return the exit status of a command that failed
+int tellFailure(const core::Error& error, const QString& about = {});
+/// Tells how a command is used. @return the exit status of wrong arguments
+int tellUsage(const char* command, const QString& problem);
+
+} // namespace app

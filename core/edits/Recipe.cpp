@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/Recipe.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <set>
+
+namespace core {
+
+namespace {
+
+/// The same error, saying where in the recipe it is.
+tl::unexpected<Error> at(Error error, const char* list, int index)
+{
+    const QString place = QStringLiteral("(%1 %2)").arg(QLatin1String(list)).arg(index + 1);
+    if (error.arguments.size() < 2)
+        error.arguments.append(place);
+    else
+        error.arguments[1] += QLatin1Char(' ') + place;
+    return tl::unexpected<Error>(std::move(error));
+}
+
+Result<QJsonObject> readJson(const QString& path)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return failure(ErrorCode::FileNotFound, path);
+    if (info.isDir())
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::FileUnreadable, path, file.errorString());
+    const QByteArray text = file.readAll();
+    QJsonParseError problem;
+    const QJsonDocument document = QJsonDocument::fromJson(text, &problem);
+    if (problem.error != QJsonParseError::NoError)
+        return failure(ErrorCode::InvalidRecipe, path,
+            QStringLiteral("line %1: %2")
+                .arg(text.left(problem.offset).count('\n') + 1)
+                .arg(problem.errorString()));
+    if (!document.isObject())
+        return failure(ErrorCode::InvalidRecipe, path, QStringLiteral("it must be an object"));
+    return document.object();
+}
+
+Result<QJsonArray> takeList(QJsonObject& object, const char* name, bool required)
+{
+    const QJsonValue value = object.take(QLatin1String(name));
+    if (value.isUndefined() && !required)
+        return QJsonArray();
+    if (!value.isArray())
+        return failure(ErrorCode::InvalidField, QString(QLatin1String(name)),
+            value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a list"));
+    return value.toArray();
+}
+
+Result<QString> takeText(QJsonObject& object, const char* name)
+{
+    const QJsonValue value = object.take(QLatin1String(name));
+    if (!value.isString() || value.toString().isEmpty())
+        return failure(ErrorCode::InvalidField, QStringLiteral("export.") + QLatin1String(name),
+            value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a text"));
+    return value.toString();
+}
+
+Result<RecipeExport> readExport(const QJsonValue& json)
+{
+    if (!json.isObject())
+        return failure(ErrorCode::InvalidField, QStringLiteral("export"),
+            QStringLiteral("an export must be an object"));
+    QJsonObject object = json.toObject();
+    const Result<QString> format = takeText(object, "format");
+    if (!format)
+        return tl::unexpected(format.error());
+    const std::optional<ExportFormat> known = exportFormatNamed(*format);
+    if (!known)
+        return failure(ErrorCode::InvalidField, QStringLiteral("export.format"),
+            QStringLiteral("'%1' is not known; known are dicom-seg and nifti").arg(*format));
+    const Result<QString> file = takeText(object, "file");
+    if (!file)
+        return tl::unexpected(file.error());
+    if (!object.isEmpty())
+        return failure(ErrorCode::InvalidField,
+            QStringLiteral("export.") + object.constBegin().key(), QStringLiteral("unknown field"));
+    return RecipeExport{.format = *known, .file = *file};
+}
+
+Result<void> checkTarget(const RecipeExport& target, const Volume& volume, bool replaceExisting)
+{
+    const QFileInfo info(target.file);
+    if (target.format == ExportFormat::DicomSeg) {
+        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+            return failure(ErrorCode::UnsupportedFormat, target.file, obstacle);
+    } else if (!target.file.endsWith(QLatin1String(".nii"))
+        && !target.file.endsWith(QLatin1String(".nii.gz"))) {
+        return failure(ErrorCode::UnsupportedFormat, target.file,
+            QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz"));
+    }
+    if (info.isDir())
+        return failure(ErrorCode::FileUnwritable, target.file, QStringLiteral("it is a folder"));
+    if (info.exists() && !replaceExisting)
+        return failure(ErrorCode::FileExists, target.file);
+    const QFileInfo folder(info.absolutePath());
+    if (!folder.isDir() || !folder.isWritable())
+        return failure(ErrorCode::FileUnwritable, target.file,
+            folder.isDir() ? QStringLiteral("the folder cannot be written")
+                           : QStringLiteral("there is no folder %1").arg(folder.filePath()));
+    return {};
+}
+
+} // namespace
+
+Result<Recipe> readRecipe(const QString& path)
+{
+    Result<QJsonObject> object = readJson(path);
+    if (!object)
+        return tl::unexpected(object.error());
+    const Result<QJsonArray> edits = takeList(*object, "edits", true);
+    if (!edits)
+        return tl::unexpected(edits.error());
+    const Result<QJsonArray> exports = takeList(*object, "export", false);
+    if (!exports)
+        return tl::unexpected(exports.error());
+    if (!object->isEmpty())
+        return failure(ErrorCode::InvalidField, object->constBegin().key(),
+            QStringLiteral("unknown field of a recipe"));
+
+    Recipe recipe{.path = path, .edits = {}, .exports = {}};
+    for (int i = 0; i < edits->size(); ++i) {
+        const Result<Edit> edit = editFromJson((*edits)[i]);
+        if (!edit)
+            return at(edit.error(), "edit", i);
+        recipe.edits.push_back(quantised(*edit));
+        // A number just inside its range may have been rounded out of it.
+        if (const Result<void> checked = checkFields(recipe.edits.back()); !checked)
+            return at(checked.error(), "edit", i);
+    }
+    for (int i = 0; i < exports->size(); ++i) {
+        const Result<RecipeExport> target = readExport((*exports)[i]);
+        if (!target)
+            return at(target.error(), "export", i);
+        recipe.exports.push_back(*target);
+    }
+    return recipe;
+}
+
+Result<void> checkRecipe(const Recipe& recipe, const Volume& volume, bool replaceExisting)
+{
+    Document document = initialDocument(volume);
+    std::set<int> seeded;
+    for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
+        const Edit& edit = recipe.edits[i];
+        if (const Result<void> checked = checkAgainst(document, edit); !checked)
+            return at(checked.error(), "edit", int(i));
+        static_cast<void>(applyToDocument(edit, document));
+        if (const auto* seed = std::get_if<SeedStroke>(&edit))
+            seeded.insert(seed->segment);
+    }
+    std::set<QString> files;
+    for (std::size_t i = 0; i < recipe.exports.size(); ++i) {
+        const RecipeExport& target = recipe.exports[i];
+        if (const Result<void> checked = checkTarget(target, volume, replaceExisting); !checked)
+            return checked;
+        if (!files.insert(QFileInfo(target.file).absoluteFilePath()).second)
+            return at({ErrorCode::InvalidField,
+                          {QStringLiteral("export.file"), QStringLiteral("is named twice")}},
+                "export", int(i));
+        if (target.format != ExportFormat::DicomSeg)
+            continue;
+        for (const int label : seeded) {
+            if (!document.segment(label)->code.isSet())
+                return failure(ErrorCode::SegmentNotCoded, document.segment(label)->name);
+        }
+    }
+    return {};
+}
+
+} // namespace core
