@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/ExportChoices.h"
+#include "core/export/ExportMask.h"
+#include "core/nifti/NiftiWriter.h"
+#include "tests/support/Python.h"
+#include "tests/support/SmallSeries.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+namespace {
+
+core::Segment segmentOf(int label, int plane = 0)
+{
+    core::Segment segment;
+    segment.label = std::uint8_t(label);
+    segment.plane = std::uint8_t(plane);
+    segment.name = QStringLiteral("Part %1").arg(label);
+    return segment;
+}
+
+std::vector<std::uint8_t> randomLabels(const glm::ivec3& size, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> labels(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    for (auto& label : labels)
+        label = std::uint8_t(random() % 4);
+    return labels;
+}
+
+glm::dmat4 matrixFrom(const QJsonValue& rows)
+{
+    glm::dmat4 matrix(1.0);
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = rows.toArray()[row].toArray()[column].toDouble();
+    }
+    return matrix;
+}
+
+double cornerDistance(const glm::dmat4& a, const core::VolumeGeometry& b)
+{
+    core::VolumeGeometry geometry = b;
+    geometry.indexToWorld = a;
+    double worst = 0.0;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+        worst =
+            std::max(worst, glm::distance(geometry.cornersLps()[corner], b.cornersLps()[corner]));
+    return worst;
+}
+
+QString messageOf(const core::Error& error)
+{
+    return error.arguments.join(QStringLiteral(" | "));
+}
+
+} // namespace
+
+class ExportNiftiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nibabelSeesTheSame_data();
+    void nibabelSeesTheSame();
+    void aMaskOnANiftiVolume();
+    void unevenSlices();
+    void planes();
+    void nameIsChecked();
+    void choices();
+};
+
+void ExportNiftiTest::nibabelSeesTheSame_data()
+{
+    QTest::addColumn<glm::dmat3>("directions");
+    QTest::addColumn<glm::dvec3>("shear");
+    QTest::newRow("supine") << glm::dmat3(1.0) << glm::dvec3(0);
+    QTest::newRow("prone") << glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1) << glm::dvec3(0);
+    QTest::newRow("sagittal") << glm::dmat3(0, 1, 0, 0, 0, -1, -1, 0, 0) << glm::dvec3(0);
+    QTest::newRow("oblique") << glm::dmat3(
+        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))))
+                             << glm::dvec3(0);
+    QTest::newRow("tilted") << glm::dmat3(1.0) << glm::dvec3(0, 0.8, 0);
+}
+
+void ExportNiftiTest::nibabelSeesTheSame()
+{
+    QFETCH(glm::dmat3, directions);
+    QFETCH(glm::dvec3, shear);
+    QTemporaryDir folder;
+    test::SmallSeries series;
+    series.size = {11, 7, 6};
+    series.rowDirection = directions[0];
+    series.columnDirection = directions[1];
+    series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
+    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
+    const auto labels = randomLabels(series.size, 3);
+    const std::vector<core::LabelPlaneView> views{{.plane = 0, .labels = labels}};
+    const QString file = folder.filePath(QStringLiteral("mask.nii.gz"));
+    const auto report = core::exportMask(volume,
+        {.format = core::ExportFormat::Nifti,
+            .file = file,
+            .segments = {segmentOf(1), segmentOf(3)},
+            .planes = views},
+        {});
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+
+    const auto read = test::runScript(QStringLiteral("nifti_facts.py"), {file});
+    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
+    const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
+    QVERIFY(cornerDistance(matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
+    const bool tilted = glm::length(shear) > 0.0;
+    QCOMPARE(facts["qform"].isNull(), tilted);
+    QCOMPARE(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("tilted")), tilted);
+    QByteArray expected(qsizetype(labels.size()), 0);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        expected[qsizetype(i)] = char(labels[i] == 1 || labels[i] == 3 ? labels[i] : 0);
+    QCOMPARE(facts["sha256"].toString().toLatin1(),
+        QCryptographicHash::hash(expected, QCryptographicHash::Sha256).toHex());
+    QCOMPARE(facts["intent"].toInt(), 1002);
+}
+
+void ExportNiftiTest::aMaskOnANiftiVolume()
+{
+    QTemporaryDir folder;
+    core::Volume volume;
+    volume.sourceFormat = QStringLiteral("NIfTI");
+    volume.sourcePath = folder.filePath(QStringLiteral("head.nii.gz"));
+    volume.geometry.size = {9, 8, 7};
+    // A left-handed grid, as NIfTI allows.
+    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(-0.9, 0.1, 0, 0),
+        glm::dvec4(0.1, 0.9, 0, 0), glm::dvec4(0, 0, 1.5, 0), glm::dvec4(80, -60, 33, 1));
+    const std::vector<std::int16_t> values(volume.geometry.voxelCount(), 100);
+    QVERIFY(core::writeNifti(
+        volume.sourcePath, {.geometry = volume.geometry, .voxels = values, .description = {}}));
+    const auto labels = randomLabels(volume.geometry.size, 3);
+    const std::vector<core::LabelPlaneView> views{{.plane = 0, .labels = labels}};
+    const core::ExportRequest request{.format = core::ExportFormat::Nifti,
+        .file = folder.filePath(QStringLiteral("mask.nii.gz")),
+        .force = true,
+        .segments = {segmentOf(2)},
+        .planes = views};
+    const auto report = core::exportMask(volume, request, {});
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    const auto read = test::runScript(QStringLiteral("nifti_facts.py"), {request.file});
+    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
+    const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
+    QVERIFY(cornerDistance(matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
+    QVERIFY(cornerDistance(matrixFrom(facts["qform"]), volume.geometry) < 1e-3);
+
+    auto seg = request;
+    seg.format = core::ExportFormat::DicomSeg;
+    QCOMPARE(core::exportMask(volume, seg, {}).error().code, core::ErrorCode::UnsupportedFormat);
+
+    // The source is exchanged for one that lies half a voxel further.
+    core::VolumeGeometry moved = volume.geometry;
+    moved.indexToWorld[3] += 0.5 * moved.indexToWorld[0];
+    QVERIFY(core::writeNifti(
+        volume.sourcePath, {.geometry = moved, .voxels = values, .description = {}}, true));
+    const auto caught = core::exportMask(volume, request, {});
+    QVERIFY(!caught);
+    QCOMPARE(caught.error().code, core::ErrorCode::ExportMismatch);
+}
+
+void ExportNiftiTest::unevenSlices()
+{
+    QTemporaryDir folder;
+    test::SmallSeries series;
+    series.placeEvenly({0, 0, 0}, {0, 0, 2.5});
+    const auto labels = randomLabels(series.size, 3);
+    const std::vector<core::LabelPlaneView> views{{.plane = 0, .labels = labels}};
+    core::ExportRequest request{.format = core::ExportFormat::Nifti,
+        .file = folder.filePath(QStringLiteral("mask.nii.gz")),
+        .segments = {segmentOf(2)},
+        .planes = views};
+
+    series.positions[3].z += 0.1;
+    const core::Volume little = series.write(folder.filePath(QStringLiteral("little")));
+    const auto report = core::exportMask(little, request, {});
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("0.100 mm")));
+
+    series.positions.back().z += 5.0;
+    const core::Volume gap = series.write(folder.filePath(QStringLiteral("gap")));
+    request.file = folder.filePath(QStringLiteral("gap.nii.gz"));
+    const auto refused = core::exportMask(gap, request, {});
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, core::ErrorCode::UnsupportedFormat);
+    QVERIFY(refused.error().arguments.value(1).contains(QStringLiteral("DICOM SEG")));
+    QVERIFY(!QFile::exists(request.file));
+}
+
+void ExportNiftiTest::planes()
+{
+    QTemporaryDir folder;
+    test::SmallSeries series;
+    series.placeEvenly({0, 0, 0}, {0, 0, 2.5});
+    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
+    std::vector<std::uint8_t> first(volume.geometry.voxelCount(), 0);
+    std::vector<std::uint8_t> second = first;
+    first[10] = 1;
+    second[11] = 2;
+    second[12] = 1;
+    const std::vector<core::LabelPlaneView> views{
+        {.plane = 0, .labels = first}, {.plane = 1, .labels = second}};
+    core::ExportRequest request{.format = core::ExportFormat::Nifti,
+        .file = folder.filePath(QStringLiteral("mask.nii.gz")),
+        .force = true,
+        .segments = {segmentOf(1, 0), segmentOf(2, 1)},
+        .planes = views};
+    QVERIFY(core::exportMask(volume, request, {}));
+    request.segments = {segmentOf(1, 0), segmentOf(1, 1)};
+    QCOMPARE(
+        core::exportMask(volume, request, {}).error().code, core::ErrorCode::UnsupportedFormat);
+    second[10] = 2;
+    request.segments = {segmentOf(1, 0), segmentOf(2, 1)};
+    QCOMPARE(
+        core::exportMask(volume, request, {}).error().code, core::ErrorCode::UnsupportedFormat);
+    request.segments = {segmentOf(1, 2)};
+    QCOMPARE(core::exportMask(volume, request, {}).error().code, core::ErrorCode::UnknownSegment);
+}
+
+void ExportNiftiTest::nameIsChecked()
+{
+    core::Volume volume;
+    volume.geometry.size = {1, 1, 1};
+    const std::vector<std::uint8_t> labels{1};
+    const std::vector<core::LabelPlaneView> views{{.plane = 0, .labels = labels}};
+    const auto refused = core::exportMask(volume,
+        {.format = core::ExportFormat::Nifti,
+            .file = QStringLiteral("mask.nrrd"),
+            .segments = {segmentOf(1)},
+            .planes = views},
+        {});
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, core::ErrorCode::UnsupportedFormat);
+    QVERIFY(core::exportFormatNamed(QStringLiteral("nifti")) == core::ExportFormat::Nifti);
+    QVERIFY(core::exportFormatNamed(QStringLiteral("dicom-seg")) == core::ExportFormat::DicomSeg);
+    QVERIFY(!core::exportFormatNamed(QStringLiteral("stl")));
+}
+
+void ExportNiftiTest::choices()
+{
+    core::Document document;
+    document.volumes.resize(1);
+    document.volumes[0].geometry.indexToWorld =
+        glm::scale(glm::dmat4(1.0), glm::dvec3(0.5, 0.5, 2.0));
+    for (int label = 1; label <= 4; ++label) {
+        core::Segment segment = segmentOf(label);
+        segment.voxels = label == 3 ? 0 : 1000 * label;
+        segment.visible = label != 2;
+        if (label == 1)
+            segment.code = core::anatomicalStructure();
+        document.segments.push_back(segment);
+    }
+    std::bitset<256> growing;
+    growing.set(4);
+    const auto choices = core::exportChoices(document, growing);
+    QCOMPARE(choices.size(), std::size_t(4));
+    QCOMPARE(choices[0].millilitres, 0.5);
+    QVERIFY(choices[0].chosen && !choices[1].chosen && !choices[2].chosen && choices[3].chosen);
+    QVERIFY(choices[0].remarks.isEmpty());
+    QVERIFY(choices[1].remarks.contains(QStringLiteral("hidden")));
+    QVERIFY(choices[2].remarks.contains(QStringLiteral("empty")));
+    QVERIFY(choices[3].remarks.contains(QStringLiteral("growth not finished")));
+    QVERIFY(choices[3].remarks.contains(QStringLiteral("not coded yet")));
+}
+
+QTEST_GUILESS_MAIN(ExportNiftiTest)
+#include "ExportNiftiTest.moc"
