@@ -200,18 +200,19 @@ Result<LoadedVolume> loadVolume(
     const Result<const SeriesEntry*> entry = choose(scan->listing, series);
     if (!entry)
         return tl::unexpected<Error>(entry.error());
-    const auto opened = [&](Result<LoadedVolume> loaded) {
+    const auto opened = [](Result<LoadedVolume> loaded, const QString& from) {
         if (loaded)
-            loaded->volume.sourcePath = path;
+            loaded->volume.sourcePath = from;
         return loaded;
     };
     for (const ListedStack& listed : scan->stacks) {
         if (listed.entry.key == (*entry)->key)
-            return opened(loadStack(listed, progress));
+            return opened(loadStack(listed, progress), path);
     }
     for (const SeriesEntry& nifti : scan->niftis) {
         if (nifti.key == (*entry)->key)
-            return opened(loadNifti(nifti, progress));
+            // Without slices that name it, only this tells an export's check which file it was.
+            return opened(loadNifti(nifti, progress), nifti.files.front());
     }
     return failure(ErrorCode::SeriesNotFound, path, series);
 }

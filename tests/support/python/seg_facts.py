@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What pydicom makes of a DICOM SEG beside its source images, as JSON.
 
-usage: seg_facts.py SEG SOURCE_FOLDER
+usage: seg_facts.py SEG SOURCE_FOLDER [SERIES_UID]
 
 Every frame is put where its own position says, on the grid that the source images span when they
 are sorted by their own positions along row x column. `sha256` per segment is over that grid, one
@@ -22,6 +22,8 @@ for path in sorted(pathlib.Path(sys.argv[2]).rglob("*")):
         try:
             header = pydicom.dcmread(path, stop_before_pixels=True)
         except pydicom.errors.InvalidDicomError:
+            continue
+        if len(sys.argv) > 3 and header.get("SeriesInstanceUID") != sys.argv[3]:
             continue
         if "ImagePositionPatient" in header:
             sources.append(header)
