@@ -74,8 +74,12 @@ ListedStack listed(SliceStack stack)
                            .problems = stack.problems},
         .seriesKey = seriesKey(first.identity),
         .studyKey = studyKey(first.identity)};
-    for (const ImageHeader& image : stack.slices)
+    for (const ImageHeader& image : stack.slices) {
         result.entry.files.append(image.file);
+        // The volume has only what its slices have in common.
+        if (image.identity.frameOfReferenceUid != first.identity.frameOfReferenceUid)
+            result.entry.identity.frameOfReferenceUid.clear();
+    }
     result.stack = std::move(stack);
     return result;
 }
