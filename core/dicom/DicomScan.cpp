@@ -13,8 +13,8 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <atomic>
 #include <map>
+#include <mutex>
 #include <optional>
 
 namespace core {
@@ -84,6 +84,30 @@ ListedStack listed(SliceStack stack)
     return result;
 }
 
+/// Counts steps done on several threads; the listener hears them one at a time and in order.
+class StepCounter {
+public:
+    StepCounter(const Progress& progress, const QString& step, int total)
+        : m_progress(progress)
+        , m_step(step)
+        , m_total(total)
+    {
+    }
+
+    void stepDone()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_progress.report(m_step, ++m_done, m_total);
+    }
+
+private:
+    const Progress& m_progress;
+    const QString m_step;
+    const int m_total;
+    std::mutex m_mutex;
+    int m_done = 0;
+};
+
 /// Slots of what is decoded, and what went wrong.
 struct Decoding {
     std::vector<std::uint16_t> stored;
@@ -97,7 +121,7 @@ Decoding decodeAll(const SliceStack& stack, const Progress& progress)
     Decoding decoding;
     decoding.stored.resize(stack.geometry.voxelCount());
     decoding.errors.resize(stack.slices.size());
-    std::atomic<int> done = 0;
+    StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
     parallelFor(int(stack.slices.size()), [&](int k) {
         if (progress.cancelled())
             return;
@@ -106,7 +130,7 @@ Decoding decodeAll(const SliceStack& stack, const Progress& progress)
             decodeFrame(stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
         if (!decoded)
             decoding.errors[slot] = decoded.error();
-        progress.report(QStringLiteral("Reading slices"), ++done, int(stack.slices.size()));
+        counter.stepDone();
     });
     return decoding;
 }
@@ -139,12 +163,12 @@ SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
 DicomScan scanDicom(const QStringList& files, const Progress& progress)
 {
     std::vector<std::optional<Result<ImageHeader>>> headers(std::size_t(files.size()));
-    std::atomic<int> done = 0;
+    StepCounter counter(progress, QStringLiteral("Reading headers"), int(files.size()));
     parallelFor(int(files.size()), [&](int index) {
         if (progress.cancelled())
             return;
         headers[std::size_t(index)] = readImageHeader(files[index]);
-        progress.report(QStringLiteral("Reading headers"), ++done, int(files.size()));
+        counter.stepDone();
     });
 
     DicomScan scan;

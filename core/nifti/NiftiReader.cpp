@@ -9,9 +9,11 @@
 
 #include <nifti1_io.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 namespace core {
 
@@ -125,6 +127,37 @@ StoredAt storedAtFor(int type)
     }
 }
 
+/// The voxels in the machine's byte order; empty if the file does not hold them all. The library's
+/// own reader fills what is missing with zeros and turns NaN into 0, both without a word.
+std::vector<char> readVoxels(const nifti_image& image, const QString& path)
+{
+    const auto bytes = std::size_t(image.nvox) * std::size_t(image.nbyper);
+    znzFile file = znzopen(QFile::encodeName(path).constData(), "rb", nifti_is_gzfile(image.iname));
+    if (znz_isnull(file))
+        return {};
+    std::vector<char> voxels(bytes);
+    std::size_t done = 0;
+    if (znzseek(file, long(image.iname_offset), SEEK_SET) >= 0) {
+        // In pieces: one call for more than 4 GiB would wrap in zlib.
+        constexpr std::size_t piece = std::size_t(1) << 28;
+        while (done < bytes) {
+            const std::size_t got =
+                znzread(voxels.data() + done, 1, std::min(piece, bytes - done), file);
+            if (got == 0 || got > bytes - done)
+                break;
+            done += got;
+        }
+    }
+
+    Xznzclose(&file);
+    if (done < bytes)
+        return {};
+    if (image.swapsize > 1 && image.byteorder != nifti_short_order()) {
+        nifti_swap_Nbytes(bytes / std::size_t(image.swapsize), image.swapsize, voxels.data());
+    }
+    return voxels;
+}
+
 bool isNarrow(int type)
 {
     return type == DT_UINT8 || type == DT_INT8 || type == DT_INT16 || type == DT_UINT16;
@@ -182,7 +215,8 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
         return tl::unexpected<Error>(fits.error());
     progress.report(QStringLiteral("Reading voxels"), 0, 1);
     const Image image = readImage(path);
-    if (!image || nifti_image_load(image.get()) != 0 || !image->data)
+    const std::vector<char> voxelBytes = image ? readVoxels(*image, path) : std::vector<char>();
+    if (voxelBytes.empty())
         return failure(ErrorCode::FileTruncated, path, QStringLiteral("its voxels are incomplete"));
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
@@ -205,7 +239,7 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
     }
 
     const StoredAt stored = storedAtFor(image->datatype);
-    const void* data = image->data;
+    const void* data = voxelBytes.data();
     const std::size_t voxels = volume.geometry.voxelCount();
     if (isNarrow(image->datatype)) {
         loaded.codes.resize(voxels);

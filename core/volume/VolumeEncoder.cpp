@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <mutex>
 
@@ -80,11 +81,6 @@ void describe(Volume& volume, const CodeCounts& counts, bool hasWindow)
     volume.defaultWindow = {.centre = low + width / 2.0, .width = width};
 }
 
-void finishHash(Volume& volume, QCryptographicHash& hash)
-{
-    volume.voxelsSha256 = hash.result().toHex();
-}
-
 void addFloats(QCryptographicHash& hash, const std::vector<float>& values)
 {
     static_assert(std::numeric_limits<float>::is_iec559);
@@ -92,34 +88,44 @@ void addFloats(QCryptographicHash& hash, const std::vector<float>& values)
         reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(float))));
 }
 
-/// Codes are exact: minimum, maximum and checksum follow from them by table.
-void describeExact(LoadedVolume& loaded, bool hasWindow)
+/// Checksum of values that follow from codes by table.
+QByteArray hashCodes(const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
 {
-    Volume& volume = loaded.volume;
-    const CodeCounts counts = countCodes(loaded);
-    int lowest = codeCount - 1;
-    int highest = 0;
-    std::vector<float> valueOfCode(codeCount);
-    for (int code = 0; code < codeCount; ++code) {
-        valueOfCode[std::size_t(code)] = float(volume.encoding.value(code));
-        if (counts[std::size_t(code)] == 0)
-            continue;
-        lowest = std::min(lowest, code);
-        highest = std::max(highest, code);
-    }
-    volume.minimum = volume.encoding.value(lowest);
-    volume.maximum = volume.encoding.value(highest);
-
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    const std::size_t size = sliceSize(volume);
+    const std::size_t size = sliceSize(loaded.volume);
     std::vector<float> values(size);
-    for (int k = 0; k < volume.geometry.size.z; ++k) {
+    for (int k = 0; k < loaded.volume.geometry.size.z; ++k) {
         const std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
         for (std::size_t voxel = 0; voxel < size; ++voxel)
             values[voxel] = valueOfCode[code[voxel]];
         addFloats(hash, values);
     }
-    finishHash(volume, hash);
+    return hash.result().toHex();
+}
+
+/// Codes are exact: minimum, maximum and checksum follow from them.
+void describeExact(LoadedVolume& loaded, bool hasWindow)
+{
+    Volume& volume = loaded.volume;
+    std::vector<float> valueOfCode(codeCount);
+    for (int code = 0; code < codeCount; ++code)
+        valueOfCode[std::size_t(code)] = float(volume.encoding.value(code));
+    // The checksum is a chain and takes one core; the rest is done beside it.
+    std::future<QByteArray> checksum =
+        std::async(std::launch::async, [&] { return hashCodes(loaded, valueOfCode); });
+    const CodeCounts counts = countCodes(loaded);
+    int lowest = codeCount - 1;
+    int highest = 0;
+    for (int code = 0; code < codeCount; ++code) {
+        if (counts[std::size_t(code)] == 0)
+            continue;
+        lowest = std::min(lowest, code);
+        highest = std::max(highest, code);
+    }
+    const QByteArray hash = checksum.get();
+    volume.minimum = volume.encoding.value(lowest);
+    volume.maximum = volume.encoding.value(highest);
+    volume.voxelsSha256 = hash;
     describe(volume, counts, hasWindow);
 }
 
@@ -264,7 +270,7 @@ void encodeValues(LoadedVolume& loaded,
             [](double value) { return float(value); });
         addFloats(hash, floats);
     }
-    finishHash(volume, hash);
+    volume.voxelsSha256 = hash.result().toHex();
     describe(volume, countCodes(loaded), hasWindow);
 }
 
