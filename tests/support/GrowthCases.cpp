@@ -249,6 +249,9 @@ std::vector<EngineCase> growthCases(int randomCount)
     last.steps.push_back(command(core::BeginEdit{late}));
     last.steps.push_back(command(core::ExtendEdit{GrowAdvance{}}));
     last.steps.push_back(command(core::EndEdit{}));
+    late.generation = core::seedWord::maxGeneration;
+    appendWhole(last.steps, SeedPlacement{.label = 1, .voxels = {{39, 2, 2}}});
+    appendWhole(last.steps, late, {GrowAdvance{}});
     cases.push_back(last);
 
     EngineCase nothing{"nothing to grow from", noiseVolume(size, 5, random), {}};

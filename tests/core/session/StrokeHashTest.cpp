@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/DelayedEngine.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/StrokeCases.h"
+
+#include <QtTest>
+
+/// An edit finished, cancelled, undone, redone, made again, reopened and replayed, on the oracle.
+class StrokeHashTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+    void agrees_data();
+    void agrees();
+};
+
+void StrokeHashTest::agrees_data()
+{
+    QTest::addColumn<test::StrokeCase>("stroke");
+    for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 12))
+        QTest::addRow("%s", stroke.name.constData()) << stroke;
+}
+
+void StrokeHashTest::agrees()
+{
+    QFETCH(test::StrokeCase, stroke);
+    reference::ReferenceEngine engine;
+    const test::StrokeHashes direct = test::runStroke(engine, stroke);
+    const QString text = test::contradiction(direct);
+    QVERIFY2(text.isEmpty(), qPrintable(text));
+    if (!stroke.name.startsWith("random"))
+        QCOMPARE(direct.finished == direct.before, stroke.name == "growth of nothing");
+
+    reference::ReferenceEngine inner;
+    reference::DelayedEngine late(inner, 11);
+    const QString apart = test::difference(direct, test::runStroke(late, stroke));
+    QVERIFY2(apart.isEmpty(), qPrintable(apart));
+}
+
+QTEST_GUILESS_MAIN(StrokeHashTest)
+#include "StrokeHashTest.moc"

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/DelayedEngine.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EditEngineFixture.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/StrokeCases.h"
+
+#include <QtTest>
+
+/// The hashes of everything that can become of an edit are those of the oracle.
+class StrokeHashGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
+    void init() { test::failOnUnexpectedMessages(); }
+    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
+    void agrees_data();
+    void agrees();
+
+private:
+    test::EditEngineFixture m_gpu;
+};
+
+void StrokeHashGlTest::agrees_data()
+{
+    QTest::addColumn<test::StrokeCase>("stroke");
+    for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 8))
+        QTest::addRow("%s", stroke.name.constData()) << stroke;
+}
+
+void StrokeHashGlTest::agrees()
+{
+    QFETCH(test::StrokeCase, stroke);
+    reference::ReferenceEngine oracle;
+    const test::StrokeHashes expected = test::runStroke(oracle, stroke);
+    const QString direct = test::difference(expected, test::runStroke(m_gpu.engine(), stroke));
+    QVERIFY2(direct.isEmpty(), qPrintable(direct));
+    reference::DelayedEngine late(m_gpu.engine(), 12);
+    const QString delayed = test::difference(expected, test::runStroke(late, stroke));
+    QVERIFY2(delayed.isEmpty(), qPrintable(delayed));
+}
+
+QTEST_GUILESS_MAIN(StrokeHashGlTest)
+#include "StrokeHashGlTest.moc"

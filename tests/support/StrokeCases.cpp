@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/StrokeCases.h"
+
+#include "core/session/EditSession.h"
+#include "tests/support/EngineCases.h"
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace test {
+
+namespace {
+
+using core::EditSession;
+
+struct Failure {
+    QString text;
+};
+
+void require(const core::Result<void>& result, const char* what)
+{
+    if (!result)
+        throw Failure{QLatin1String(what) + QStringLiteral(": ")
+            + result.error().arguments.join(QStringLiteral(": "))};
+}
+
+std::unique_ptr<EditSession> begun(
+    core::EditEngine& engine, const StrokeCase& strokeCase, const QString& file)
+{
+    auto session =
+        EditSession::create(engine, strokeCase.volume, {.file = file, .replaceExisting = true});
+    if (!session)
+        throw Failure{
+            QStringLiteral("create: ") + session.error().arguments.join(QStringLiteral(": "))};
+    for (const core::Edit& edit : strokeCase.before)
+        require((*session)->apply(edit), "an edit before");
+    require((*session)->settle(), "settle");
+    return std::move(*session);
+}
+
+QByteArray settledHash(EditSession& session)
+{
+    require(session.settle(), "settle");
+    return session.stateHash();
+}
+
+/// As the pen tells a stroke and the panel a growth; nothing for edits that are made at once.
+bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending ending)
+{
+    if (const auto* drill = std::get_if<core::DrillStroke>(&edit)) {
+        core::DrillStroke stroke = *drill;
+        stroke.samples.clear();
+        require(session.begin(stroke), "begin");
+        for (std::size_t first = 0; first < drill->samples.size(); first += 2) {
+            const std::size_t last = std::min(first + 2, drill->samples.size());
+            session.extendDrill({drill->samples.begin() + std::ptrdiff_t(first),
+                drill->samples.begin() + std::ptrdiff_t(last)});
+            session.poll();
+        }
+    } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
+        require(session.begin(*grow), "begin");
+        const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
+        if (steps > 1) {
+            session.extendGrowth({.steps = 1});
+            session.poll();
+            session.extendGrowth({.steps = steps - 1});
+        } else {
+            session.extendGrowth({.steps = steps});
+        }
+    } else {
+        return false;
+    }
+    session.end(ending);
+    session.poll();
+    return true;
+}
+
+StrokeHashes run(core::EditEngine& engine, const StrokeCase& strokeCase)
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("stroke.burin"));
+    StrokeHashes hashes;
+    std::vector<core::Edit> recorded;
+    {
+        const auto session = begun(engine, strokeCase, file);
+        hashes.before = settledHash(*session);
+        const std::size_t rows = session->history().rows().size();
+        tellInPieces(*session, strokeCase.edit, core::Ending::Rollback);
+        hashes.cancelled = settledHash(*session);
+        if (session->history().rows().size() != rows)
+            throw Failure{QStringLiteral("a cancelled edit left a row")};
+
+        require(session->apply(strokeCase.edit), "apply");
+        hashes.finished = settledHash(*session);
+        // An edit that changed nothing leaves no row, and undo must not take back another.
+        if (session->history().rows().size() == rows) {
+            hashes.undone = hashes.before;
+            hashes.redone = hashes.again = hashes.finished;
+        } else {
+            require(session->undo(), "undo");
+            hashes.undone = settledHash(*session);
+            require(session->redo(), "redo");
+            hashes.redone = settledHash(*session);
+            require(session->undo(), "undo");
+            require(session->apply(strokeCase.edit), "apply again");
+            hashes.again = settledHash(*session);
+        }
+        const core::History& history = session->history();
+        for (const core::RowId row : history.pathTo(history.position()))
+            recorded.push_back(history.row(row).edit);
+    }
+    {
+        auto session = EditSession::open(engine, strokeCase.volume, file);
+        if (!session)
+            throw Failure{
+                QStringLiteral("open: ") + session.error().arguments.join(QStringLiteral(": "))};
+        hashes.reopened = settledHash(**session);
+    }
+    {
+        const auto session = begun(engine, strokeCase, {});
+        if (tellInPieces(*session, strokeCase.edit, core::Ending::Commit))
+            hashes.inPieces = settledHash(*session);
+        else
+            hashes.inPieces = hashes.finished;
+    }
+    StrokeCase bare = strokeCase;
+    bare.before.clear();
+    const auto session = begun(engine, bare, {});
+    for (const core::Edit& edit : recorded)
+        require(session->apply(edit), "replay");
+    hashes.replayed = settledHash(*session);
+    return hashes;
+}
+
+core::LoadedVolume loaded(const core::Document& document, const Codes& codes)
+{
+    core::LoadedVolume made{document.volumes.front(), codes.values};
+    made.volume.minimum = 0.0;
+    made.volume.maximum = 65535.0;
+    made.volume.voxelsSha256 = "not looked at here";
+    return made;
+}
+
+core::SeedStroke randomSeeds(const core::Document& document, int segment, Random& random)
+{
+    const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    core::SeedStroke seeds{segment, {}};
+    for (int i = randomInt(random, 1, 6); i > 0; --i) {
+        const glm::dvec3 jitter(0.4 * randomUnit(random));
+        seeds.pointsLps.push_back(
+            geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)) + jitter));
+    }
+    return seeds;
+}
+
+core::GrowSteps randomGrowth(Random& random)
+{
+    core::GrowSteps grow;
+    grow.lower = randomInt(random, 0, tissueCode / 2);
+    grow.upper = randomInt(random, tissueCode / 2, tissueCode);
+    grow.overwriteUnlocked = random() % 2;
+    if (random() % 2)
+        grow.steps = randomInt(random, 1, 12);
+    return grow;
+}
+
+core::AddSegment segmentNamed(const char* name)
+{
+    core::AddSegment segment;
+    segment.name = QLatin1String(name);
+    segment.rgb = 0x40C080;
+    return segment;
+}
+
+core::Edit randomEdit(const core::Document& document, Random& random)
+{
+    switch (random() % 5) {
+    case 0:
+        return randomSeeds(document, randomInt(random, 1, 2), random);
+    case 1:
+    case 2:
+        return randomGrowth(random);
+    default: {
+        core::DrillStroke stroke = randomDrill(document, random);
+        stroke.layer = 1; // the layer that a session begins with
+        return stroke;
+    }
+    }
+}
+
+} // namespace
+
+StrokeHashes runStroke(core::EditEngine& engine, const StrokeCase& strokeCase)
+{
+    try {
+        return run(engine, strokeCase);
+    } catch (const Failure& failure) {
+        StrokeHashes hashes;
+        hashes.failure = failure.text;
+        return hashes;
+    }
+}
+
+QString contradiction(const StrokeHashes& hashes)
+{
+    if (!hashes.failure.isEmpty())
+        return hashes.failure;
+    const std::array<std::tuple<const char*, const QByteArray&, const QByteArray&>, 7> pairs{
+        {{"cancelled", hashes.before, hashes.cancelled}, {"undone", hashes.before, hashes.undone},
+            {"redone", hashes.finished, hashes.redone},
+            {"made again", hashes.finished, hashes.again},
+            {"told in pieces", hashes.finished, hashes.inPieces},
+            {"reopened", hashes.finished, hashes.reopened},
+            {"replayed", hashes.finished, hashes.replayed}}};
+    for (const auto& [name, expected, found] : pairs) {
+        if (expected.size() != 64)
+            return QStringLiteral("no hash");
+        if (expected != found)
+            return QStringLiteral("%1: %2 expected, %3 found")
+                .arg(QLatin1String(name), QString::fromLatin1(expected.left(12)),
+                    QString::fromLatin1(found.left(12)));
+    }
+    return {};
+}
+
+QString difference(const StrokeHashes& expected, const StrokeHashes& actual)
+{
+    for (const StrokeHashes* hashes : {&expected, &actual}) {
+        if (const QString text = contradiction(*hashes); !text.isEmpty())
+            return text;
+    }
+    if (expected.before != actual.before)
+        return QStringLiteral("the engines part before the edit");
+    if (expected.finished != actual.finished)
+        return QStringLiteral("the engines part at the edit");
+    return {};
+}
+
+std::vector<StrokeCase> strokeCases(int randomCount)
+{
+    std::vector<StrokeCase> cases;
+    Random random(31);
+    const glm::ivec3 size(40, 33, 21);
+    const core::Document document = randomDocument(size, random, false);
+    const core::LoadedVolume volume = loaded(document, balls(size, 7, random));
+    const core::Edit first = segmentNamed("First");
+    const core::Edit second = segmentNamed("Second");
+    const core::Edit seeds = randomSeeds(document, 1, random);
+    const core::Edit others = randomSeeds(document, 2, random);
+    core::DrillStroke drill = randomDrill(document, random);
+    drill.layer = 1;
+    core::GrowSteps some{.lower = 0, .upper = 700, .steps = 5};
+    core::GrowSteps all{.lower = 0, .upper = 240, .steps = {}};
+    core::GrowSteps none{.lower = 60000, .upper = 60001, .steps = {}};
+    core::GrowSteps over{.lower = 0, .upper = 1000, .steps = {}, .overwriteUnlocked = true};
+
+    cases.push_back({"add a segment", volume, {}, first});
+    cases.push_back({"rename a segment", volume, {first},
+        core::ChangeSegment{.segment = 1, .name = QStringLiteral("Other"), .rgb = {}, .code = {}}});
+    cases.push_back({"seeds", volume, {first}, seeds});
+    cases.push_back({"seeds beside seeds", volume, {first, second, seeds}, others});
+    cases.push_back({"growth in steps", volume, {first, seeds}, some});
+    cases.push_back({"growth to closure", volume, {first, seeds, some}, all});
+    cases.push_back({"growth of nothing", volume, {first, seeds}, none});
+    cases.push_back({"growth of two", volume, {first, seeds, second, others, some}, all});
+    cases.push_back({"growth over another", volume, {first, seeds, all, second, others}, over});
+    cases.push_back({"drill", volume, {}, drill});
+    cases.push_back({"drill in a drill", volume, {drill}, drill});
+    cases.push_back({"drill on a segment", volume, {first, seeds, all}, drill});
+
+    for (int number = 0; number < randomCount; ++number) {
+        Random own(std::uint32_t(700 + number));
+        const glm::ivec3 extent(
+            randomInt(own, 3, 40), randomInt(own, 3, 40), randomInt(own, 3, 30));
+        const core::Document scene = randomDocument(extent, own, number % 2);
+        StrokeCase made{"random stroke " + QByteArray::number(number),
+            loaded(scene, number % 3 ? balls(extent, 5, own) : shells(extent)),
+            {first, second, randomSeeds(scene, 1, own)}, randomEdit(scene, own)};
+        for (int i = randomInt(own, 0, 3); i > 0; --i)
+            made.before.push_back(randomEdit(scene, own));
+        cases.push_back(std::move(made));
+    }
+    return cases;
+}
+
+} // namespace test
