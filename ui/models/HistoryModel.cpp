@@ -16,19 +16,21 @@ QString counted(qlonglong count, const QString& one, const QString& many)
     return count == 1 ? one : many.arg(QLocale().toString(count));
 }
 
-QString detailOf(const core::HistoryRow& row, const core::Document& document)
+/// Names of strokes and growths end in what they changed ("Drill 6.2 mm, 214 bricks"); a row shows
+/// that at its right end.
+struct RowText {
+    QString name;
+    QString detail;
+};
+
+RowText textOf(const core::HistoryRow& row)
 {
-    if (const auto* seed = std::get_if<core::SeedStroke>(&row.edit)) {
-        const core::Segment* segment = document.segment(seed->segment);
-        return segment ? segment->name : QString();
-    }
-    if (std::holds_alternative<core::GrowSteps>(row.edit)) {
-        const QString count = QLocale().toString(qlonglong(row.statistics.voxelsChanged));
-        return QObject::tr("+%1 voxels").arg(count);
-    }
-    if (std::holds_alternative<core::DrillStroke>(row.edit))
-        return counted(row.statistics.bricks, QObject::tr("1 brick"), QObject::tr("%1 bricks"));
-    return {};
+    const bool changesVoxels = !std::holds_alternative<core::AddSegment>(row.edit)
+        && !std::holds_alternative<core::ChangeSegment>(row.edit);
+    const qsizetype comma = changesVoxels ? row.name.indexOf(QLatin1String(", ")) : -1;
+    if (comma < 0)
+        return {row.name, {}};
+    return {row.name.left(comma), row.name.mid(comma + 2)};
 }
 
 } // namespace
@@ -112,14 +114,15 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     const core::RowId id = m_rows[std::size_t(index.row())];
     const core::HistoryRow* row = id == 0 ? nullptr : &rows->row(id);
     switch (role) {
-    case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
         return row ? row->name : tr("Study opened");
+    case Qt::DisplayRole:
+        return row ? textOf(*row).name : tr("Study opened");
     case Qt::ToolTipRole:
         return row ? tr("%1\nDouble click goes to the state after this step").arg(row->name)
                    : tr("Double click goes back to the beginning");
     case DetailRole:
-        return row ? detailOf(*row, m_workspace.session()->document()) : QString();
+        return row ? textOf(*row).detail : QString();
     case CurrentRole:
         return id == m_position;
     case UndoneRole:

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/SegmentListModel.h"
+
+#include "tests/support/WorkspaceFixture.h"
+#include "ui/SegmentActions.h"
+
+#include <QAbstractItemModelTester>
+#include <QColor>
+#include <QSignalSpy>
+#include <QtTest>
+
+using test::WorkspaceFixture;
+using ui::SegmentListModel;
+
+class SegmentListModelTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void followsTheDocument()
+    {
+        WorkspaceFixture fixture;
+        SegmentListModel model(fixture.workspace);
+        QAbstractItemModelTester tester(
+            &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QCOMPARE(model.rowCount(), 0);
+        const auto first = ui::addSegment(fixture.workspace);
+        const auto second = ui::addSegment(fixture.workspace);
+        QVERIFY(first && second);
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.index(0).data().toString(), QStringLiteral("Segment 1"));
+        QCOMPARE(model.index(1).data().toString(), QStringLiteral("Segment 2"));
+        QVERIFY(model.index(0).data(SegmentListModel::ColourRole)
+            != model.index(1).data(SegmentListModel::ColourRole));
+        QVERIFY(model.index(1).data(SegmentListModel::ActiveRole).toBool());
+        QVERIFY(!model.index(0).data(SegmentListModel::ActiveRole).toBool());
+        QCOMPARE(model.rowOf(*second), 1);
+
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(model.rowCount(), 1);
+        QCOMPARE(model.rowOf(*second), -1);
+    }
+
+    void changesAreStepsOfUndoButVisibilityIsNone()
+    {
+        WorkspaceFixture fixture;
+        SegmentListModel model(fixture.workspace);
+        QAbstractItemModelTester tester(
+            &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QVERIFY(ui::addSegment(fixture.workspace));
+        const QModelIndex row = model.index(0);
+        const auto position = [&fixture] { return fixture.session().history().position(); };
+        const auto before = position();
+
+        QVERIFY(model.setData(row, QStringLiteral("Skull"), Qt::EditRole));
+        fixture.settle();
+        QCOMPARE(row.data().toString(), QStringLiteral("Skull"));
+        QCOMPARE(position(), before + 1);
+        QVERIFY(!model.setData(row, QStringLiteral("  "), Qt::EditRole));
+        QVERIFY(!model.setData(row, QStringLiteral("Skull"), Qt::EditRole));
+
+        QVERIFY(model.setData(row, QColor(0x10, 0x20, 0x30), SegmentListModel::ColourRole));
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].rgb, 0x102030u);
+
+        QCOMPARE(
+            row.data(SegmentListModel::CodeTextRole).toString(), QStringLiteral("not coded yet"));
+        QVERIFY(model.setData(row,
+            QStringList{QStringLiteral("SCT"), QStringLiteral("89546000"), QStringLiteral("Skull")},
+            SegmentListModel::CodeRole));
+        fixture.settle();
+        QCOMPARE(row.data(SegmentListModel::CodeTextRole).toString(), QStringLiteral("Skull"));
+
+        const auto shown = position();
+        QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+        QVERIFY(model.setData(row, false, SegmentListModel::VisibleRole));
+        QVERIFY(!row.data(SegmentListModel::VisibleRole).toBool());
+        QVERIFY(changed.count() > 0);
+        QCOMPARE(position(), shown);
+    }
+
+    void tellsVolumes()
+    {
+        QCOMPARE(ui::millilitreText(0, 1.0), QStringLiteral("—"));
+        const QLocale previous;
+        QLocale::setDefault(QLocale::c());
+        QCOMPARE(ui::millilitreText(9840, 1.0), QStringLiteral("9.84 mL"));
+        QCOMPARE(ui::millilitreText(98400, 1.0), QStringLiteral("98.4 mL"));
+        QCOMPARE(ui::millilitreText(1000000, 1.5), QStringLiteral("1,500 mL"));
+        QLocale::setDefault(previous);
+
+        WorkspaceFixture fixture;
+        SegmentListModel model(fixture.workspace);
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        core::GrowSteps grow;
+        grow.lower = 0.0;
+        grow.upper = 20.0;
+        fixture.apply(grow);
+        const auto voxels = test::smallHead::voxelsOf(test::smallHead::ventricleHu);
+        QVERIFY(voxels > 100);
+        QCOMPARE(fixture.session().document().segments[0].voxels, voxels);
+        QCOMPARE(model.index(0).data(SegmentListModel::VolumeRole).toString(),
+            ui::millilitreText(voxels, 1.5));
+    }
+};
+
+QTEST_GUILESS_MAIN(SegmentListModelTest)
+#include "SegmentListModelTest.moc"

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/GrowthPanel.h"
+
+#include "tests/support/WorkspaceFixture.h"
+#include "ui/SegmentActions.h"
+#include "ui/widgets/HistogramRange.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest>
+
+using test::WorkspaceFixture;
+using ui::GrowthPanel;
+
+namespace {
+
+QPushButton& button(const GrowthPanel& panel, const char* name)
+{
+    auto* found = panel.findChild<QPushButton*>(QLatin1String(name));
+    if (!found)
+        qFatal("no button %s", name);
+    return *found;
+}
+
+void click(QPushButton& target)
+{
+    QTest::mouseClick(&target, Qt::LeftButton);
+}
+
+ui::Workspace::GrowSettings ventricleInterval()
+{
+    ui::Workspace::GrowSettings settings;
+    settings.lower = 0.0;
+    settings.upper = 20.0;
+    return settings;
+}
+
+/// A panel on screen with one seed in the ventricle of the small head.
+class SeededPanel : public WorkspaceFixture {
+public:
+    SeededPanel()
+        : panel(workspace)
+    {
+        panel.show();
+        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+            qFatal("no panel");
+        apply(middleSeed(1));
+        workspace.setGrowSettings(ventricleInterval());
+    }
+    [[nodiscard]] const core::GrowSteps* lastGrowth()
+    {
+        const core::History& history = session().history();
+        return history.position() == 0
+            ? nullptr
+            : std::get_if<core::GrowSteps>(&history.row(history.position()).edit);
+    }
+    GrowthPanel panel;
+};
+
+} // namespace
+
+class GrowthPanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asksForSeeds()
+    {
+        WorkspaceFixture fixture;
+        GrowthPanel panel(fixture.workspace);
+        QVERIFY(!button(panel, "growStep").isEnabled());
+        QVERIFY(!button(panel, "growPlay").isEnabled());
+        QVERIFY(!button(panel, "growToClosure").isEnabled());
+        const auto* advice = panel.findChild<QLabel*>(QStringLiteral("growAdvice"));
+        QVERIFY(advice->text().contains(QStringLiteral("seeds")));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY(!button(panel, "growPlay").isEnabled());
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        QVERIFY(button(panel, "growPlay").isEnabled());
+        QCOMPARE(panel.summary(), QStringLiteral("Segment 1"));
+    }
+
+    void aStepIsOneGenerationAndOneRow()
+    {
+        SeededPanel fixture;
+        for (int step = 1; step <= 3; ++step) {
+            const auto before = fixture.session().history().position();
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            QCOMPARE(fixture.session().history().position(), before + 1);
+            QVERIFY(fixture.lastGrowth());
+            QCOMPARE(fixture.lastGrowth()->steps.value_or(-1), 1);
+        }
+        // The burst's opening admits the seed, then each step adds a shell of the 6-neighbourhood:
+        // the octahedra of radius 0 or 1, 2, 3 minus what the coarser slices leave out of reach.
+        QVERIFY(fixture.session().document().segments[0].voxels > 7);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(fixture.session().document().segments[0].voxels > 0);
+    }
+
+    void playRunsToClosureAsOneStepOfUndo_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::newRow("grow") << QByteArray("growPlay");
+        QTest::newRow("all") << QByteArray("growToClosure");
+    }
+    void playRunsToClosureAsOneStepOfUndo()
+    {
+        QFETCH(QByteArray, name);
+        SeededPanel fixture;
+        const auto before = fixture.session().history().position();
+        click(button(fixture.panel, name.constData()));
+        QVERIFY(fixture.panel.running());
+        QCOMPARE(button(fixture.panel, "growPlay").text(), QStringLiteral("Pause"));
+        QTRY_VERIFY(!fixture.panel.running());
+        fixture.settle();
+        QCOMPARE(fixture.session().history().position(), before + 1);
+        QVERIFY(fixture.lastGrowth());
+        QCOMPARE(fixture.lastGrowth()->lower, 0.0);
+        QCOMPARE(fixture.lastGrowth()->upper, 20.0);
+        QCOMPARE(fixture.session().document().segments[0].voxels,
+            test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, 0);
+    }
+
+    void anotherEditClosesARunningBurst()
+    {
+        SeededPanel fixture;
+        click(button(fixture.panel, "growPlay"));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.settle();
+        QTRY_VERIFY(!fixture.panel.running());
+        QCOMPARE(button(fixture.panel, "growPlay").text(), QStringLiteral("Grow"));
+        QVERIFY(!fixture.session().transactionOpen());
+    }
+
+    void theIntervalComesFromTheSeeds()
+    {
+        SeededPanel fixture;
+        // Two more seeds, in brain: the mean lies between, the spread reaches both.
+        fixture.apply(core::SeedStroke{1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}});
+        QTRY_VERIFY(button(fixture.panel, "intervalFromSeeds").isEnabled());
+        click(button(fixture.panel, "intervalFromSeeds"));
+        const auto& settings = fixture.workspace.growSettings();
+        const double mean = (8.0 + 40.0 + 40.0) / 3.0;
+        QCOMPARE(0.5 * (settings.lower + settings.upper), mean);
+        QVERIFY(settings.lower < 8.0 && settings.upper > 40.0);
+        const auto* range =
+            fixture.panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
+        QVERIFY(std::abs(range->lower() - settings.lower) < 0.1);
+    }
+
+    void startsWithAnIntervalOfTheVolume()
+    {
+        WorkspaceFixture fixture;
+        GrowthPanel panel(fixture.workspace);
+        const auto& settings = fixture.workspace.growSettings();
+        QVERIFY(settings.lower < settings.upper);
+        QVERIFY(settings.lower >= fixture.workspace.volume()->minimum);
+        QVERIFY(settings.upper <= fixture.workspace.volume()->maximum);
+    }
+};
+
+QTEST_MAIN(GrowthPanelUiTest)
+#include "GrowthPanelUiTest.moc"

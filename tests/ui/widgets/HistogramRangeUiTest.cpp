@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/HistogramRange.h"
+
+#include "ui/widgets/HistogramRangePlot.h"
+
+#include <QDoubleSpinBox>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <cmath>
+
+using ui::HistogramRange;
+using ui::HistogramRangePlot;
+
+class HistogramRangeUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    static void prepare(HistogramRange& range)
+    {
+        range.setHistogram(
+            {-1000.0, 3000.0, std::vector<std::uint32_t>(400, 5)}, QStringLiteral("HU"));
+        range.setRange(100.0, 900.0);
+        range.resize(420, 120);
+        range.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&range));
+    }
+    static void drag(HistogramRangePlot& plot, double from, double to)
+    {
+        const int y = plot.height() / 2;
+        QTest::mousePress(&plot, Qt::LeftButton, {}, QPoint(int(std::lround(from)), y));
+        QTest::mouseMove(&plot, QPoint(int(std::lround((from + to) / 2)), y));
+        QTest::mouseMove(&plot, QPoint(int(std::lround(to)), y));
+        QTest::mouseRelease(&plot, Qt::LeftButton, {}, QPoint(int(std::lround(to)), y));
+    }
+
+private Q_SLOTS:
+    void handlesAreDragged()
+    {
+        HistogramRange range;
+        prepare(range);
+        QSignalSpy edited(&range, &HistogramRange::rangeEdited);
+        HistogramRangePlot& plot = *range.plot();
+        const double perPixel = plot.valueAt(101) - plot.valueAt(100);
+        drag(plot, plot.xOf(100.0), plot.xOf(-400.0));
+        QVERIFY(edited.count() > 0);
+        QVERIFY(std::abs(range.lower() + 400.0) <= 1.5 * perPixel);
+        QCOMPARE(range.upper(), 900.0);
+        drag(plot, plot.xOf(900.0), plot.xOf(2000.0));
+        QVERIFY(std::abs(range.upper() - 2000.0) <= 1.5 * perPixel);
+        QCOMPARE(edited.back()[0].toDouble(), range.lower());
+        QCOMPARE(edited.back()[1].toDouble(), range.upper());
+    }
+
+    void theStretchBetweenIsShifted()
+    {
+        HistogramRange range;
+        prepare(range);
+        HistogramRangePlot& plot = *range.plot();
+        drag(plot, plot.xOf(500.0), plot.xOf(1500.0));
+        QCOMPARE(range.upper() - range.lower(), 800.0);
+        QVERIFY(range.lower() > 900.0 && range.lower() < 1300.0);
+        drag(plot, plot.xOf(range.lower() + 400.0), plot.xOf(2999.0) + 200.0);
+        QCOMPARE(range.upper(), 3000.0);
+        QCOMPARE(range.lower(), 2200.0);
+    }
+
+    void neverUpsideDown()
+    {
+        HistogramRange range;
+        prepare(range);
+        HistogramRangePlot& plot = *range.plot();
+        drag(plot, plot.xOf(100.0), plot.xOf(2500.0));
+        QCOMPARE(range.lower(), 900.0);
+        QCOMPARE(range.upper(), 900.0);
+        // Handles on top of each other come apart again, each to its side.
+        drag(plot, plot.xOf(900.0) - 2.0, plot.xOf(200.0));
+        QVERIFY(range.lower() < 300.0);
+        QCOMPARE(range.upper(), 900.0);
+    }
+
+    void exactNumbersAreTyped()
+    {
+        HistogramRange range;
+        prepare(range);
+        QSignalSpy edited(&range, &HistogramRange::rangeEdited);
+        auto* lower = range.findChild<QDoubleSpinBox*>(QStringLiteral("rangeLower"));
+        auto* upper = range.findChild<QDoubleSpinBox*>(QStringLiteral("rangeUpper"));
+        QVERIFY(lower && upper);
+        QVERIFY(lower->text().endsWith(QStringLiteral("HU")));
+        upper->setFocus();
+        upper->selectAll();
+        QTest::keyClicks(upper, QLocale().toString(1234.5, 'f', 1));
+        QTest::keyClick(upper, Qt::Key_Return);
+        QCOMPARE(range.upper(), 1234.5);
+        QCOMPARE(range.lower(), 100.0);
+        lower->selectAll();
+        QTest::keyClicks(lower, QStringLiteral("2000"));
+        QTest::keyClick(lower, Qt::Key_Return);
+        QCOMPARE(range.lower(), 2000.0);
+        QCOMPARE(range.upper(), 2000.0);
+        QCOMPARE(edited.count(), 2);
+    }
+
+    void settingTellsNobody()
+    {
+        HistogramRange range;
+        prepare(range);
+        QSignalSpy edited(&range, &HistogramRange::rangeEdited);
+        range.setRange(10.0, 20.0);
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(range.lower(), 10.0);
+    }
+
+    void zoomKeepsTheValueUnderTheCursor()
+    {
+        HistogramRange range;
+        prepare(range);
+        HistogramRangePlot& plot = *range.plot();
+        const QPointF at(plot.xOf(500.0), 10.0);
+        const double before = plot.valueAt(at.x());
+        QWheelEvent wheel(
+            at, plot.mapToGlobal(at), {}, {0, 480}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&plot, &wheel);
+        QVERIFY(std::abs(plot.valueAt(at.x()) - before) < 1e-6);
+        QVERIFY(plot.valueAt(101) - plot.valueAt(100) < 6.0);
+        range.zoomToRange();
+        QVERIFY(plot.xOf(range.lower()) > 0.25 * plot.width());
+        QVERIFY(plot.xOf(range.upper()) < 0.75 * plot.width());
+    }
+};
+
+QTEST_MAIN(HistogramRangeUiTest)
+#include "HistogramRangeUiTest.moc"

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/ExportDialog.h"
+
+#include "ui/ErrorText.h"
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+#include "ui/dialogs/CodeDialog.h"
+#include "ui/models/SegmentListModel.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+
+namespace ui {
+
+namespace {
+
+enum Column { NameColumn, VolumeColumn, CodeColumn, RemarkColumn };
+constexpr int labelRole = Qt::UserRole;
+
+QString folderKey()
+{
+    return QStringLiteral("export/folder");
+}
+
+QString suffixOf(core::ExportFormat format)
+{
+    return format == core::ExportFormat::DicomSeg ? QStringLiteral(".dcm")
+                                                  : QStringLiteral(".nii.gz");
+}
+
+QLabel* line(QWidget* parent, const QString& text, const QString& role = {})
+{
+    auto* label = new QLabel(text, parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    if (!role.isEmpty())
+        label->setProperty("role", role);
+    return label;
+}
+
+} // namespace
+
+std::bitset<256> growingLabels(core::EditSession& session)
+{
+    std::bitset<256> seeded;
+    bool grown = false;
+    const core::History& history = session.history();
+    std::bitset<256> pending;
+    for (const core::RowId id : history.pathTo(history.position())) {
+        const core::Edit& edit = history.row(id).edit;
+        if (const auto* seed = std::get_if<core::SeedStroke>(&edit)) {
+            seeded.set(std::size_t(seed->segment));
+            pending.set(std::size_t(seed->segment));
+        } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
+            pending.reset();
+            // A row without a number of steps ran to closure; so did one that stopped early.
+            const int steps = history.row(id).statistics.generations;
+            grown = !grow->steps || steps < *grow->steps;
+        }
+    }
+    return grown ? pending : seeded;
+}
+
+ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
+    : QDialog(parent)
+    , m_workspace(workspace)
+{
+    setWindowTitle(tr("Export segments"));
+    resize(720, 640);
+    build();
+    fillSegments();
+    showFormat();
+
+    connect(m_segments, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item) {
+        if (m_filling)
+            return;
+        const auto label = std::size_t(item->data(NameColumn, labelRole).toInt());
+        m_unticked.set(label, item->checkState(NameColumn) != Qt::Checked);
+        showState();
+    });
+    connect(m_segments, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == CodeColumn)
+            chooseCode(item);
+    });
+    connect(m_seg, &QRadioButton::toggled, this, &ExportDialog::showFormat);
+    connect(m_file, &QLineEdit::textChanged, this, &ExportDialog::showState);
+    connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
+    connect(m_close, &QPushButton::clicked, this, &ExportDialog::reject);
+    connect(&m_workspace, &Workspace::documentChanged, this,
+        [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Segments)
+                fillSegments();
+        });
+    connect(&m_workspace, &Workspace::sessionChanged, this, &QDialog::reject);
+    connect(&m_job, &ExportJob::progressed, this, [this](const QString& step, int done, int total) {
+        m_progress->setRange(0, std::max(total, 0));
+        m_progress->setValue(done);
+        m_state->setText(step);
+    });
+    connect(&m_job, &ExportJob::finished, this, &ExportDialog::showReport);
+    connect(&m_job, &ExportJob::failed, this, &ExportDialog::showFailure);
+}
+
+void ExportDialog::build()
+{
+    m_segments = new QTreeWidget(this);
+    m_segments->setObjectName(QStringLiteral("exportSegments"));
+    m_segments->setHeaderLabels({tr("Segment"), tr("Volume"), tr("Code"), tr("Remarks")});
+    m_segments->setRootIsDecorated(false);
+    m_segments->setUniformRowHeights(true);
+    m_segments->setSelectionMode(QAbstractItemView::NoSelection);
+    m_segments->header()->setSectionResizeMode(RemarkColumn, QHeaderView::Stretch);
+    m_segments->setColumnWidth(NameColumn, 200);
+    m_segments->setColumnWidth(VolumeColumn, 90);
+    m_segments->setColumnWidth(CodeColumn, 190);
+    m_seg = new QRadioButton(tr("DICOM SEG (one object, references the source images)"), this);
+    m_seg->setObjectName(QStringLiteral("exportSeg"));
+    m_nifti = new QRadioButton(tr("NIfTI label map (.nii.gz, no patient data)"), this);
+    m_nifti->setObjectName(QStringLiteral("exportNifti"));
+    m_obstacle = line(this, {}, QStringLiteral("secondary"));
+    m_file = new QLineEdit(this);
+    m_file->setObjectName(QStringLiteral("exportFile"));
+    m_browse = new QPushButton(tr("Browse …"), this);
+    m_state = line(this, {}, QStringLiteral("secondary"));
+    m_state->setObjectName(QStringLiteral("exportState"));
+    m_progress = new QProgressBar(this);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_report = line(this, {});
+    m_report->setObjectName(QStringLiteral("exportReport"));
+    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->hide();
+    m_export = new QPushButton(tr("Export and check"), this);
+    m_export->setObjectName(QStringLiteral("exportStart"));
+    m_export->setDefault(true);
+    m_close = new QPushButton(tr("Close"), this);
+
+    auto* target = new QHBoxLayout;
+    target->addWidget(new QLabel(tr("File"), this));
+    target->addWidget(m_file, 1);
+    target->addWidget(m_browse);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_close);
+    buttons->addWidget(m_export);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(identityBlock());
+    layout->addWidget(m_segments, 1);
+    layout->addWidget(m_seg);
+    layout->addWidget(m_obstacle);
+    layout->addWidget(m_nifti);
+    layout->addLayout(target);
+    layout->addWidget(m_state);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_report);
+    layout->addLayout(buttons);
+
+    const core::Volume* volume = m_workspace.volume();
+    const QString obstacle = volume ? core::dicomSegObstacle(*volume) : QString();
+    m_seg->setEnabled(obstacle.isEmpty());
+    m_obstacle->setVisible(!obstacle.isEmpty());
+    m_obstacle->setText(tr("DICOM SEG is not possible: %1").arg(obstacle));
+    (obstacle.isEmpty() ? m_seg : m_nifti)->setChecked(true);
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString folder = QSettings().value(folderKey(), documents).toString();
+    m_file->setText(QDir(folder).filePath(QStringLiteral("segmentation") + suffixOf(format())));
+}
+
+QWidget* ExportDialog::identityBlock()
+{
+    auto* block = new QFrame(this);
+    block->setProperty("role", QStringLiteral("bar"));
+    auto* layout = new QVBoxLayout(block);
+    layout->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    layout->setSpacing(4);
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume)
+        return block;
+    auto* patient = line(block, patientText(volume->identity), QStringLiteral("heading"));
+    patient->setObjectName(QStringLiteral("exportPatient"));
+    layout->addWidget(patient);
+    QStringList study{studyText(volume->identity), seriesText(volume->identity)};
+    study.removeAll(QString());
+    layout->addWidget(line(block, study.join(QStringLiteral(" · ")), QStringLiteral("secondary")));
+    for (const core::VolumeProblem& problem : volume->problems) {
+        if (problem.caution)
+            layout->addWidget(
+                line(block, tr("Caution: %1").arg(problem.text), QStringLiteral("caution")));
+    }
+    return block;
+}
+
+void ExportDialog::fillSegments()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const auto choices = core::exportChoices(session->document(), growingLabels(*session));
+    const bool first = m_segments->topLevelItemCount() == 0;
+    m_filling = true;
+    m_segments->clear();
+    for (const core::ExportChoice& choice : choices) {
+        const core::Segment& segment = choice.segment;
+        if (first)
+            m_unticked.set(segment.label, !choice.chosen);
+        auto* item = new QTreeWidgetItem(m_segments);
+        item->setText(NameColumn, segment.name);
+        item->setData(NameColumn, labelRole, int(segment.label));
+        QPixmap swatch(12, 12);
+        swatch.fill(QColor(segment.rgb));
+        item->setIcon(NameColumn, QIcon(swatch));
+        item->setCheckState(
+            NameColumn, m_unticked.test(segment.label) ? Qt::Unchecked : Qt::Checked);
+        item->setText(VolumeColumn,
+            millilitreText(segment.voxels, m_workspace.volume()->geometry.voxelVolumeMm3()));
+        item->setTextAlignment(VolumeColumn, Qt::AlignRight | Qt::AlignVCenter);
+        item->setText(CodeColumn, segment.code.isSet() ? segment.code.meaning : tr("choose …"));
+        item->setToolTip(CodeColumn, tr("Click to choose what the segment is"));
+        item->setForeground(CodeColumn, segment.code.isSet() ? theme::text : theme::accent);
+        item->setText(RemarkColumn, choice.remarks.join(QStringLiteral(", ")));
+        item->setForeground(RemarkColumn, theme::caution);
+    }
+    m_filling = false;
+    showState();
+}
+
+core::ExportFormat ExportDialog::format() const
+{
+    return m_seg->isChecked() ? core::ExportFormat::DicomSeg : core::ExportFormat::Nifti;
+}
+
+std::vector<core::Segment> ExportDialog::chosen() const
+{
+    std::vector<core::Segment> segments;
+    const core::EditSession* session = m_workspace.session();
+    for (int row = 0; session && row < m_segments->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem* item = m_segments->topLevelItem(row);
+        const auto* segment =
+            session->document().segment(item->data(NameColumn, labelRole).toInt());
+        if (segment && item->checkState(NameColumn) == Qt::Checked)
+            segments.push_back(*segment);
+    }
+    return segments;
+}
+
+void ExportDialog::showFormat()
+{
+    QString file = m_file->text();
+    for (const QString& suffix :
+        {QStringLiteral(".nii.gz"), QStringLiteral(".nii"), QStringLiteral(".dcm")}) {
+        if (file.endsWith(suffix))
+            file.chop(suffix.size());
+    }
+    m_file->setText(file + suffixOf(format()));
+    showState();
+}
+
+void ExportDialog::showState()
+{
+    if (m_job.running())
+        return;
+    const auto segments = chosen();
+    const auto uncoded = std::find_if(segments.begin(), segments.end(),
+        [](const core::Segment& segment) { return !segment.code.isSet(); });
+    QString problem;
+    if (segments.empty())
+        problem = tr("Tick at least one segment.");
+    else if (format() == core::ExportFormat::DicomSeg && uncoded != segments.end())
+        problem =
+            tr("“%1” is not coded yet: click its code and say what it is.").arg(uncoded->name);
+    else if (m_file->text().trimmed().isEmpty())
+        problem = tr("Name the file.");
+    m_state->setText(problem);
+    m_export->setEnabled(problem.isEmpty());
+}
+
+void ExportDialog::chooseCode(QTreeWidgetItem* item)
+{
+    core::EditSession* session = m_workspace.session();
+    const int label = item->data(NameColumn, labelRole).toInt();
+    const core::Segment* segment = session ? session->document().segment(label) : nullptr;
+    if (!segment || m_job.running())
+        return;
+    CodeDialog dialog(segment->name, segment->code, this);
+    if (dialog.exec() != QDialog::Accepted || session != m_workspace.session())
+        return;
+    core::ChangeSegment edit;
+    edit.segment = label;
+    edit.code = dialog.code();
+    if (const auto applied = session->apply(edit); !applied)
+        showFailure(applied.error());
+}
+
+void ExportDialog::browse()
+{
+    const QString filter = format() == core::ExportFormat::DicomSeg ? tr("DICOM (*.dcm)")
+                                                                    : tr("NIfTI (*.nii.gz *.nii)");
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Export to"), m_file->text(), filter, nullptr, QFileDialog::DontConfirmOverwrite);
+    if (!file.isEmpty())
+        m_file->setText(file);
+}
+
+void ExportDialog::start()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_job.running())
+        return;
+    core::ExportRequest request;
+    request.format = format();
+    request.file = m_file->text().trimmed();
+    if (QFileInfo::exists(request.file)) {
+        const auto answer = QMessageBox::question(this, tr("Replace the file?"),
+            tr("%1 exists already. Replace it?").arg(request.file),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+        if (answer != QMessageBox::Yes)
+            return;
+        request.force = true;
+    }
+    // What is exported is what the history holds: a running growth is closed first.
+    if (const auto settled = session->settle(); !settled) {
+        showFailure(settled.error());
+        return;
+    }
+    request.segments = chosen();
+    std::set<std::uint8_t> wanted;
+    for (const core::Segment& segment : request.segments)
+        wanted.insert(segment.plane);
+    std::vector<ExportJob::Plane> planes;
+    for (const std::uint8_t plane : wanted) {
+        auto labels = session->labels(plane);
+        if (!labels) {
+            showFailure(labels.error());
+            return;
+        }
+        planes.push_back({plane, *std::move(labels)});
+    }
+    QSettings().setValue(folderKey(), QFileInfo(request.file).absolutePath());
+    m_report->hide();
+    m_progress->setRange(0, 0);
+    m_progress->show();
+    m_export->setEnabled(false);
+    m_close->setText(tr("Abort"));
+    m_job.start(*m_workspace.volume(), std::move(request), std::move(planes));
+}
+
+void ExportDialog::showReport(const core::ExportReport& report)
+{
+    m_progress->hide();
+    m_close->setText(tr("Close"));
+    showState();
+    QStringList lines;
+    lines += report.written;
+    for (const QString& sentence : report.checked)
+        lines += QStringLiteral("✓ ") + sentence;
+    for (const QString& caution : report.cautions)
+        lines += tr("Caution: %1").arg(caution);
+    m_report->setText(lines.join(QLatin1Char('\n')));
+    m_report->setProperty("role", QStringLiteral("good"));
+    m_report->show();
+    m_workspace.say(tr("Exported and checked: %1").arg(report.file));
+    Q_EMIT exported(report.file);
+}
+
+void ExportDialog::showFailure(const core::Error& error)
+{
+    m_progress->hide();
+    m_close->setText(tr("Close"));
+    showState();
+    m_state->setText(error.code == core::ErrorCode::Cancelled
+            ? tr("The export was aborted; nothing was written.")
+            : errorText(error));
+}
+
+void ExportDialog::reject()
+{
+    if (m_job.running()) {
+        m_job.cancel();
+        return;
+    }
+    QDialog::reject();
+}
+
+} // namespace ui

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/export/ExportMask.h"
+
+#include <QObject>
+#include <QThread>
+
+#include <memory>
+#include <vector>
+
+namespace ui {
+
+/// One export on a thread of its own: it holds copies of all it needs, so the study may be edited
+/// or closed meanwhile. Destroying it cancels and waits.
+class ExportJob : public QObject {
+    Q_OBJECT
+
+public:
+    struct Plane {
+        std::uint8_t plane = 0;
+        std::vector<std::uint8_t> labels; ///< x fastest
+    };
+
+    explicit ExportJob(QObject* parent = nullptr);
+    ~ExportJob() override;
+
+    /// @param request its planes are taken from @p planes
+    void start(core::Volume volume, core::ExportRequest request, std::vector<Plane> planes);
+    void cancel();
+    [[nodiscard]] bool running() const;
+
+Q_SIGNALS:
+    void progressed(const QString& step, int done, int total);
+    void finished(const core::ExportReport& report);
+    void failed(const core::Error& error);
+
+private:
+    struct Work;
+    std::shared_ptr<Work> m_work;
+    std::unique_ptr<QThread> m_thread;
+};
+
+} // namespace ui
