@@ -17,6 +17,10 @@ class QRadioButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
+namespace core {
+class EditSession;
+}
+
 namespace ui {
 
 class Workspace;
