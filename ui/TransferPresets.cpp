@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/TransferPresets.h"
 
-#include "ui/InitialDisplay.h"
-
 #include <QObject>
 
 namespace ui {
@@ -25,11 +23,13 @@ double quantile(const core::Histogram& histogram, double share)
 
 std::vector<TransferPreset> transferPresets(const core::Volume& volume)
 {
-    const TransferPreset standard{
-        QObject::tr("Standard"), initialVolumeDisplay(volume).transferFunction};
     if (volume.unit == QLatin1String("HU")) {
         return {
-            standard,
+            // Skin faint, soft tissue warm, contrast and bone bright and dense.
+            {QObject::tr("Standard"),
+                {{{-400.0, 0x6b3b2a, 0.0}, {-150.0, 0xc98f6a, 0.004}, {20.0, 0xb5654c, 0.012},
+                    {90.0, 0xc76a54, 0.03}, {220.0, 0xe3c08e, 0.12}, {450.0, 0xf3e3c4, 0.45},
+                    {1200.0, 0xffffff, 0.9}}}},
             {QObject::tr("Bone"),
                 {{{150.0, 0x8a4b32, 0.0}, {250.0, 0xd9a066, 0.05}, {600.0, 0xf2e4c4, 0.35},
                     {1800.0, 0xffffff, 0.8}}}},
@@ -49,7 +49,6 @@ std::vector<TransferPreset> transferPresets(const core::Volume& volume)
     const double high = quantile(volume.histogram, 0.999);
     const auto at = [low, high](double share) { return low + (high - low) * share; };
     return {
-        standard,
         {QObject::tr("Tissue"),
             {{{at(0.0), 0x3a2a24, 0.0}, {at(0.25), 0x9a6a55, 0.03}, {at(0.6), 0xd9b090, 0.15},
                 {at(1.0), 0xffffff, 0.5}}}},

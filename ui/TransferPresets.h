@@ -16,8 +16,8 @@ struct TransferPreset {
     gpu::TransferFunction function;
 };
 
-/// Bone, skin and vessels in HU for CT; for everything else ramps over the values that the bulk of
-/// the voxels hold, so that they suit any scale.
+/// What a volume starts with comes first. Bone, skin and vessels in HU for CT; for everything else
+/// ramps over the values that the bulk of the voxels hold, so that they suit any scale.
 [[nodiscard]] std::vector<TransferPreset> transferPresets(const core::Volume& volume);
 
 /// The value below which @p share of the voxels lie, after the histogram.
