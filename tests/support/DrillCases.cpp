@@ -32,18 +32,23 @@ struct Scene {
 
     [[nodiscard]] DrillStroke stroke() { return randomDrill(document, random); }
 
+    /// In pieces of a few samples; what is cut so far is read in between.
     void append(const DrillCut& cut, const std::vector<DrillSample>& path,
         core::Ending ending = core::Ending::Commit)
     {
-        std::vector<core::EngineExtension> pieces;
+        made.steps.push_back(command(core::BeginEdit{cut}));
         for (std::size_t first = 0; first < path.size();) {
             const std::size_t count =
                 std::min<std::size_t>(path.size() - first, std::size_t(randomInt(random, 1, 6)));
-            pieces.push_back(DrillPath{{path.begin() + std::ptrdiff_t(first),
-                path.begin() + std::ptrdiff_t(first + count)}});
+            made.steps.push_back(
+                command(core::ExtendEdit{DrillPath{{path.begin() + std::ptrdiff_t(first),
+                    path.begin() + std::ptrdiff_t(first + count)}}}));
+            if (random() % 3 == 0)
+                made.steps.push_back(
+                    command(core::ReadBricks{{{core::Field::Coverage, cut.layer, 0}}}));
             first += count;
         }
-        appendWhole(made.steps, cut, std::move(pieces), ending);
+        made.steps.push_back(command(core::EndEdit{ending}));
     }
 
     void append(const DrillStroke& one, core::Ending ending = core::Ending::Commit)

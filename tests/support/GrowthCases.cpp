@@ -24,9 +24,15 @@ void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst,
 {
     steps.push_back(BeginGrowth{burst});
     for (const int portion : portions) {
-        steps.push_back(command(core::ExtendEdit{GrowAdvance{portion}}));
-        if (portion > 0)
+        const double pace = portion % 2 ? 400.0 : 0.0; // changes no result
+        steps.push_back(command(core::ExtendEdit{GrowAdvance{portion, pace}}));
+        if (portion > 0) {
+            // A finished generation shows at once.
             steps.push_back(Settle{});
+            steps.push_back(command(core::ProbeVoxels{{{0, 0, 0}}, burst.plane}));
+            steps.push_back(command(core::ReadBricks{{{core::Field::Labels, burst.plane, 0},
+                {core::Field::SeedWords, burst.plane, 0}}}));
+        }
     }
     steps.push_back(command(core::EndEdit{ending}));
 }
