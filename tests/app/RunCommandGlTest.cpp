@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/nifti/NiftiWriter.h"
+#include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
+#include "core/study/StudyLoader.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace core;
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    QList<QJsonObject> lines; ///< of stdout
+    QString complaint; ///< stderr
+};
+
+Outcome burin(const QStringList& arguments)
+{
+    QProcess process;
+    process.start(QStringLiteral(BURIN_PROGRAM), arguments);
+    process.waitForFinished(300000);
+    Outcome outcome;
+    outcome.status = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+    outcome.complaint = QString::fromUtf8(process.readAllStandardError());
+    for (const QByteArray& line : process.readAllStandardOutput().split('\n')) {
+        if (!line.isEmpty())
+            outcome.lines.append(QJsonDocument::fromJson(line).object());
+    }
+    return outcome;
+}
+
+QJsonArray json(const std::vector<Edit>& edits)
+{
+    QJsonArray list;
+    for (const Edit& edit : edits)
+        list.append(editToJson(edit));
+    return list;
+}
+
+const QString key(const char* name)
+{
+    return QLatin1String(name);
+}
+
+} // namespace
+
+class RunCommandGlTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_studies;
+    QString m_study;
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    QString write(const char* name, const QByteArray& content) const
+    {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("cannot write %s", name);
+        return file.fileName();
+    }
+    QString recipe(const QJsonObject& content) const
+    {
+        return write("recipe.json", QJsonDocument(content).toJson());
+    }
+    QStringList runArguments(const QString& recipeFile) const
+    {
+        return {key("run"), recipeFile, key("--study"), m_study, key("--session"), path("a.burin")};
+    }
+    QStringList files() const { return QDir(m_folder->path()).entryList(QDir::Files); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const LoadedVolume study = test::smallStudy();
+        std::vector<std::int16_t> values;
+        for (const std::uint16_t code : study.codes)
+            values.push_back(std::int16_t(code - 1024));
+        m_study = m_studies.filePath(QStringLiteral("small.nii.gz"));
+        QVERIFY(writeNifti(m_study,
+            {.geometry = study.volume.geometry,
+                .voxels = std::span<const std::int16_t>(values),
+                .description = {}}));
+    }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
+
+    void printsOneLinePerEditAndEqualsTheOracle()
+    {
+        const QString file = recipe({{key("edits"), json(test::manyEdits())},
+            {key("export"),
+                QJsonArray{QJsonObject{
+                    {key("format"), key("nifti")}, {key("file"), path("out.nii.gz")}}}}});
+        const Outcome outcome = burin(runArguments(file));
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), qsizetype(test::manyEdits().size() + 1));
+        QVERIFY(files().contains(key("out.nii.gz")));
+
+        reference::ReferenceEngine oracle;
+        Result<LoadedVolume> volume = loadVolume(m_study);
+        QVERIFY(volume);
+        const auto session = *EditSession::create(oracle, *std::move(volume), {});
+        for (std::size_t i = 0; i < test::manyEdits().size(); ++i) {
+            QVERIFY(session->apply(test::manyEdits()[i]));
+            QVERIFY(session->settle());
+            const HistoryRow& row = session->history().rows().back();
+            const QJsonObject& line = outcome.lines[qsizetype(i)];
+            QCOMPARE(line[key("edit")].toString(), editName(test::manyEdits()[i]));
+            QCOMPARE(line[key("row")].toInteger(), qint64(i + 1));
+            QCOMPARE(line[key("name")].toString(), row.name);
+            QCOMPARE(line[key("voxelsChanged")].toInteger(), qint64(row.statistics.voxelsChanged));
+            QCOMPARE(line[key("bricks")].toInt(), row.statistics.bricks);
+            QCOMPARE(line[key("hash")].toString().toLatin1(), row.stateHash);
+            QVERIFY(line[key("ms")].isDouble());
+        }
+        const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
+        QCOMPARE(replayed.lines.size(), qsizetype(test::manyEdits().size()));
+    }
+
+    void anEditThatChangesNothingSaysSo()
+    {
+        const QString file = recipe({{key("edits"),
+            json({test::addSegment("A"), test::growBrain(), test::addSegment("B")})}});
+        const Outcome outcome = burin(runArguments(file));
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(outcome.lines.size(), 3);
+        QVERIFY(outcome.lines[1][key("row")].isNull());
+        QCOMPARE(outcome.lines[1][key("hash")], outcome.lines[0][key("hash")]);
+        QCOMPARE(outcome.lines[2][key("row")].toInt(), 2);
+    }
+
+    void refusesInOneLineAndLeavesNothing_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("named");
+        const auto row = [](const char* name, QByteArray content, const char* named) {
+            QTest::newRow(name) << content.replace('\'', '"') << QString(QLatin1String(named));
+        };
+        row("unknown edit", "{'edits':[{'edit':'growl'}]}", "growl");
+        row("which edit",
+            "{'edits':[{'edit':'addSegment','name':'A','color':'#000000'},{'edit':'growl'}]}",
+            "edit 2");
+        row("missing field", "{'edits':[{'edit':'grow','lower':1,'steps':1}]}", "grow.upper");
+        row("wrong type", "{'edits':[{'edit':'grow','lower':'1','upper':2,'steps':1}]}",
+            "grow.lower");
+        row("unknown field", "{'edits':[{'edit':'grow','lower':1,'upper':2,'steps':1,'mode':2}]}",
+            "grow.mode");
+        row("unknown segment", "{'edits':[{'edit':'seed','segment':1,'pointsLps':[[0,0,120]]}]}",
+            "segment 1");
+        row("seed outside",
+            "{'edits':[{'edit':'addSegment','name':'A','color':'#000000'},{'edit':'seed','segment':"
+            "1,'pointsLps':[[0,0,9000]]}]}",
+            "9000");
+        row("crossed bounds", "{'edits':[{'edit':'grow','lower':3,'upper':2,'steps':1}]}",
+            "grow.upper");
+        row("no edits", "{}", "edits");
+        row("unknown part", "{'edits':[],'exports':[]}", "exports");
+        row("no JSON", "{'edits':[\n}", "line 2");
+        row("another format", "{'edits':[],'export':[{'format':'stl','file':'OUT/a.stl'}]}", "stl");
+        row("another ending", "{'edits':[],'export':[{'format':'nifti','file':'OUT/a.img'}]}",
+            "a.img");
+        row("no such folder", "{'edits':[],'export':[{'format':'nifti','file':'OUT/no/a.nii'}]}",
+            "no");
+        row("SEG of a NIfTI volume",
+            "{'edits':[],'export':[{'format':'dicom-seg','file':'OUT/a.dcm'}]}", "a.dcm");
+        row("the export exists",
+            "{'edits':[],'export':[{'format':'nifti','file':'OUT/recipe.json.nii'}]}",
+            "recipe.json.nii");
+    }
+    void refusesInOneLineAndLeavesNothing()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, named);
+        write("recipe.json.nii", "here before");
+        const QString file =
+            write("recipe.json", content.replace("OUT", m_folder->path().toUtf8()));
+        const QStringList before = files();
+        const Outcome outcome = burin(runArguments(file));
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.lines.isEmpty());
+        QVERIFY2(outcome.complaint.contains(named), qPrintable(outcome.complaint));
+        QCOMPARE(outcome.complaint.count(QLatin1Char('\n')), 1);
+        QCOMPARE(files(), before);
+    }
+
+    void badPathsAreNamed_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("no recipe") << 0;
+        QTest::newRow("no study") << 1;
+        QTest::newRow("an empty folder") << 2;
+        QTest::newRow("a truncated study") << 3;
+        QTest::newRow("a session in no folder") << 4;
+        QTest::newRow("the session exists") << 5;
+    }
+    void badPathsAreNamed()
+    {
+        QFETCH(int, what);
+        QString recipeFile = recipe({{key("edits"), json({test::addSegment("A")})}});
+        QString study = m_study;
+        QString session = path("a.burin");
+        QString named;
+        if (what == 0)
+            recipeFile = named = path("none.json");
+        if (what == 1)
+            study = named = path("none");
+        if (what == 2) {
+            study = named = path("empty");
+            QVERIFY(QDir().mkdir(study));
+        }
+        if (what == 3) {
+            study = named = path("cut.nii.gz");
+            QVERIFY(QFile::copy(m_study, study));
+            QVERIFY(QFile::resize(study, QFile(study).size() / 2));
+        }
+        if (what == 4)
+            session = named = path("no/such/a.burin");
+        if (what == 5)
+            named = write("a.burin", "here before");
+        const QStringList before = files();
+        const Outcome outcome =
+            burin({key("run"), recipeFile, key("--study"), study, key("--session"), session});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(named), qPrintable(outcome.complaint));
+        QCOMPARE(outcome.complaint.count(QLatin1Char('\n')), 1);
+        QCOMPARE(files(), before);
+        if (what == 5) {
+            QFile file(session);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QCOMPARE(file.readAll(), QByteArray("here before"));
+        }
+    }
+
+    void wrongArgumentsAreStatusTwo_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("nothing") << QStringList{key("run")};
+        QTest::newRow("no study") << QStringList{
+            key("run"), key("r.json"), key("--session"), key("s")};
+        QTest::newRow("no session")
+            << QStringList{key("run"), key("r.json"), key("--study"), key("s")};
+        QTest::newRow("unknown") << QStringList{key("run"), key("r.json"), key("--fast")};
+        QTest::newRow("no value") << QStringList{key("run"), key("r.json"), key("--study")};
+        QTest::newRow("replay nothing") << QStringList{key("replay"), key("--verify")};
+        QTest::newRow("replay without verify") << QStringList{key("replay"), key("a.burin")};
+    }
+    void wrongArgumentsAreStatusTwo()
+    {
+        QFETCH(QStringList, arguments);
+        QCOMPARE(burin(arguments).status, 2);
+    }
+
+    void forceReplaces()
+    {
+        const QString file =
+            recipe({{key("edits"), json({test::addSegment("A"), test::drillAt(0)})}});
+        QCOMPARE(burin(runArguments(file)).status, 0);
+        QCOMPARE(burin(runArguments(file)).status, 1);
+        QCOMPARE(burin(runArguments(file) + QStringList{key("--force")}).status, 0);
+        QCOMPARE(burin({key("replay"), path("a.burin"), key("--verify")}).status, 0);
+    }
+
+    void replayNamesTheFirstRowThatDisagrees()
+    {
+        // A session whose chain is whole but whose hashes are not those of its edits: made by
+        // writing the file by its own writer, with one hash made up.
+        const Result<LoadedVolume> volume = loadVolume(m_study);
+        {
+            const auto file =
+                SessionFile::create(path("a.burin"), SessionSource::of(volume->volume), false);
+            QVERIFY(file);
+            HistoryRow first;
+            first.id = 1;
+            first.name = key("Add segment 'A'");
+            first.edit = test::addSegment("A");
+            (*file)->addRow(first);
+            (*file)->completeRow(1, QByteArray(64, 'a'), {});
+            QVERIFY((*file)->flush());
+        }
+        const Outcome outcome = burin({key("replay"), path("a.burin"), key("--verify")});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(key("row 1")), qPrintable(outcome.complaint));
+    }
+
+    void replayRefusesATamperedSession()
+    {
+        const QString file =
+            recipe({{key("edits"), json({test::addSegment("A"), test::drillAt(0)})}});
+        QCOMPARE(burin(runArguments(file)).status, 0);
+        {
+            QSqlDatabase database = QSqlDatabase::addDatabase(key("QSQLITE"), key("test"));
+            database.setDatabaseName(path("a.burin"));
+            QVERIFY(database.open());
+            QSqlQuery query(database);
+            QVERIFY(query.exec(key(
+                "UPDATE row SET edit=replace(edit,'\"depthMm\":5','\"depthMm\":4') WHERE id=2")));
+            QCOMPARE(query.numRowsAffected(), 1);
+        }
+        QSqlDatabase::removeDatabase(key("test"));
+        const Outcome outcome = burin({key("replay"), path("a.burin"), key("--verify")});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(key("row 2")), qPrintable(outcome.complaint));
+    }
+
+    void replayWalksBranches()
+    {
+        {
+            reference::ReferenceEngine oracle;
+            const auto session =
+                *EditSession::create(oracle, *loadVolume(m_study), {.file = path("a.burin")});
+            for (const Edit& edit : test::manyEdits())
+                QVERIFY(session->apply(edit));
+            QVERIFY(session->settle());
+            QVERIFY(session->goTo(3));
+            QVERIFY(session->apply(test::growBrain(1)));
+            QVERIFY(session->settle());
+            QVERIFY(session->goTo(8));
+            QVERIFY(session->apply(test::drillAt(2)));
+            QVERIFY(session->settle());
+        }
+        const Outcome outcome = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), qsizetype(test::manyEdits().size() + 2));
+        const Outcome elsewhere =
+            burin({key("replay"), path("a.burin"), key("--verify"), key("--study"), path("none")});
+        QCOMPARE(elsewhere.status, 1);
+    }
+
+    void whatWasAcknowledgedSurvivesAKill()
+    {
+        std::vector<Edit> edits{test::addSegment("Brain"), test::seedInBrain(1)};
+        for (int i = 0; i < 60; ++i)
+            edits.push_back(i % 2 ? Edit(test::drillAt(i % 17 - 8)) : Edit(test::growBrain(1)));
+        const QString file = recipe({{key("edits"), json(edits)}});
+        const int kills = qEnvironmentVariableIsSet("BURIN_LONG") ? 10 : 2;
+        for (int round = 0; round < kills; ++round) {
+            QProcess process;
+            process.start(
+                QStringLiteral(BURIN_PROGRAM), runArguments(file) + QStringList{key("--force")});
+            QList<QJsonObject> acknowledged;
+            while (acknowledged.size() < 5 + round * 2 && process.waitForReadyRead(60000)) {
+                while (process.canReadLine())
+                    acknowledged.append(QJsonDocument::fromJson(process.readLine()).object());
+            }
+            process.kill(); // SIGKILL
+            process.waitForFinished();
+            while (process.canReadLine())
+                acknowledged.append(QJsonDocument::fromJson(process.readLine()).object());
+            QVERIFY(acknowledged.size() >= 5);
+
+            reference::ReferenceEngine oracle;
+            const auto session = EditSession::open(oracle, *loadVolume(m_study), path("a.burin"));
+            QVERIFY2(
+                session, qPrintable(session ? QString() : session.error().arguments.join(u' ')));
+            qint64 lastRow = 0;
+            for (const QJsonObject& line : acknowledged) {
+                if (line[key("row")].isNull())
+                    continue;
+                lastRow = line[key("row")].toInteger();
+                QCOMPARE((*session)->history().row(lastRow).stateHash,
+                    line[key("hash")].toString().toLatin1());
+            }
+            // The stroke under way may be there or not; no more than that one.
+            const auto rows = qint64((*session)->history().rows().size());
+            QVERIFY(rows == lastRow || rows == lastRow + 1);
+            QCOMPARE((*session)->history().position(), RowId(rows));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(RunCommandGlTest)
+#include "RunCommandGlTest.moc"
