@@ -34,8 +34,8 @@ QString personName(const QString& dicomName)
 QStringList patientLines(const core::StudyIdentity& identity)
 {
     QStringList lines{personName(identity.patientName),
-        joined({prefixed(QStringLiteral("ID "), identity.patientId),
-            prefixed(QStringLiteral("born "), identity.birthDate), identity.sex})};
+        prefixed(QStringLiteral("ID "), identity.patientId),
+        joined({prefixed(QStringLiteral("born "), identity.birthDate), identity.sex})};
     lines.removeAll(QString());
     return lines.isEmpty() ? QStringList{QStringLiteral("patient not named in the source")} : lines;
 }

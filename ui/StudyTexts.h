@@ -14,7 +14,7 @@ namespace ui {
 
 /// "Doe, Jane · ID 4711 · born 1961-03-02 · F"; says so when the source names nobody.
 [[nodiscard]] QString patientText(const core::StudyIdentity& identity);
-/// The same in two lines for the corner of a view: name; ID, birth date and sex.
+/// The same line by line for the corner of a view: name; ID; birth date and sex.
 [[nodiscard]] QStringList patientLines(const core::StudyIdentity& identity);
 /// A DICOM person name as people write it: "DOE^JANE" is "DOE, JANE".
 [[nodiscard]] QString personName(const QString& dicomName);

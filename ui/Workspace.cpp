@@ -2,6 +2,7 @@
 #include "ui/Workspace.h"
 
 #include "ui/InitialDisplay.h"
+#include "ui/tools/Tool.h"
 
 #include <utility>
 
@@ -24,12 +25,17 @@ const core::Volume* Workspace::volume() const
 
 void Workspace::setSession(std::unique_ptr<core::EditSession> session)
 {
-    if (m_session)
+    if (m_tool)
+        m_tool->cancel();
+    if (m_session) {
         m_session->setListener({});
+        m_session->setErrorListener({});
+    }
     m_session = std::move(session);
     if (m_session) {
         m_session->setListener(
             [this](const core::DocumentChange& change) { Q_EMIT documentChanged(change); });
+        m_session->setErrorListener([this](const core::Error& error) { fail(error); });
     }
     m_cautionAccepted = false;
     m_pointedLps.reset();

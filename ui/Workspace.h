@@ -93,6 +93,8 @@ public:
 
     /// One sentence for the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
+    /// What could not be done, for the bar above the views.
+    void fail(const core::Error& error) { Q_EMIT failed(error); }
     /// Pen pressure as it comes, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
@@ -110,6 +112,7 @@ Q_SIGNALS:
     void pointedLpsChanged();
     void activeToolChanged();
     void said(const QString& sentence);
+    void failed(const core::Error& error);
     void pressureChanged(double pressure);
 
 private:

@@ -29,7 +29,7 @@ void paintCautionStrip(QPainter& painter, const QRect& view, const core::Volume&
     const QRect needed = painter.boundingRect(
         QRect(room.left(), 0, room.width(), 200), Qt::TextWordWrap | Qt::AlignLeft, text);
     const int height = needed.height() + 10;
-    const QRect strip(view.left(), view.top() + 64, view.width(), height);
+    const QRect strip(view.left(), view.top() + 82, view.width(), height);
     painter.fillRect(strip, QColor(0x3a, 0x2c, 0x12, 0xe6));
     painter.fillRect(QRect(strip.left(), strip.top(), 3, height), theme::caution);
     painter.drawPixmap(QPointF(strip.left() + theme::padding, strip.top() + (height - 16) / 2.0),

@@ -164,9 +164,6 @@ bool ImageView::event(QEvent* event)
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
         return handlePointer(*event);
-    case QEvent::Hide:
-        m_glue.forget();
-        break;
     default:
         break;
     }
@@ -308,6 +305,8 @@ void ImageView::leaveEvent(QEvent* event)
     QWidget::leaveEvent(event);
     m_pointer.reset();
     m_workspace.setPointedLps(std::nullopt);
+    if (m_tool && m_gesture != Gesture::Tool)
+        m_tool->leave();
     update();
 }
 
@@ -343,8 +342,16 @@ void ImageView::resizeEvent(QResizeEvent* event)
 void ImageView::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_requested = false;
     requestFrame();
+}
+
+void ImageView::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    // Nobody looks: edits shall not draw this view anew.
+    m_glue.forget();
+    m_requested = false;
+    m_workspace.frames().forget(m_view);
 }
 
 void ImageView::paintEvent(QPaintEvent*)

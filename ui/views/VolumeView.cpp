@@ -213,13 +213,15 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     const Camera camera = cameraOf(std::get<gpu::VolumeScene>(shown.scene));
 
     if (options.showCrosshair) {
-        QColor faint = theme::text;
-        faint.setAlpha(150);
+        // It lies at the crosshair's depth, mostly inside the body: small, readable on any ground.
         const QPointF at = crosshairPixel();
         painter.save();
-        painter.setPen(QPen(faint, 1.2));
-        for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            painter.drawLine(at + arm * 5.0, at + arm * 11.0);
+        for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 2.6), QPen(theme::accent, 1.2)}) {
+            painter.setPen(pen);
+            for (const QPointF& arm :
+                {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+                painter.drawLine(at + arm * 5.0, at + arm * 10.0);
+        }
         painter.restore();
     }
     paintEdgeLetters(painter, rect(), camera.right(), -camera.up);
