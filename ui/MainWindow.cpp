@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/MainWindow.h"
+
+#include "ui/ErrorText.h"
+#include "ui/Icons.h"
+#include "ui/LoadingBar.h"
+#include "ui/MessageBar.h"
+#include "ui/OptionBar.h"
+#include "ui/PanelDock.h"
+#include "ui/RecentStudies.h"
+#include "ui/StartPage.h"
+#include "ui/StatusLine.h"
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/ToolColumn.h"
+#include "ui/WindowActions.h"
+#include "ui/dialogs/AboutDialog.h"
+#include "ui/dialogs/OpenStudyDialog.h"
+#include "ui/panels/Panel.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/CautionStrip.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int panelWidth = 330;
+/// A list's share of the column's height before anyone has dragged a border.
+constexpr int listHeight = 200;
+
+QString droppedPath(const QMimeData& data)
+{
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile())
+            return url.toLocalFile();
+    }
+    return {};
+}
+
+} // namespace
+
+MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
+    : m_workspace(workspace)
+    , m_graphics(graphics)
+    , m_actions(*this)
+    , m_menuBar(new QMenuBar(this))
+    , m_identity(new QLabel(this))
+    , m_tools(new ToolColumn(this))
+    , m_loading(new LoadingBar(this))
+    , m_messages(new MessageBar(this))
+    , m_pages(new QStackedWidget(this))
+    , m_start(new StartPage(this))
+    , m_views(new ViewGrid(workspace, this))
+    , m_status(new StatusLine(workspace, this))
+{
+    setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    addWindowActions(*this);
+    buildMenus();
+    buildCentre();
+    connectOpener();
+
+    const auto refresh = [this] { m_actions.refresh(); };
+    connect(&workspace, &Workspace::documentChanged, this, refresh);
+    connect(&workspace, &Workspace::activeToolChanged, this, refresh);
+    connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
+    connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
+    connect(&workspace, &Workspace::windowLevelChanged, this, refresh);
+    connect(m_views, &ViewGrid::layoutChanged, this, refresh);
+    connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
+    connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);
+    connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
+        m_messages->show(MessageBar::Kind::Error, errorText(error));
+    });
+    showSession();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildMenus()
+{
+    const auto ids = [](std::initializer_list<const char*> names) {
+        QStringList list;
+        for (const char* name : names)
+            list += QLatin1String(name);
+        return list;
+    };
+    m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
+    m_actions.fill(*m_fileMenu,
+        ids({"file.openFolder", "file.openFile", "file.demonstration", "", "file.close",
+            "file.quit"}));
+    QMenu* edit = m_menuBar->addMenu(QStringLiteral("&Edit"));
+    m_actions.fill(*edit, ids({"edit.undo", "edit.redo"}));
+
+    QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
+    m_actions.fill(*view,
+        ids({"view.four", "view.volume", "view.axial", "view.sagittal", "view.coronal", "",
+            "view.reset", "view.resetAll", ""}));
+    QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
+    for (int number = 1; number <= 9; ++number)
+        grey->addAction(&m_actions[QStringLiteral("window.preset%1").arg(number)]);
+    grey->addSeparator();
+    grey->addAction(&m_actions[QStringLiteral("view.inverted")]);
+    QMenu* volume = view->addMenu(QStringLiteral("3D"));
+    m_actions.fill(*volume,
+        ids({"view.surface", "view.dvr", "view.mip", "", "view.fromFront", "view.fromBack",
+            "view.fromLeft", "view.fromRight", "view.fromAbove", "view.fromBelow"}));
+    view->addSeparator();
+    m_actions.fill(*view,
+        ids({"view.crosshair", "view.patient", "view.segments", "", "view.panels",
+            "view.fullScreen"}));
+
+    m_sculptMenu = m_menuBar->addMenu(QStringLiteral("S&culpt"));
+    m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
+    m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
+    QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));
+    m_actions.fill(*help, ids({"help.about"}));
+
+    m_identity->setFont(theme::smallFont());
+    m_identity->setProperty("role", QStringLiteral("secondary"));
+    m_identity->setTextFormat(Qt::PlainText);
+    m_identity->setContentsMargins(0, 0, theme::padding, 0);
+    m_identity->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // The text is cut to the room there is; it must not make room.
+    m_identity->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+    auto* header = new QFrame(this);
+    header->setProperty("role", QStringLiteral("panel"));
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme::padding);
+    m_menuBar->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    row->addWidget(m_menuBar);
+    row->addWidget(m_identity, 1);
+    setMenuWidget(header);
+}
+
+void MainWindow::buildCentre()
+{
+    auto* centre = new QWidget(this);
+    auto* row = new QHBoxLayout(centre);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_tools);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    row->addLayout(column, 1);
+    column->addWidget(new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
+        m_actions[QStringLiteral("edit.redo")], this));
+    column->addWidget(m_loading);
+    column->addWidget(m_messages);
+    column->addWidget(m_pages, 1);
+    m_pages->addWidget(m_start);
+    m_pages->addWidget(m_views);
+    setCentralWidget(centre);
+
+    m_tools->addTool(m_actions[QStringLiteral("tool.navigate")], QStringLiteral("Navigate"));
+
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(0, 0, 0, 0);
+    statusBar()->layout()->setContentsMargins(0, 0, 0, 0);
+    statusBar()->addWidget(m_status, 1);
+
+    connect(m_start, &StartPage::openFolderAsked, this, &MainWindow::askForFolder);
+    connect(m_start, &StartPage::openFileAsked, this, &MainWindow::askForFile);
+    connect(m_start, &StartPage::demonstrationAsked, this, &MainWindow::demonstrationAsked);
+    connect(m_start, &StartPage::recentAsked, this,
+        [this](const QString& path) { m_opener.open(path); });
+}
+
+void MainWindow::connectOpener()
+{
+    connect(&m_opener, &StudyOpener::started, this, [this](const QString& path) {
+        m_messages->dismiss();
+        m_loading->begin(QStringLiteral("Opening %1").arg(QFileInfo(path).fileName()));
+    });
+    connect(&m_opener, &StudyOpener::progressed, m_loading, &LoadingBar::progress);
+    connect(&m_opener, &StudyOpener::finished, m_loading, [this] {
+        if (!m_opener.busy())
+            m_loading->end();
+    });
+    connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
+    connect(&m_opener, &StudyOpener::choiceNeeded, this, &MainWindow::choose, Qt::QueuedConnection);
+    connect(m_loading, &LoadingBar::aborted, &m_opener, &StudyOpener::cancel);
+}
+
+void MainWindow::addTool(Tool& tool, QMenu& menu, const QKeySequence& key)
+{
+    QAction& action = m_actions.add({.id = QStringLiteral("tool.") + tool.iconName(),
+        .text = tool.name(),
+        .keys = {key},
+        .icon = tool.iconName(),
+        .run =
+            [this, &tool] {
+                m_workspace.setActiveTool(m_workspace.activeTool() == &tool ? nullptr : &tool);
+            },
+        .possible = [this] { return m_workspace.volume() != nullptr; },
+        .checked = [this, &tool] { return m_workspace.activeTool() == &tool; }});
+    m_tools->addTool(action, tool.name());
+    menu.addAction(&action);
+    m_actions.refresh();
+}
+
+void MainWindow::addToolGroup()
+{
+    m_tools->addGroupLine();
+}
+
+void MainWindow::addPanel(Panel* panel)
+{
+    auto* dock = new PanelDock(*panel, this);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    m_docks.push_back(dock);
+    showPanels(m_panelsWanted);
+    QList<QDockWidget*> docks;
+    QList<int> heights;
+    for (PanelDock* each : m_docks) {
+        docks += each;
+        heights += each->panel().stretches() ? listHeight : each->sizeHint().height();
+    }
+    resizeDocks(docks, heights, Qt::Vertical);
+    resizeDocks({dock}, {panelWidth}, Qt::Horizontal);
+}
+
+bool MainWindow::panelsShown() const
+{
+    return m_panelsWanted;
+}
+
+void MainWindow::showPanels(bool shown)
+{
+    m_panelsWanted = shown;
+    for (PanelDock* dock : m_docks)
+        dock->setVisible(shown && m_workspace.volume());
+    m_actions.refresh();
+}
+
+void MainWindow::showSession()
+{
+    const bool open = m_workspace.volume() != nullptr;
+    if (!open) {
+        m_workspace.setActiveTool(nullptr);
+        m_start->showRecent(RecentStudies::paths());
+    }
+    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_start);
+    m_tools->setVisible(open);
+    showPanels(m_panelsWanted);
+    showIdentity();
+    showCaution();
+    if (open)
+        m_views->current().setFocus();
+    m_actions.refresh();
+}
+
+void MainWindow::showIdentity()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume) {
+        setWindowTitle(QStringLiteral("Burin"));
+        m_identity->clear();
+        return;
+    }
+    QStringList parts{
+        patientText(volume->identity), studyText(volume->identity), seriesText(volume->identity)};
+    parts.removeAll(QString());
+    const QString text = parts.join(QStringLiteral(" · "));
+    setWindowTitle(text + QStringLiteral(" — Burin"));
+    m_identity->setToolTip(text);
+    const int room = width() - m_menuBar->sizeHint().width() - 4 * theme::padding;
+    m_identity->setText(
+        m_identity->fontMetrics().elidedText(text, Qt::ElideRight, std::max(room, 80)));
+}
+
+void MainWindow::showCaution()
+{
+    const core::Volume* volume = m_workspace.volume();
+    m_messages->dismiss();
+    if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
+        return;
+    m_messages->show(MessageBar::Kind::Caution,
+        QStringLiteral("%1. Views and exports carry this caution until you accept it.")
+            .arg(cautionText(*volume)),
+        QStringLiteral("Accept"), [this] { m_workspace.acceptCaution(); });
+}
+
+void MainWindow::choose(const core::StudyListing& listing)
+{
+    OpenStudyDialog dialog(listing, this);
+    if (dialog.exec() == QDialog::Accepted && !dialog.chosenKey().isEmpty())
+        m_opener.open(listing.path, dialog.chosenKey());
+}
+
+void MainWindow::askForFolder()
+{
+    const QString path =
+        QFileDialog::getExistingDirectory(this, QStringLiteral("Open a study: choose its folder"));
+    if (!path.isEmpty())
+        m_opener.open(path);
+}
+
+void MainWindow::askForFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, QStringLiteral("Open a volume"),
+        QString(), QStringLiteral("Volumes (*.nii *.nii.gz *.dcm);;All files (*)"));
+    if (!path.isEmpty())
+        m_opener.open(path);
+}
+
+void MainWindow::showAbout()
+{
+    AboutDialog(m_graphics, this).exec();
+}
+
+void MainWindow::closeStudy()
+{
+    m_workspace.setSession(nullptr);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!droppedPath(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString path = droppedPath(*event->mimeData());
+    if (path.isEmpty())
+        return;
+    event->acceptProposedAction();
+    m_opener.open(path);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    showIdentity();
+}
+
+} // namespace ui

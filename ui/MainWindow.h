@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/Actions.h"
+#include "ui/StudyOpener.h"
+#include "ui/Workspace.h"
+
+#include <QMainWindow>
+
+class QLabel;
+class QMenuBar;
+class QStackedWidget;
+
+namespace ui {
+
+class LoadingBar;
+class MessageBar;
+class OptionBar;
+class Panel;
+class PanelDock;
+class StartPage;
+class StatusLine;
+class ToolColumn;
+class ViewGrid;
+
+/// Lays the window out and shows whose study is open. What can be done is in Actions, what happens
+/// in the views, tools and panels.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    /// @param graphics the renderer's name and version, for About
+    MainWindow(Workspace& workspace, const QString& graphics);
+    ~MainWindow() override;
+
+    /// The tool appears in the column at the left and in @p menu; @p key takes it up, and once more
+    /// lays it down.
+    void addTool(Tool& tool, QMenu& menu, const QKeySequence& key);
+    void addToolGroup();
+    /// The panel appears in the right column, below those before it. The window owns it.
+    void addPanel(Panel* panel);
+    [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }
+    [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }
+    [[nodiscard]] QMenu& growMenu() const { return *m_growMenu; }
+    [[nodiscard]] QMenu& segmentsMenu() const { return *m_segmentsMenu; }
+
+    [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+    [[nodiscard]] ViewGrid& views() const { return *m_views; }
+    [[nodiscard]] MessageBar& messages() const { return *m_messages; }
+    [[nodiscard]] StudyOpener& opener() { return m_opener; }
+    [[nodiscard]] Actions& actionTable() { return m_actions; }
+    [[nodiscard]] bool panelsShown() const;
+    void showPanels(bool shown);
+
+    void askForFolder();
+    void askForFile();
+    void showAbout();
+    void closeStudy();
+
+Q_SIGNALS:
+    void demonstrationAsked();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void buildMenus();
+    void buildCentre();
+    void connectOpener();
+    void showSession();
+    void showIdentity();
+    void showCaution();
+    void choose(const core::StudyListing& listing);
+
+    Workspace& m_workspace;
+    QString m_graphics;
+    Actions m_actions;
+    StudyOpener m_opener;
+    QMenu* m_fileMenu = nullptr;
+    QMenu* m_sculptMenu = nullptr;
+    QMenu* m_growMenu = nullptr;
+    QMenu* m_segmentsMenu = nullptr;
+    QMenuBar* m_menuBar;
+    QLabel* m_identity;
+    ToolColumn* m_tools;
+    LoadingBar* m_loading;
+    MessageBar* m_messages;
+    QStackedWidget* m_pages;
+    StartPage* m_start;
+    ViewGrid* m_views;
+    StatusLine* m_status;
+    std::vector<PanelDock*> m_docks;
+    bool m_panelsWanted = true;
+};
+
+} // namespace ui

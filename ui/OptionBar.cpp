@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/OptionBar.h"
+
+#include "ui/Theme.h"
+#include "ui/tools/Tool.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace ui {
+
+namespace {
+
+constexpr int barHeight = 40;
+constexpr int longestNamePixels = 170;
+
+QFrame* verticalLine(QWidget* parent)
+{
+    auto* line = new QFrame(parent);
+    line->setFixedSize(1, 20);
+    line->setStyleSheet(QStringLiteral("background: %1").arg(theme::line.name()));
+    return line;
+}
+
+} // namespace
+
+OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget* parent)
+    : QFrame(parent)
+    , m_workspace(workspace)
+    , m_layout(new QHBoxLayout(this))
+    , m_tool(new QLabel(this))
+    , m_keys(new QLabel(this))
+{
+    setProperty("role", QStringLiteral("bar"));
+    setFixedHeight(barHeight);
+    m_layout->setContentsMargins(theme::smallPadding, 0, theme::padding, 0);
+    m_layout->setSpacing(theme::smallPadding);
+    m_layout->addWidget(addAction(undo));
+    m_layout->addWidget(addAction(redo));
+    m_layout->addWidget(verticalLine(this));
+    m_tool->setFont(theme::headingFont());
+    m_layout->addSpacing(2);
+    m_layout->addWidget(m_tool);
+    m_layout->addStretch(1);
+    m_keys->setProperty("role", QStringLiteral("secondary"));
+    m_keys->setFont(theme::smallFont());
+    m_keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_layout->addWidget(m_keys);
+    connect(&workspace, &Workspace::activeToolChanged, this, &OptionBar::showTool);
+    connect(&workspace, &Workspace::sessionChanged, this, &OptionBar::showTool);
+    showTool();
+}
+
+QToolButton* OptionBar::addAction(QAction& action)
+{
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(&action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize(QSize(18, 18));
+    button->setFont(theme::smallFont());
+    button->setFocusPolicy(Qt::NoFocus);
+    const auto rename = [button, &action] {
+        const QString name = action.text();
+        button->setText(button->fontMetrics().elidedText(name, Qt::ElideRight, longestNamePixels));
+        button->setToolTip(
+            name + QStringLiteral("  ") + action.shortcut().toString(QKeySequence::NativeText));
+    };
+    connect(&action, &QAction::changed, button, rename);
+    rename();
+    return button;
+}
+
+void OptionBar::showTool()
+{
+    // A combo box of the old tool may be in the middle of its own signal.
+    if (m_options)
+        m_options->deleteLater();
+    m_options = nullptr;
+    Tool* tool = m_workspace.activeTool();
+    if (!m_workspace.volume())
+        tool = nullptr;
+    m_tool->setText(tool ? tool->name() : QString());
+    m_tool->setVisible(tool != nullptr);
+    m_keys->setText(tool           ? tool->keys()
+            : m_workspace.volume() ? QStringLiteral("left grey scale · middle pan · right "
+                                                    "zoom · wheel slices · Shift crosshair")
+                                   : QString());
+    if (!tool)
+        return;
+    m_options = tool->createOptions(this);
+    if (m_options) {
+        m_layout->insertWidget(m_layout->indexOf(m_tool) + 1, m_options);
+        m_options->show();
+    }
+}
+
+} // namespace ui

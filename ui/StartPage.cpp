@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/StartPage.h"
+
+#include "ui/Icons.h"
+#include "ui/Theme.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int columnWidth = 620;
+
+QLabel* text(const QString& words, double pixels, const QColor& colour, QWidget* parent)
+{
+    auto* label = new QLabel(words, parent);
+    QFont font = theme::bodyFont();
+    font.setPointSizeF(pixels * 0.75);
+    label->setFont(font);
+    label->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
+    label->setWordWrap(true);
+    return label;
+}
+
+/// A wide button: icon, name, and what it does.
+QPushButton* choice(
+    const QString& icon, const QString& name, const QString& explanation, QWidget* parent)
+{
+    auto* button = new QPushButton(parent);
+    button->setObjectName(QStringLiteral("choice"));
+    // The style sheet's own height for buttons would win over setMinimumHeight().
+    button->setStyleSheet(QStringLiteral("#choice { min-height: 60px; padding: 0; }"));
+    button->setCursor(Qt::PointingHandCursor);
+    auto* row = new QHBoxLayout(button);
+    row->setContentsMargins(18, 10, 18, 10);
+    row->setSpacing(16);
+    auto* picture = new QLabel(button);
+    picture->setPixmap(tintedIcon(icon, theme::accent, 26, parent->devicePixelRatioF()));
+    row->addWidget(picture);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(text(name, 14.0, theme::text, button));
+    words->addWidget(text(explanation, 12.0, theme::secondary, button));
+    row->addLayout(words, 1);
+    // The labels are not to take the clicks.
+    for (QLabel* label : button->findChildren<QLabel*>())
+        label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    button->setAccessibleName(name);
+    return button;
+}
+
+} // namespace
+
+StartPage::StartPage(QWidget* parent)
+    : QWidget(parent)
+    , m_recent(new QVBoxLayout)
+{
+    auto* column = new QWidget(this);
+    column->setMaximumWidth(columnWidth);
+    auto* layout = new QVBoxLayout(column);
+    layout->setSpacing(10);
+
+    auto* title = new QHBoxLayout;
+    title->setSpacing(16);
+    auto* mark = new QLabel(column);
+    mark->setPixmap(tintedIcon(QStringLiteral("burin"), theme::text, 56, devicePixelRatioF()));
+    title->addWidget(mark);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    words->addWidget(text(QStringLiteral("Burin"), 30.0, theme::text, column));
+    words->addWidget(text(QStringLiteral("Carve a study open, grow what you mark, sign the mask."),
+        14.0, theme::secondary, column));
+    title->addLayout(words, 1);
+    layout->addLayout(title);
+    layout->addSpacing(18);
+
+    auto* folder = choice(QStringLiteral("open"), QStringLiteral("Open a study"),
+        QStringLiteral("A folder with DICOM images; everything below it is searched"), column);
+    auto* file = choice(QStringLiteral("segments"), QStringLiteral("Open a file"),
+        QStringLiteral("A NIfTI volume (.nii, .nii.gz) or one DICOM file"), column);
+    auto* demonstration = choice(QStringLiteral("demo"), QStringLiteral("Open the demonstration"),
+        QStringLiteral("A head made by computation, to try every tool on"), column);
+    for (QPushButton* button : {folder, file, demonstration})
+        layout->addWidget(button);
+    layout->addSpacing(14);
+    m_recent->setSpacing(2);
+    layout->addLayout(m_recent);
+    layout->addSpacing(18);
+    layout->addWidget(text(QStringLiteral("A folder can also be dropped onto this window.\n"
+                                          "Research use; not a medical device."),
+        12.0, theme::secondary, column));
+
+    auto* centre = new QVBoxLayout(this);
+    centre->setContentsMargins(24, 24, 24, 24);
+    centre->addStretch(2);
+    auto* across = new QHBoxLayout;
+    across->addStretch(1);
+    across->addWidget(column, 8);
+    across->addStretch(1);
+    centre->addLayout(across);
+    centre->addStretch(3);
+
+    connect(folder, &QPushButton::clicked, this, &StartPage::openFolderAsked);
+    connect(file, &QPushButton::clicked, this, &StartPage::openFileAsked);
+    connect(demonstration, &QPushButton::clicked, this, &StartPage::demonstrationAsked);
+}
+
+void StartPage::showRecent(const QStringList& paths)
+{
+    while (QLayoutItem* item = m_recent->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    if (paths.isEmpty())
+        return;
+    m_recent->addWidget(text(QStringLiteral("Recent"), 12.5, theme::secondary, this));
+    for (const QString& path : paths.mid(0, 5)) {
+        auto* button = new QToolButton(this);
+        const QFileInfo info(path);
+        const QString place = info.path();
+        button->setText(fontMetrics().elidedText(
+            info.fileName() + QStringLiteral("   ") + place, Qt::ElideMiddle, columnWidth - 40));
+        button->setToolTip(path);
+        button->setCursor(Qt::PointingHandCursor);
+        connect(button, &QToolButton::clicked, this, [this, path] { Q_EMIT recentAsked(path); });
+        m_recent->addWidget(button);
+    }
+}
+
+} // namespace ui

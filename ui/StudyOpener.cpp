@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/StudyOpener.h"
+
+#include "core/study/StudyLoader.h"
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+/// What the worker found: a volume, a list to choose from, or why neither.
+struct Found {
+    core::Result<std::shared_ptr<core::LoadedVolume>> volume;
+    std::shared_ptr<core::StudyListing> choice;
+};
+
+Found find(const QString& path, const QString& series, const core::Progress& progress)
+{
+    QString key = series;
+    if (key.isEmpty()) {
+        auto listing = core::scanStudies(path, progress);
+        if (!listing)
+            return {tl::unexpected(listing.error()), nullptr};
+        const auto candidates = listing->candidates();
+        if (candidates.size() != 1)
+            return {nullptr, std::make_shared<core::StudyListing>(std::move(*listing))};
+        key = candidates.front()->key;
+    }
+    auto volume = core::loadVolume(path, key, progress);
+    if (!volume)
+        return {tl::unexpected(volume.error()), nullptr};
+    return {std::make_shared<core::LoadedVolume>(std::move(*volume)), nullptr};
+}
+
+} // namespace
+
+StudyOpener::StudyOpener(QObject* parent)
+    : QObject(parent)
+{
+}
+
+StudyOpener::~StudyOpener()
+{
+    cancel();
+    join();
+}
+
+void StudyOpener::open(const QString& path, const QString& series)
+{
+    start(path, [this, path, series](const core::Progress& progress) -> std::function<void()> {
+        Found found = find(path, series, progress);
+        return [this, path, found = std::move(found)] {
+            if (found.choice)
+                Q_EMIT choiceNeeded(*found.choice);
+            else if (found.volume)
+                Q_EMIT loaded(*found.volume, path);
+            else
+                Q_EMIT failed(found.volume.error());
+        };
+    });
+}
+
+void StudyOpener::run(
+    const QString& path, std::function<core::Result<core::LoadedVolume>(const core::Progress&)> job)
+{
+    start(path, [this, path, job](const core::Progress& progress) -> std::function<void()> {
+        auto volume = job(progress);
+        if (!volume)
+            return [this, error = volume.error()] { Q_EMIT failed(error); };
+        auto shared = std::make_shared<core::LoadedVolume>(std::move(*volume));
+        return [this, path, shared] { Q_EMIT loaded(shared, path); };
+    });
+}
+
+void StudyOpener::start(
+    const QString& path, std::function<std::function<void()>(const core::Progress&)> work)
+{
+    cancel();
+    join();
+    m_busy = true;
+    // Reports of a job that was cancelled meanwhile are dropped on this side of the queue.
+    auto listener = std::make_shared<core::Progress*>(nullptr);
+    auto progress = std::make_shared<core::Progress>(
+        [this, listener](const QString& step, int done, int total) {
+            const core::Progress* mine = *listener;
+            QMetaObject::invokeMethod(this, [this, mine, step, done, total] {
+                if (m_progress.get() == mine)
+                    Q_EMIT progressed(step, done, total);
+            });
+        });
+    *listener = progress.get();
+    m_progress = progress;
+    Q_EMIT started(path);
+    m_worker = std::thread([this, progress, work = std::move(work)] {
+        auto tell = work(*progress);
+        QMetaObject::invokeMethod(this, [this, progress, tell = std::move(tell)] {
+            if (m_progress != progress)
+                return;
+            m_progress.reset();
+            m_busy = false;
+            tell();
+            Q_EMIT finished();
+        });
+    });
+}
+
+void StudyOpener::cancel()
+{
+    if (!m_progress)
+        return;
+    m_progress->cancel();
+    m_progress.reset();
+    m_busy = false;
+    Q_EMIT finished();
+}
+
+void StudyOpener::join()
+{
+    if (m_worker.joinable())
+        m_worker.join();
+}
+
+} // namespace ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/study/StudyListing.h"
+#include "core/volume/Volume.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <thread>
+
+namespace ui {
+
+/// Finds and loads volumes beside the GUI thread, one job at a time. Opens nothing by guess: where
+/// a path holds several volumes it asks.
+class StudyOpener : public QObject {
+    Q_OBJECT
+
+public:
+    explicit StudyOpener(QObject* parent = nullptr);
+    ~StudyOpener() override; ///< cancels and waits
+
+    /// @param series a key of StudyListing or a SeriesInstanceUID; empty: the only one there is
+    void open(const QString& path, const QString& series = QString());
+    /// Runs any other job that ends in a volume (the demonstration study), with the same progress.
+    void run(const QString& path,
+        std::function<core::Result<core::LoadedVolume>(const core::Progress&)> job);
+    void cancel();
+    [[nodiscard]] bool busy() const { return m_busy; }
+
+Q_SIGNALS:
+    void started(const QString& path);
+    void progressed(const QString& step, int done, int total);
+    void choiceNeeded(const core::StudyListing& listing);
+    void loaded(const std::shared_ptr<core::LoadedVolume>& volume, const QString& path);
+    void failed(const core::Error& error); ///< not told when cancelled
+    void finished(); ///< after any of the above, or cancelled
+
+private:
+    void start(
+        const QString& path, std::function<std::function<void()>(const core::Progress&)> work);
+    void join();
+
+    std::thread m_worker;
+    std::shared_ptr<core::Progress> m_progress;
+    bool m_busy = false;
+};
+
+} // namespace ui

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/WindowActions.h"
+
+#include "ui/InitialDisplay.h"
+#include "ui/MainWindow.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QApplication>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+using Keys = QList<QKeySequence>;
+
+/// The standard sides, with the letters they are known by.
+struct Side {
+    const char* id;
+    const char* text;
+    const char* key;
+    glm::dvec3 direction;
+};
+const std::array<Side, 6> sides{
+    Side{"view.fromFront", "From the front (A)", "Shift+A", {0.0, -1.0, 0.0}},
+    Side{"view.fromBack", "From the back (P)", "Shift+P", {0.0, 1.0, 0.0}},
+    Side{"view.fromLeft", "From the left (L)", "Shift+L", {1.0, 0.0, 0.0}},
+    Side{"view.fromRight", "From the right (R)", "Shift+R", {-1.0, 0.0, 0.0}},
+    Side{"view.fromAbove", "From above (S)", "Shift+S", {0.0, 0.0, 1.0}},
+    Side{"view.fromBelow", "From below (I)", "Shift+I", {0.0, 0.0, -1.0}},
+};
+
+void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step)())
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    // A stroke under the pen would be what an impatient undo means.
+    if (workspace.activeTool())
+        workspace.activeTool()->cancel();
+    if (const auto done = (session->*step)(); !done)
+        workspace.fail(done.error());
+}
+
+void addFileActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    actions.add({.id = QStringLiteral("file.openFolder"),
+        .text = QStringLiteral("Open study folder …"),
+        .keys = {QKeySequence::Open},
+        .icon = QStringLiteral("open"),
+        .run = [&window] { window.askForFolder(); }});
+    actions.add({.id = QStringLiteral("file.openFile"),
+        .text = QStringLiteral("Open file …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+O"))},
+        .run = [&window] { window.askForFile(); }});
+    actions.add({.id = QStringLiteral("file.demonstration"),
+        .text = QStringLiteral("Open the demonstration study"),
+        .icon = QStringLiteral("demo"),
+        .run = [&window] { Q_EMIT window.demonstrationAsked(); }});
+    actions.add({.id = QStringLiteral("file.close"),
+        .text = QStringLiteral("Close study"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+W"))},
+        .run = [&window] { window.closeStudy(); },
+        .possible = [&workspace] { return workspace.session() != nullptr; }});
+    actions.add({.id = QStringLiteral("file.quit"),
+        .text = QStringLiteral("Quit"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Q"))},
+        .run = [] { QApplication::closeAllWindows(); }});
+    actions.add({.id = QStringLiteral("help.about"),
+        .text = QStringLiteral("About Burin"),
+        .run = [&window] { window.showAbout(); }});
+}
+
+void addEditActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    actions.add({.id = QStringLiteral("edit.undo"),
+        .text = QStringLiteral("Undo"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Z"))},
+        .icon = QStringLiteral("undo"),
+        .run = [&workspace] { carryOut(workspace, &core::EditSession::undo); },
+        .possible =
+            [&workspace] {
+                return workspace.session() && workspace.session()->history().canUndo();
+            },
+        .currentText =
+            [&workspace] {
+                if (!workspace.session() || !workspace.session()->history().canUndo())
+                    return QStringLiteral("Undo");
+                const core::History& history = workspace.session()->history();
+                return QStringLiteral("Undo %1").arg(history.row(history.position()).name);
+            }});
+    actions.add({.id = QStringLiteral("edit.redo"),
+        .text = QStringLiteral("Redo"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Y")),
+            QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
+        .icon = QStringLiteral("redo"),
+        .run = [&workspace] { carryOut(workspace, &core::EditSession::redo); },
+        .possible =
+            [&workspace] {
+                return workspace.session() && workspace.session()->history().canRedo();
+            },
+        .currentText =
+            [&workspace] {
+                if (!workspace.session() || !workspace.session()->history().canRedo())
+                    return QStringLiteral("Redo");
+                const core::History& history = workspace.session()->history();
+                return QStringLiteral("Redo %1").arg(history.row(history.redoTarget()).name);
+            }});
+}
+
+void addToolActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    actions.add({.id = QStringLiteral("tool.navigate"),
+        .text = QStringLiteral("Navigate"),
+        .keys = {QKeySequence(QStringLiteral("V"))},
+        .icon = QStringLiteral("navigate"),
+        .run = [&workspace] { workspace.setActiveTool(nullptr); },
+        .possible = [&workspace] { return workspace.volume() != nullptr; },
+        .checked = [&workspace] { return workspace.activeTool() == nullptr; }});
+    const auto radius = [&workspace](int steps) {
+        return [&workspace, steps] { workspace.activeTool()->changeRadius(steps); };
+    };
+    const auto hasTool = [&workspace] { return workspace.volume() && workspace.activeTool(); };
+    actions.add({.id = QStringLiteral("tool.larger"),
+        .text = QStringLiteral("Larger mask"),
+        .keys = {QKeySequence(QStringLiteral("]"))},
+        .run = radius(1),
+        .possible = hasTool});
+    actions.add({.id = QStringLiteral("tool.smaller"),
+        .text = QStringLiteral("Smaller mask"),
+        .keys = {QKeySequence(QStringLiteral("["))},
+        .run = radius(-1),
+        .possible = hasTool});
+}
+
+void addToggle(MainWindow& window, const char* id, const char* text, const char* key,
+    bool Workspace::ViewOptions::*option)
+{
+    Workspace& workspace = window.workspace();
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .keys = {QKeySequence(QLatin1String(key))},
+        .run =
+            [&workspace, option] {
+                Workspace::ViewOptions options = workspace.viewOptions();
+                options.*option = !(options.*option);
+                workspace.setViewOptions(options);
+            },
+        .checked = [&workspace, option] { return workspace.viewOptions().*option; }});
+}
+
+void addLayout(MainWindow& window, const char* id, const char* text, const char* key,
+    const std::function<ImageView*()>& view)
+{
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .keys = {QKeySequence(QLatin1String(key))},
+        .run = [&window, view] { window.views().maximise(view()); },
+        .checked = [&window, view] { return window.views().maximised() == view(); }});
+}
+
+void addMode(MainWindow& window, const char* id, const char* text, gpu::RenderMode mode)
+{
+    Workspace& workspace = window.workspace();
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .run =
+            [&workspace, mode] {
+                Workspace::VolumeDisplay display = workspace.volumeDisplay();
+                display.mode = mode;
+                workspace.setVolumeDisplay(display);
+            },
+        .checked = [&workspace, mode] { return workspace.volumeDisplay().mode == mode; }});
+}
+
+void addViewActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    addLayout(window, "view.four", "Four views", "Ctrl+1", [] { return nullptr; });
+    addLayout(window, "view.volume", "3D alone", "Ctrl+2",
+        [&window] { return &window.views().volume(); });
+    addLayout(window, "view.axial", "Axial alone", "Ctrl+3",
+        [&window] { return &window.views().axial(); });
+    addLayout(window, "view.sagittal", "Sagittal alone", "Ctrl+4",
+        [&window] { return &window.views().sagittal(); });
+    addLayout(window, "view.coronal", "Coronal alone", "Ctrl+5",
+        [&window] { return &window.views().coronal(); });
+    actions.add({.id = QStringLiteral("view.reset"),
+        .text = QStringLiteral("Reset view"),
+        .keys = {QKeySequence(QStringLiteral("R"))},
+        .icon = QStringLiteral("reset-view"),
+        .run = [&window] { window.views().current().resetView(); }});
+    actions.add({.id = QStringLiteral("view.resetAll"),
+        .text = QStringLiteral("Reset all views"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+R"))},
+        .run = [&window] { window.views().resetViews(); }});
+    addToggle(
+        window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
+    addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
+    addToggle(window, "view.patient", "Patient in the corners", "F8",
+        &Workspace::ViewOptions::showPatient);
+    addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);
+    actions.add({.id = QStringLiteral("view.panels"),
+        .text = QStringLiteral("Panels"),
+        .keys = {QKeySequence(QStringLiteral("F9"))},
+        .run = [&window] { window.showPanels(!window.panelsShown()); },
+        .checked = [&window] { return window.panelsShown(); }});
+    actions.add({.id = QStringLiteral("view.fullScreen"),
+        .text = QStringLiteral("Full screen"),
+        .keys = {QKeySequence(QStringLiteral("F11"))},
+        .run = [&window] { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); },
+        .checked = [&window] { return window.isFullScreen(); }});
+    addMode(window, "view.surface", "Surface", gpu::RenderMode::Surface);
+    addMode(window, "view.dvr", "Volume rendering", gpu::RenderMode::Dvr);
+    addMode(window, "view.mip", "Maximum intensity", gpu::RenderMode::Mip);
+    for (const Side& side : sides) {
+        actions.add({.id = QLatin1String(side.id),
+            .text = QLatin1String(side.text),
+            .keys = {QKeySequence(QLatin1String(side.key))},
+            .run = [&window, &side] { window.views().volume().lookFrom(side.direction); }});
+    }
+}
+
+void addPresetActions(MainWindow& window)
+{
+    Workspace& workspace = window.workspace();
+    const auto preset = [&workspace](int number) -> std::optional<WindowPreset> {
+        const core::Volume* volume = workspace.volume();
+        if (!volume)
+            return std::nullopt;
+        const auto presets = windowPresets(*volume);
+        if (number > int(presets.size()))
+            return std::nullopt;
+        return presets[std::size_t(number - 1)];
+    };
+    for (int number = 1; number <= 9; ++number) {
+        window.actionTable().add({.id = QStringLiteral("window.preset%1").arg(number),
+            .text = QString(),
+            .keys = {QKeySequence(QString::number(number))},
+            .run =
+                [&workspace, preset, number] {
+                    if (const auto chosen = preset(number))
+                        workspace.setWindowLevel(chosen->window);
+                },
+            .possible = [preset, number] { return preset(number).has_value(); },
+            .checked =
+                [&workspace, preset, number] {
+                    const auto chosen = preset(number);
+                    return chosen && chosen->window == workspace.windowLevel();
+                },
+            .currentText =
+                [preset, number] {
+                    const auto chosen = preset(number);
+                    return chosen ? QStringLiteral("%1  (%2 / %3)")
+                                        .arg(chosen->name)
+                                        .arg(chosen->window.width, 0, 'f', 0)
+                                        .arg(chosen->window.centre, 0, 'f', 0)
+                                  : QStringLiteral("—");
+                }});
+    }
+}
+
+} // namespace
+
+void addWindowActions(MainWindow& window)
+{
+    addFileActions(window);
+    addEditActions(window);
+    addToolActions(window);
+    addViewActions(window);
+    addPresetActions(window);
+}
+
+} // namespace ui
