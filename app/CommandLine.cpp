@@ -4,17 +4,18 @@
 #include "app/DemoCommand.h"
 #include "app/EditsCommand.h"
 #include "app/InfoCommand.h"
+#include "app/OpenCommand.h"
 #include "app/ReplayCommand.h"
 #include "app/RunCommand.h"
 #include "app/Version.h"
 
 #include <QApplication>
 
-#include <vector>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace app {
 
@@ -22,12 +23,16 @@ namespace {
 
 std::span<const Command> commands()
 {
-    static const std::vector<Command> table {
+    static const std::vector<Command> table{
         {"demo", "DIR", "writes the demonstration study: a CT of a head, made by formulas", false,
             runDemo},
-        {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false, runEdits},
+        {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false,
+            runEdits},
         {"info", "PATH [--json]", "what a file or folder holds: studies, volumes, problems", false,
             runInfo},
+        {"open", "[PATH] [--series UID] [--demo] [--screenshot FILE.png] [--size WxH]",
+            "the workstation's window; --screenshot saves it, fully refined, and exits", true,
+            runOpen},
         {"replay", "FILE.burin --verify [--study PATH] [--series UID]",
             "carries out a session's history again, from nothing, and compares every hash", false,
             runReplay},
@@ -40,10 +45,12 @@ std::span<const Command> commands()
 
 void printHelp(FILE* out)
 {
-    std::fprintf(out, "burin %s — segmentation workstation (research use; not a medical device)\n\n",
+    std::fprintf(out,
+        "burin %s — segmentation workstation (research use; not a medical device)\n\n",
         BURIN_VERSION);
     for (const Command& command : commands())
-        std::fprintf(out, "  burin %s %s\n      %s\n", command.name, command.usage, command.summary);
+        std::fprintf(
+            out, "  burin %s %s\n      %s\n", command.name, command.usage, command.summary);
 }
 
 } // namespace
@@ -60,6 +67,8 @@ int runCommandLine(int argc, char** argv)
         else
             application = std::make_unique<QCoreApplication>(argc, argv);
         QCoreApplication::setApplicationName(QStringLiteral("burin"));
+        QCoreApplication::setOrganizationName(QStringLiteral("burin"));
+        QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
         return command.run(application->arguments().mid(2));
     }
     if (std::strcmp(verb, "--version") == 0) {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/Application.h"
+
+#include "app/DemonstrationStudy.h"
+#include "app/SessionFiles.h"
+#include "gpu/GpuEngine.h"
+#include "ui/ErrorText.h"
+#include "ui/MainWindow.h"
+#include "ui/MessageBar.h"
+#include "ui/RecentStudies.h"
+#include "ui/Theme.h"
+#include "ui/panels/GrowthPanel.h"
+#include "ui/panels/HistoryPanel.h"
+#include "ui/panels/SegmentsPanel.h"
+#include "ui/panels/VolumePanel.h"
+#include "ui/tools/DrillTool.h"
+#include "ui/tools/SeedTool.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QMenu>
+
+#include <utility>
+
+namespace app {
+
+core::Result<std::unique_ptr<Application>> Application::create()
+{
+    auto engine = gpu::GpuEngine::create();
+    if (!engine)
+        return tl::unexpected(engine.error());
+    return std::unique_ptr<Application>(new Application(std::move(*engine)));
+}
+
+Application::Application(std::unique_ptr<gpu::GpuEngine> engine)
+    : m_engine(std::move(engine))
+    , m_workspace(std::make_unique<ui::Workspace>(m_engine->frames()))
+{
+    ui::theme::apply(*qApp);
+    m_window = std::make_unique<ui::MainWindow>(
+        *m_workspace, m_engine->rendererName() + QStringLiteral(", ") + m_engine->versionText());
+    makeWindow();
+}
+
+Application::~Application()
+{
+    m_workspace->setSession(nullptr);
+}
+
+void Application::makeWindow()
+{
+    ui::MainWindow& window = *m_window;
+    auto* drill = new ui::DrillTool(*m_workspace, &window);
+    auto* seed = new ui::SeedTool(*m_workspace, &window);
+    window.addToolGroup();
+    window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
+    window.addToolGroup();
+    window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
+
+    window.addPanel(new ui::SegmentsPanel(*m_workspace));
+    window.addPanel(new ui::GrowthPanel(*m_workspace));
+    window.addPanel(new ui::HistoryPanel(*m_workspace));
+    window.addPanel(new ui::VolumePanel(*m_workspace));
+
+    connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
+    connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openSession);
+}
+
+void Application::openDemonstration()
+{
+    m_window->opener().run(demonstrationFolder(),
+        [](const core::Progress& progress) { return loadDemonstration(progress); });
+}
+
+void Application::openSession(
+    const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path)
+{
+    // One volume at a time on the engine: the old session closes its file first.
+    m_workspace->setSession(nullptr);
+    const core::VolumeGeometry geometry = loaded->volume.geometry;
+    const core::VoxelEncoding encoding = loaded->volume.encoding;
+    const QString file = sessionFile(loaded->volume);
+    const bool continues = QFileInfo::exists(file);
+    const auto wakeUp = [this] { wake(); };
+    auto session = continues
+        ? core::EditSession::open(m_engine->edits(), std::move(*loaded), file, wakeUp)
+        : core::EditSession::create(
+            m_engine->edits(), std::move(*loaded), {.file = file, .wakeUp = wakeUp});
+    if (!session) {
+        m_workspace->fail(session.error());
+        return;
+    }
+    m_engine->setVolumeGeometry(geometry, encoding);
+    ui::RecentStudies::add(path);
+    m_workspace->setSession(std::move(*session));
+    const std::size_t steps = m_workspace->session()->history().rows().size();
+    if (steps > 0) {
+        m_workspace->say(
+            QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
+    }
+}
+
+void Application::wake()
+{
+    // Any number of wake-ups before the GUI looks are one.
+    if (!m_pollQueued.exchange(true))
+        QMetaObject::invokeMethod(
+            this, [this] { poll(); }, Qt::QueuedConnection);
+}
+
+void Application::poll()
+{
+    m_pollQueued = false;
+    if (core::EditSession* session = m_workspace->session())
+        session->poll();
+}
+
+} // namespace app

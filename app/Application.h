@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+
+namespace core {
+struct LoadedVolume;
+}
+namespace gpu {
+class GpuEngine;
+}
+namespace ui {
+class MainWindow;
+class Workspace;
+} // namespace ui
+
+namespace app {
+
+/// The workstation: engine, workspace and window, wired. One per process, on the GUI thread.
+class Application : public QObject {
+    Q_OBJECT
+
+public:
+    /// Starts the engine and makes the window (not shown yet). Errors: GraphicsUnavailable.
+    static core::Result<std::unique_ptr<Application>> create();
+    ~Application() override;
+
+    [[nodiscard]] ui::MainWindow& window() { return *m_window; }
+    [[nodiscard]] ui::Workspace& workspace() { return *m_workspace; }
+
+    /// The demonstration study, written once into the user's cache folder and opened from there.
+    void openDemonstration();
+
+private:
+    explicit Application(std::unique_ptr<gpu::GpuEngine> engine);
+    void makeWindow();
+    void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
+    void wake(); ///< any thread
+    void poll();
+
+    // The engine outlives whoever borrows it: members go in reverse order.
+    std::unique_ptr<gpu::GpuEngine> m_engine;
+    std::atomic<bool> m_pollQueued = false;
+    std::unique_ptr<ui::Workspace> m_workspace;
+    std::unique_ptr<ui::MainWindow> m_window;
+};
+
+} // namespace app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/OpenCommand.h"
+
+#include "app/Application.h"
+#include "core/study/StudyLoader.h"
+#include "ui/ErrorText.h"
+#include "ui/MainWindow.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QPixmap>
+#include <QTimer>
+
+#include <cstdio>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+struct OpenArguments {
+    QString path;
+    QString series;
+    QString screenshot;
+    QSize size;
+    bool demonstration = false;
+};
+
+std::optional<QSize> sizeFrom(const QString& text)
+{
+    const QStringList parts = text.split(QLatin1Char('x'));
+    const QSize size(parts.value(0).toInt(), parts.value(1).toInt());
+    if (parts.size() != 2 || size.width() < 320 || size.height() < 240)
+        return std::nullopt;
+    return size;
+}
+
+/// @return what is wrong, or nothing
+QString parse(const QStringList& arguments, OpenArguments& parsed)
+{
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        const QString& argument = arguments[i];
+        const bool takesValue = argument == QLatin1String("--series")
+            || argument == QLatin1String("--screenshot") || argument == QLatin1String("--size");
+        if (takesValue && i + 1 == arguments.size())
+            return QStringLiteral("%1 needs a value").arg(argument);
+        if (argument == QLatin1String("--demo")) {
+            parsed.demonstration = true;
+        } else if (argument == QLatin1String("--series")) {
+            parsed.series = arguments[++i];
+        } else if (argument == QLatin1String("--screenshot")) {
+            parsed.screenshot = arguments[++i];
+        } else if (argument == QLatin1String("--size")) {
+            const auto size = sizeFrom(arguments[++i]);
+            if (!size)
+                return QStringLiteral("--size %1: expected WIDTHxHEIGHT, at least 320x240")
+                    .arg(arguments[i]);
+            parsed.size = *size;
+        } else if (argument.startsWith(QLatin1Char('-'))) {
+            return QStringLiteral("unknown option %1").arg(argument);
+        } else if (!parsed.path.isEmpty()) {
+            return QStringLiteral("one path at a time: %1").arg(argument);
+        } else {
+            parsed.path = argument;
+        }
+    }
+    if (parsed.demonstration && !parsed.path.isEmpty())
+        return QStringLiteral("--demo opens no path");
+    return {};
+}
+
+int complain(const QString& sentence, int status)
+{
+    std::fprintf(stderr, "burin open: %s\n", qUtf8Printable(sentence));
+    return status;
+}
+
+/// Saves the window once nothing is left to draw. Without anyone at the screen nothing is asked:
+/// what would be a question or a message there ends the program here.
+class Screenshot : public QObject {
+public:
+    Screenshot(Application& application, QString file)
+        : m_window(application.window())
+        , m_file(std::move(file))
+    {
+        ui::StudyOpener& opener = m_window.opener();
+        // In place of the dialog.
+        QObject::disconnect(&opener, &ui::StudyOpener::choiceNeeded, &m_window, nullptr);
+        connect(&opener, &ui::StudyOpener::choiceNeeded, this, &Screenshot::refuseToGuess);
+        connect(&m_window.workspace(), &ui::Workspace::failed, this, [](const core::Error& error) {
+            QApplication::exit(complain(ui::errorText(error), 1));
+        });
+        connect(&m_window.views(), &ui::ViewGrid::pictureChanged, this, &Screenshot::look);
+    }
+
+    /// For a window with nothing to wait for.
+    void saveSoon() { QTimer::singleShot(200, this, &Screenshot::save); }
+
+private:
+    static void refuseToGuess(const core::StudyListing& listing)
+    {
+        core::Error error{core::ErrorCode::SeriesAmbiguous, {listing.path}};
+        for (const core::SeriesEntry* entry : listing.candidates())
+            error.arguments += entry->line();
+        if (error.arguments.size() == 1)
+            error.code = core::ErrorCode::NoImages;
+        QApplication::exit(complain(ui::errorText(error), 1));
+    }
+
+    void look()
+    {
+        if (m_saving || !m_window.workspace().volume() || !m_window.views().refined())
+            return;
+        m_saving = true;
+        // Status line and panels take in what arrived with the last frame.
+        QTimer::singleShot(300, this, &Screenshot::save);
+    }
+
+    void save()
+    {
+        if (m_window.workspace().volume() && !m_window.views().refined()) {
+            m_saving = false;
+            return;
+        }
+        if (!m_window.grab().save(m_file, "PNG"))
+            QApplication::exit(complain(QStringLiteral("%1: cannot be written").arg(m_file), 1));
+        else
+            QApplication::exit(0);
+    }
+
+    ui::MainWindow& m_window;
+    QString m_file;
+    bool m_saving = false;
+};
+
+} // namespace
+
+int runOpen(const QStringList& arguments)
+{
+    OpenArguments parsed;
+    if (const QString wrong = parse(arguments, parsed); !wrong.isEmpty())
+        return complain(wrong, 2);
+    if (!parsed.path.isEmpty() && !QFileInfo::exists(parsed.path)) {
+        return complain(ui::errorText({core::ErrorCode::FileNotFound, {parsed.path}}), 1);
+    }
+    auto application = Application::create();
+    if (!application)
+        return complain(ui::errorText(application.error()), 1);
+    ui::MainWindow& window = (*application)->window();
+    window.resize(parsed.size.isValid() ? parsed.size : QSize(1600, 950));
+    std::optional<Screenshot> screenshot;
+    if (!parsed.screenshot.isEmpty())
+        screenshot.emplace(**application, parsed.screenshot);
+    window.show();
+    if (parsed.demonstration)
+        (*application)->openDemonstration();
+    else if (!parsed.path.isEmpty())
+        window.opener().open(parsed.path, parsed.series);
+    else if (screenshot)
+        screenshot->saveSoon();
+    return QApplication::exec();
+}
+
+} // namespace app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/SessionFiles.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+
+namespace app {
+
+QString sessionFolder()
+{
+    QString state = qEnvironmentVariable("XDG_STATE_HOME");
+    if (state.isEmpty())
+        state = QDir::homePath() + QStringLiteral("/.local/state");
+    const QString folder = state + QStringLiteral("/burin/sessions");
+    QDir().mkpath(folder);
+    return folder;
+}
+
+QString sessionFile(const core::Volume& volume)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(volume.identity.seriesUid.toUtf8());
+    hash.addData(volume.voxelsSha256);
+    const QString name = QString::fromLatin1(hash.result().toHex().left(24));
+    return sessionFolder() + QLatin1Char('/') + name + QStringLiteral(".burin");
+}
+
+} // namespace app
