@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/WindowFixture.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/OrientationLetters.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QApplication>
+#include <QTest>
+#include <QWheelEvent>
+
+using ui::SliceView;
+
+namespace {
+
+/// Works everywhere and writes down what it is told.
+class NotingTool : public ui::Tool {
+public:
+    [[nodiscard]] QString name() const override { return QStringLiteral("Noting"); }
+    [[nodiscard]] QString iconName() const override { return QStringLiteral("drill"); }
+    [[nodiscard]] QString hint() const override { return QStringLiteral("press"); }
+    [[nodiscard]] bool worksIn(const ui::ViewContext&) const override { return true; }
+    void press(const ui::PointerSample&, const ui::ViewContext&) override { heard += 'p'; }
+    void drag(const ui::PointerSample&, const ui::ViewContext&) override { heard += 'd'; }
+    void release(const ui::PointerSample&, const ui::ViewContext&) override { heard += 'r'; }
+    void cancel() override { heard += 'c'; }
+    void changeRadius(int steps) override { radius += steps; }
+    void changeDepth(int steps) override { depth += steps; }
+
+    QByteArray heard;
+    int radius = 0;
+    int depth = 0;
+};
+
+void drag(QWidget& view, Qt::MouseButton button, const QPoint& from, const QPoint& by,
+    Qt::KeyboardModifiers modifiers = {})
+{
+    QTest::mousePress(&view, button, modifiers, from);
+    for (int step = 1; step <= 4; ++step) {
+        const QPointF at(from + by * step / 4);
+        QMouseEvent move(
+            QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, modifiers);
+        QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, button, modifiers, from + by);
+}
+
+void wheel(QWidget& view, int steps, Qt::KeyboardModifiers modifiers = {})
+{
+    const QPointF at(view.width() / 2.0, view.height() / 2.0);
+    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, 120 * steps), Qt::NoButton,
+        modifiers, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+}
+
+const gpu::SliceScene& sliceScene(const test::WindowFixture& fixture, const SliceView& view)
+{
+    return std::get<gpu::SliceScene>(fixture.frames.lastRequest(view.viewId()).scene);
+}
+
+glm::ivec3 voxelAt(const test::WindowFixture& fixture, const glm::dvec3& lps)
+{
+    return glm::ivec3(glm::round(fixture.workspace.volume()->geometry.toIndex(lps)));
+}
+
+/// The view's picture holds the colour of the crosshair's position where the crosshair is drawn.
+bool pictureShowsCrosshair(const test::WindowFixture& fixture, const ui::ImageView& view)
+{
+    const QPointF at = view.crosshairPixel();
+    const QRgb shown = view.picture().pixel(int(at.x()), int(at.y()));
+    const glm::ivec3 expected = test::FakeFrames::colourAt(fixture.workspace.crosshairLps());
+    const double tolerance = view.shownContext().mmPerPixel() + 1.0;
+    return std::abs(qRed(shown) - expected.x) <= tolerance
+        && std::abs(qGreen(shown) - expected.y) <= tolerance
+        && std::abs(qBlue(shown) - expected.z) <= tolerance;
+}
+
+} // namespace
+
+class ViewsUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void viewsAgreeAboutTheCrosshair_data();
+    void viewsAgreeAboutTheCrosshair();
+    void lettersFollowTheDirection_data();
+    void lettersFollowTheDirection();
+    void wheelWalksThroughSlices();
+    void keysWalkThroughSlices();
+    void leftDragWithoutToolIsWindowLevel();
+    void toolStrokeNeverTouchesWindowLevel();
+    void middlePansAndRightZooms();
+    void wheelWithModifiersServesTheTool();
+    void shiftMovesTheCrosshairAlong();
+    void doubleClickMaximises();
+    void spaceNavigatesWithAToolInHand();
+    void volumeViewTurnsAndZooms();
+    void nothingIsDrawnWhileNothingChanges();
+};
+
+void ViewsUiTest::viewsAgreeAboutTheCrosshair_data()
+{
+    QTest::addColumn<int>("volume");
+    QTest::newRow("head first supine") << 0;
+    QTest::newRow("head first prone") << 1;
+    QTest::newRow("sagittal acquisition") << 2;
+    QTest::newRow("oblique") << 3;
+}
+
+static glm::dmat4 volumeNumber(int number)
+{
+    switch (number) {
+    case 0:
+        return test::headFirstSupine();
+    case 1:
+        return test::headFirstProne();
+    case 2:
+        return test::sagittalAcquisition();
+    default:
+        return test::oblique();
+    }
+}
+
+void ViewsUiTest::viewsAgreeAboutTheCrosshair()
+{
+    QFETCH(int, volume);
+    test::WindowFixture fixture(volumeNumber(volume));
+    ui::ViewGrid& grid = fixture.window.views();
+    // Clicks in every slice view, at places that are no voxel's centre.
+    for (SliceView* clicked : {&grid.axial(), &grid.sagittal(), &grid.coronal()}) {
+        const QPoint at(clicked->width() / 2 + 37, clicked->height() / 2 - 23);
+        QTest::mouseClick(clicked, Qt::LeftButton, {}, at);
+        QCoreApplication::processEvents();
+        const glm::dvec3 crosshair = fixture.workspace.crosshairLps();
+        const glm::ivec3 voxel = voxelAt(fixture, crosshair);
+        QVERIFY(glm::length(clicked->context().toLps(at) - crosshair) < 1e-9);
+        for (const SliceView* view : {&grid.axial(), &grid.sagittal(), &grid.coronal()}) {
+            QCOMPARE(view->quality(), gpu::Frame::Quality::Refined);
+            const glm::dvec3 read = view->shownContext().toLps(view->crosshairPixel());
+            QCOMPARE(voxelAt(fixture, read), voxel);
+            QVERIFY(pictureShowsCrosshair(fixture, *view));
+        }
+        // The 3D view knows no depth: the line of sight through its mark meets the voxel.
+        const ui::ViewContext shown = grid.volume().shownContext();
+        const auto& scene = std::get<gpu::VolumeScene>(shown.scene);
+        const glm::dvec3 forward = glm::normalize(scene.targetLps - scene.eyeLps);
+        const glm::dvec3 onPlane = shown.toLps(grid.volume().crosshairPixel());
+        const glm::dvec3 read = onPlane + forward * glm::dot(crosshair - onPlane, forward);
+        QCOMPARE(voxelAt(fixture, read), voxel);
+    }
+}
+
+void ViewsUiTest::lettersFollowTheDirection_data()
+{
+    viewsAgreeAboutTheCrosshair_data();
+}
+
+void ViewsUiTest::lettersFollowTheDirection()
+{
+    QFETCH(int, volume);
+    test::WindowFixture fixture(volumeNumber(volume));
+    for (const SliceView* view : {&fixture.window.views().axial(),
+             &fixture.window.views().sagittal(), &fixture.window.views().coronal()}) {
+        // The picture itself says where its right edge is.
+        const QImage picture = view->picture();
+        const QRgb left = picture.pixel(picture.width() / 4, picture.height() / 2);
+        const QRgb right = picture.pixel(3 * picture.width() / 4, picture.height() / 2);
+        const glm::dvec3 direction(
+            qRed(right) - qRed(left), qGreen(right) - qGreen(left), qBlue(right) - qBlue(left));
+        const bool sagittal = view == &fixture.window.views().sagittal();
+        QCOMPARE(
+            ui::directionLetters(direction), sagittal ? QStringLiteral("P") : QStringLiteral("L"));
+    }
+}
+
+void ViewsUiTest::wheelWalksThroughSlices()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    QCOMPARE(axial.sliceCount(), 40);
+    QCOMPARE(axial.sliceNumber(), 20);
+    const double before = fixture.workspace.crosshairLps().z;
+    wheel(axial, -1);
+    QCOMPARE(axial.sliceNumber(), 21);
+    QCOMPARE(fixture.workspace.crosshairLps().z, before + 3.0); // the volume's own spacing
+    wheel(axial, 1, Qt::ShiftModifier);
+    QCOMPARE(axial.sliceNumber(), 16);
+    wheel(axial, 100);
+    QCOMPARE(axial.sliceNumber(), 0);
+    QCOMPARE(fixture.window.views().sagittal().sliceNumber(), 31);
+}
+
+void ViewsUiTest::keysWalkThroughSlices()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& coronal = fixture.window.views().coronal();
+    coronal.setFocus();
+    QTest::keyClick(&coronal, Qt::Key_Home);
+    QCOMPARE(coronal.sliceNumber(), 0);
+    QTest::keyClick(&coronal, Qt::Key_PageDown);
+    QTest::keyClick(&coronal, Qt::Key_Down);
+    QCOMPARE(coronal.sliceNumber(), 11);
+    QTest::keyClick(&coronal, Qt::Key_Up);
+    QCOMPARE(coronal.sliceNumber(), 10);
+    QTest::keyClick(&coronal, Qt::Key_End);
+    QCOMPARE(coronal.sliceNumber(), 47);
+}
+
+void ViewsUiTest::leftDragWithoutToolIsWindowLevel()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    const core::WindowLevel before = fixture.workspace.windowLevel();
+    const glm::dvec3 crosshair = fixture.workspace.crosshairLps();
+    drag(axial, Qt::LeftButton, axial.rect().center(), {80, 40});
+    const core::WindowLevel after = fixture.workspace.windowLevel();
+    QVERIFY(after.width > before.width);
+    QVERIFY(after.centre > before.centre);
+    QCOMPARE(fixture.workspace.crosshairLps(), crosshair); // a drag is no click
+    QCOMPARE(sliceScene(fixture, axial).window, after);
+}
+
+void ViewsUiTest::toolStrokeNeverTouchesWindowLevel()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    const core::WindowLevel before = fixture.workspace.windowLevel();
+    for (ui::ImageView* view : fixture.window.views().views()) {
+        tool.heard.clear();
+        drag(*view, Qt::LeftButton, view->rect().center(), {60, 30});
+        QCOMPARE(tool.heard, QByteArray("pddddr"));
+    }
+    QCOMPARE(fixture.workspace.windowLevel(), before);
+    // With a tool in hand the right button is the grey scale.
+    SliceView& axial = fixture.window.views().axial();
+    drag(axial, Qt::RightButton, axial.rect().center(), {60, 30});
+    QVERIFY(fixture.workspace.windowLevel() != before);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+void ViewsUiTest::middlePansAndRightZooms()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    const gpu::SliceScene before = sliceScene(fixture, axial);
+    drag(axial, Qt::MiddleButton, axial.rect().center(), {40, -20});
+    const gpu::SliceScene panned = sliceScene(fixture, axial);
+    // What was under the pointer stays there.
+    QVERIFY(std::abs(panned.centreLps.x - (before.centreLps.x - 40 * before.mmPerPixel)) < 1e-9);
+    QVERIFY(std::abs(panned.centreLps.y - (before.centreLps.y + 20 * before.mmPerPixel)) < 1e-9);
+    drag(axial, Qt::RightButton, axial.rect().center(), {0, -40});
+    QVERIFY(sliceScene(fixture, axial).mmPerPixel < before.mmPerPixel);
+    fixture.window.actionTable()[QStringLiteral("view.resetAll")].trigger();
+    QCOMPARE(sliceScene(fixture, axial).mmPerPixel, before.mmPerPixel);
+}
+
+void ViewsUiTest::wheelWithModifiersServesTheTool()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    const int slice = axial.sliceNumber();
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    wheel(axial, 1, Qt::ShiftModifier);
+    wheel(axial, -1, Qt::AltModifier);
+    QCOMPARE(tool.radius, 1);
+    QCOMPARE(tool.depth, -1);
+    QCOMPARE(axial.sliceNumber(), slice);
+    fixture.workspace.setActiveTool(nullptr);
+    const double before = sliceScene(fixture, axial).mmPerPixel;
+    wheel(axial, 2, Qt::ControlModifier);
+    QVERIFY(sliceScene(fixture, axial).mmPerPixel < before);
+    QCOMPARE(axial.sliceNumber(), slice);
+}
+
+void ViewsUiTest::shiftMovesTheCrosshairAlong()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& coronal = fixture.window.views().coronal();
+    const QPointF at(coronal.width() / 2.0 + 31, coronal.height() / 2.0 + 17);
+    QMouseEvent move(QEvent::MouseMove, at, coronal.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+        Qt::ShiftModifier);
+    QApplication::sendEvent(&coronal, &move);
+    QVERIFY(glm::length(fixture.workspace.crosshairLps() - coronal.context().toLps(at)) < 1e-9);
+}
+
+void ViewsUiTest::doubleClickMaximises()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    ui::ViewGrid& grid = fixture.window.views();
+    QTest::mouseDClick(&grid.sagittal(), Qt::LeftButton);
+    QCOMPARE(grid.maximised(), &grid.sagittal());
+    QVERIFY(!grid.axial().isVisible());
+    QTRY_VERIFY(grid.sagittal().width() == grid.width());
+    QTest::mouseDClick(&grid.sagittal(), Qt::LeftButton);
+    QVERIFY(!grid.maximised());
+    QVERIFY(grid.axial().isVisible());
+}
+
+void ViewsUiTest::spaceNavigatesWithAToolInHand()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    axial.setFocus();
+    const core::WindowLevel window = fixture.workspace.windowLevel();
+    const glm::dvec3 centre = sliceScene(fixture, axial).centreLps;
+    QTest::keyPress(&axial, Qt::Key_Space);
+    drag(axial, Qt::LeftButton, axial.rect().center(), {30, 0});
+    QTest::keyRelease(&axial, Qt::Key_Space);
+    QVERIFY(tool.heard.isEmpty());
+    QVERIFY(sliceScene(fixture, axial).centreLps != centre);
+    QCOMPARE(fixture.workspace.windowLevel(), window);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+void ViewsUiTest::volumeViewTurnsAndZooms()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    ui::VolumeView& view = fixture.window.views().volume();
+    const ui::Camera before = view.camera();
+    drag(view, Qt::LeftButton, view.rect().center(), {50, 0});
+    QVERIFY(glm::dot(before.towardsViewer, view.camera().right()) > 0.1);
+    QCOMPARE(view.camera().targetLps, before.targetLps);
+    drag(view, Qt::RightButton, view.rect().center(), {0, -50});
+    QVERIFY(view.camera().heightMm < before.heightMm);
+    drag(view, Qt::MiddleButton, view.rect().center(), {50, 0});
+    QVERIFY(view.camera().targetLps != before.targetLps);
+    view.resetView();
+    QCOMPARE(view.camera().heightMm, before.heightMm);
+    QCOMPARE(view.camera().towardsViewer, before.towardsViewer);
+}
+
+void ViewsUiTest::nothingIsDrawnWhileNothingChanges()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    QTRY_VERIFY(fixture.window.views().refined());
+    const int before = fixture.frames.requestCount();
+    QTest::mouseMove(&fixture.window.views().axial(), QPoint(50, 60));
+    QTest::qWait(400);
+    QCOMPARE(fixture.frames.requestCount(), before);
+}
+
+QTEST_MAIN(ViewsUiTest)
+#include "ViewsUiTest.moc"
