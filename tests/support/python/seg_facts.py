@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What pydicom makes of a DICOM SEG beside its source images, as JSON.
 
-usage: seg_facts.py SEG SOURCE_FOLDER [SERIES_UID]
+usage: seg_facts.py SEG SOURCE_FOLDER
 
-Every frame is put where its own position says, on the grid that the source images span when they
-are sorted by their own positions along row x column. `sha256` per segment is over that grid, one
+Every frame is put where its own position says, on the grid that the referenced images of the folder
+span when they are sorted by their own positions along row x column. `sha256` per segment is over that grid, one
 byte a voxel, x fastest.
 """
 import hashlib
@@ -16,6 +16,11 @@ import numpy
 import pydicom
 
 seg = pydicom.dcmread(sys.argv[1])
+referenced = {
+    instance.ReferencedSOPInstanceUID
+    for series in seg.ReferencedSeriesSequence
+    for instance in series.ReferencedInstanceSequence
+}
 sources = []
 for path in sorted(pathlib.Path(sys.argv[2]).rglob("*")):
     if path.is_file():
@@ -23,11 +28,10 @@ for path in sorted(pathlib.Path(sys.argv[2]).rglob("*")):
             header = pydicom.dcmread(path, stop_before_pixels=True)
         except pydicom.errors.InvalidDicomError:
             continue
-        if len(sys.argv) > 3 and header.get("SeriesInstanceUID") != sys.argv[3]:
-            continue
-        if "ImagePositionPatient" in header:
+        if header.get("SOPInstanceUID") in referenced:
             sources.append(header)
 
+assert len(sources) == len(referenced), "referenced images"
 orientation = numpy.array(sources[0].ImageOrientationPatient, float)
 normal = numpy.cross(orientation[:3], orientation[3:])
 sources.sort(key=lambda s: float(normal @ numpy.array(s.ImagePositionPatient, float)))
@@ -74,7 +78,7 @@ print(json.dumps({
     "patientName": str(seg.PatientName),
     "patientSex": str(seg.PatientSex or ""),
     "frameOfReference": getattr(seg, "FrameOfReferenceUID", ""),
-    "referenced": len(seg.ReferencedSeriesSequence[0].ReferencedInstanceSequence),
+    "referenced": len(referenced),
     "labels": [str(s.SegmentLabel) for s in seg.SegmentSequence],
     "algorithms": [[s.SegmentAlgorithmType, s.SegmentAlgorithmName] for s in seg.SegmentSequence],
     "codes": [
