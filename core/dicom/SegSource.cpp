@@ -81,8 +81,6 @@ QString readSlice(DcmItem& dataset, int frame, SegSlice& slice)
         if (uid.second->empty() || DcmUniqueIdentifier::checkStringValue(*uid.second, "1").bad())
             return QStringLiteral("it has no valid %1").arg(QLatin1String(uid.first));
     }
-    if (slice.multiFrame && frame >= 65535)
-        return QStringLiteral("frames past 65535 cannot be referenced");
 
     DcmItem& measures = *macroItem(dataset, DCM_PixelMeasuresSequence, frame);
     if (!decimalTexts(*macroItem(dataset, DCM_PlanePositionSequence, frame),

@@ -207,8 +207,6 @@ void addFrames(
         if (made == nullptr)
             return;
         const std::unique_ptr<ImageSOPInstanceReferenceMacro> reference(made);
-        if (slice.multiFrame)
-            chain(reference->setReferencedFrameNumber({Uint16(slice.frame + 1)}), "source frame");
         OFVector<ImageSOPInstanceReferenceMacro> references;
         references.push_back(*reference);
         const std::unique_ptr<FGDerivationImage> derivation(
@@ -326,8 +324,9 @@ void completeText(
     }
 }
 
-/// What dcmseg 3.6.7 gets wrong or leaves out.
-void complete(DcmDataset& dataset, const SegContent& content, Chain& chain)
+/// What dcmseg 3.6.7 gets wrong (bits, numbers of referenced frames) or leaves out.
+void complete(
+    DcmDataset& dataset, const SegContent& content, const SegSource& sources, Chain& chain)
 {
     chain(dataset.putAndInsertUint8Array(
               DCM_PixelData, content.bits.data(), static_cast<unsigned long>(content.bits.size())),
@@ -341,15 +340,24 @@ void complete(DcmDataset& dataset, const SegContent& content, Chain& chain)
         chain(EC_IllegalCall, "functional groups of the frames");
         return;
     }
-    for (DcmObject* item = frames->nextInContainer(nullptr); item != nullptr;
-         item = frames->nextInContainer(item)) {
-        DcmItem* source = nullptr;
-        auto* frame = dynamic_cast<DcmItem*>(item);
+    auto frame = content.frames.begin();
+    for (DcmObject* object = frames->nextInContainer(nullptr); object != nullptr;
+         object = frames->nextInContainer(object), ++frame) {
+        auto* item = dynamic_cast<DcmItem*>(object);
         DcmItem* derivation = nullptr;
-        if (frame != nullptr
-            && frame->findAndGetSequenceItem(DCM_DerivationImageSequence, derivation).good()
-            && derivation->findAndGetSequenceItem(DCM_SourceImageSequence, source).good())
-            chain(source->putAndInsertString(DCM_SpatialLocationsPreserved, "YES"), "source image");
+        DcmItem* source = nullptr;
+        if (item == nullptr
+            || item->findAndGetSequenceItem(DCM_DerivationImageSequence, derivation).bad()
+            || derivation->findAndGetSequenceItem(DCM_SourceImageSequence, source).bad()) {
+            chain(EC_IllegalCall, "source image");
+            return;
+        }
+        chain(source->putAndInsertString(DCM_SpatialLocationsPreserved, "YES"), "source image");
+        const SegSlice& slice = sources.slices[std::size_t(frame->slice)];
+        if (slice.multiFrame)
+            chain(source->putAndInsertString(
+                      DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1).c_str()),
+                "source frame");
     }
 }
 
@@ -406,7 +414,7 @@ Result<SegWritten> writeSeg(
     if (chain.failure().isEmpty())
         completeText(dataset, content, *source, chain);
     if (chain.failure().isEmpty())
-        complete(dataset, content, chain);
+        complete(dataset, content, *source, chain);
     if (!chain.failure().isEmpty())
         return failure(ErrorCode::Internal, chain.failure());
     if (ownFrame) {

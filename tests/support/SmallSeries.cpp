@@ -111,18 +111,74 @@ core::Volume SmallSeries::write(const QString& folder) const
             .instanceNumber = k + 1});
     }
 
-    core::VolumeGeometry& geometry = volume.geometry;
-    geometry.size = size;
+    volume.geometry = geometry();
+    return volume;
+}
+
+core::Volume SmallSeries::writeMultiFrame(const QString& folder) const
+{
+    core::Volume volume = write(folder);
+    const QString file = QDir(folder).filePath(QStringLiteral("multi.dcm"));
+    DcmFileFormat format;
+    const QByteArray first = QFile::encodeName(volume.sources.front().file);
+    if (format.loadFile(first.constData()).bad() || format.loadAllDataIntoMemory().bad())
+        throw std::runtime_error("SmallSeries: cannot read back");
+    DcmDataset& dataset = *format.getDataset();
+    const std::string instance = uid();
+    dataset.putAndInsertString(DCM_SOPClassUID, UID_EnhancedCTImageStorage);
+    dataset.putAndInsertString(DCM_SOPInstanceUID, instance.c_str());
+    dataset.putAndInsertString(DCM_NumberOfFrames, std::to_string(size.z).c_str());
+    for (const DcmTagKey& tag : {DCM_ImagePositionPatient, DCM_ImageOrientationPatient,
+             DCM_PixelSpacing, DCM_SliceThickness})
+        dataset.findAndDeleteElement(tag);
+    const auto macro = [&](const DcmTagKey& groups, long item, const DcmTagKey& sequence) {
+        DcmItem* group = nullptr;
+        DcmItem* found = nullptr;
+        dataset.findOrCreateSequenceItem(groups, group, item);
+        group->findOrCreateSequenceItem(sequence, found, 0);
+        return found;
+    };
+    macro(DCM_SharedFunctionalGroupsSequence, 0, DCM_PlaneOrientationSequence)
+        ->putAndInsertString(DCM_ImageOrientationPatient,
+            decimals({rowDirection.x, rowDirection.y, rowDirection.z, columnDirection.x,
+                         columnDirection.y, columnDirection.z})
+                .c_str());
+    macro(DCM_SharedFunctionalGroupsSequence, 0, DCM_PixelMeasuresSequence)
+        ->putAndInsertString(DCM_PixelSpacing, decimals({spacing.y, spacing.x}).c_str());
+    for (int frame = 0; frame < size.z; ++frame) {
+        const int k = (frame + 2) % size.z;
+        const glm::dvec3& p = positions[std::size_t(k)];
+        macro(DCM_PerFrameFunctionalGroupsSequence, frame, DCM_PlanePositionSequence)
+            ->putAndInsertString(DCM_ImagePositionPatient, decimals({p.x, p.y, p.z}).c_str());
+        core::SourceSlice& slice = volume.sources[std::size_t(k)];
+        QFile::remove(slice.file);
+        slice = {.file = file,
+            .sopInstanceUid = QString::fromStdString(instance),
+            .sopClassUid = QStringLiteral(UID_EnhancedCTImageStorage),
+            .frame = frame,
+            .instanceNumber = 1};
+    }
+    const std::vector<Uint16> pixels(volume.geometry.voxelCount(), 0);
+    dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+    if (format.saveFile(QFile::encodeName(file).constData(), EXS_LittleEndianExplicit).bad())
+        throw std::runtime_error("SmallSeries: cannot write");
+    return volume;
+}
+
+core::VolumeGeometry SmallSeries::geometry() const
+{
+    core::VolumeGeometry result;
+    result.size = size;
     const glm::dvec3 step = size.z > 1 ? (positions.back() - positions.front()) / double(size.z - 1)
                                        : glm::cross(rowDirection, columnDirection);
-    geometry.indexToWorld = {glm::dvec4(rowDirection * spacing.x, 0.0),
+    result.indexToWorld = {glm::dvec4(rowDirection * spacing.x, 0.0),
         glm::dvec4(columnDirection * spacing.y, 0.0), glm::dvec4(step, 0.0),
         glm::dvec4(positions.front(), 1.0)};
     for (int k = 0; k < size.z; ++k) {
-        if (glm::distance(geometry.toWorld({0, 0, double(k)}), positions[std::size_t(k)]) > 0.01)
-            geometry.slicePositions = positions;
+        if (glm::distance(result.toWorld({0, 0, double(k)}), positions[std::size_t(k)]) > 0.01)
+            result.slicePositions = positions;
     }
-    return volume;
+    return result;
 }
 
 } // namespace test

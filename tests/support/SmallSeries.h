@@ -32,6 +32,12 @@ struct SmallSeries {
     /// Writes one file per slice, names in no relation to their order.
     /// @returns the volume as a loader would describe it
     [[nodiscard]] core::Volume write(const QString& folder) const;
+    /// The same as one Enhanced CT file whose frames carry their places in functional groups, in no
+    /// order; what only these tests need of it.
+    [[nodiscard]] core::Volume writeMultiFrame(const QString& folder) const;
+
+private:
+    [[nodiscard]] core::VolumeGeometry geometry() const;
 };
 
 } // namespace test

@@ -72,6 +72,7 @@ class ExportSegTest : public QObject {
 private Q_SLOTS:
     void othersSeeTheSame_data();
     void othersSeeTheSame();
+    void framesOfOneFile();
     void planesOverlap();
     void emptySegmentIsLeftOutAndNamed();
     void nothingToExport();
@@ -167,6 +168,29 @@ void ExportSegTest::othersSeeTheSame()
     // The published value of (0.2, 0.6, 1.0): DICOM.md, from DCMTK's own tool and by hand.
     QCOMPARE(facts["lab"].toArray()[0].toArray(), (QJsonArray{40801, 34472, 17791}));
     validate(file);
+}
+
+void ExportSegTest::framesOfOneFile()
+{
+    QTemporaryDir folder;
+    test::SmallSeries series;
+    series.placeEvenly({3, 4, 5}, {0, 0, 1.5});
+    const core::Volume volume = series.writeMultiFrame(folder.filePath(QStringLiteral("images")));
+    const auto labels = randomLabels(series.size, 1);
+    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
+    const auto report = core::exportMask(
+        volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    validate(file);
+    const auto seg = core::readSeg(file);
+    QVERIFY(seg.has_value());
+    QCOMPARE(seg->referencedSopUids.size(), 1);
+    QCOMPARE(seg->frames.size(), std::size_t(series.size.z - 1));
+    for (const core::SegFrame& frame : seg->frames) {
+        const int k = (frame.referencedFrame + 2) % series.size.z;
+        QCOMPARE(frame.plane.position.z, 5.0 + 1.5 * k);
+    }
 }
 
 void ExportSegTest::planesOverlap()
