@@ -81,26 +81,31 @@ buildJobs() {
     if [ "$memory" -lt "$processors" ]; then echo "$memory"; else echo "$processors"; fi
 }
 
-# build TARGET...: configures where needed and builds these targets (all: the default target).
+# build TARGET... [-- CMAKE_OPTION...]: configures $burinBuild where needed and builds these targets.
 build() {
-    local cache=$burinBuild/CMakeCache.txt home
+    local cache=$burinBuild/CMakeCache.txt home targets=()
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        targets+=("$1")
+        shift
+    done
+    [ $# -eq 0 ] || shift
     if [ -f "$cache" ]; then
         home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$cache")
         # CMake refuses a build folder that was copied or moved along with its tree.
         if [ "$home" != "$burinRoot" ]; then rm -rf "$burinBuild"; fi
     fi
     if [ "$packagesInstalled" = yes ] || [ ! -f "$burinBuild/build.ninja" ] \
-        || [ "$burinRoot/CMakePresets.json" -nt "$cache" ] || [ ${#configureOptions[@]} -gt 0 ]; then
+        || [ "$burinRoot/CMakePresets.json" -nt "$cache" ]; then
         say "configuring"
         mkdir -p "$burinBuild"
-        (cd "$burinRoot" && cmake --preset release "${configureOptions[@]}") \
+        (cd "$burinRoot" && cmake --preset release -B "$burinBuild" "$@") \
             > "$burinBuild/configure.log" 2>&1 \
             || { cat "$burinBuild/configure.log" >&2; fail "cmake could not configure"; }
     fi
     say "building"
-    cmake --build "$burinBuild" --parallel "$(buildJobs)" --target "$@" || fail "the build failed"
+    cmake --build "$burinBuild" --parallel "$(buildJobs)" --target "${targets[@]}" \
+        || fail "the build failed"
 }
-configureOptions=()
 
 # A private X server for programs that need a window; ends with the script.
 startDisplay() {

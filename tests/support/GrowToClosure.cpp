@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/GrowToClosure.h"
+
+#include <chrono>
+
+namespace test {
+
+namespace {
+
+void paste(
+    const core::BrickChange& change, const core::BrickGrid& grid, std::vector<std::uint8_t>& mask)
+{
+    if (change.key.field != core::Field::Labels || change.after.empty())
+        return;
+    const core::VoxelBox box = grid.boxOf(static_cast<int>(change.key.brick));
+    for (int z = box.minimum.z; z < box.maximum.z; ++z) {
+        for (int y = box.minimum.y; y < box.maximum.y; ++y) {
+            for (int x = box.minimum.x; x < box.maximum.x; ++x) {
+                const auto offset =
+                    static_cast<std::size_t>(core::BrickGrid::offsetInBrick({x, y, z}));
+                const auto index = (static_cast<std::size_t>(z) * std::size_t(grid.volumeSize.y)
+                                       + static_cast<std::size_t>(y))
+                        * std::size_t(grid.volumeSize.x)
+                    + static_cast<std::size_t>(x);
+                mask[index] = change.after[offset];
+            }
+        }
+    }
+}
+
+} // namespace
+
+GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
+    std::span<const glm::ivec3> seeds, int lowCode, int highCode)
+{
+    GrownVoxels grown;
+    const auto start = std::chrono::steady_clock::now();
+    core::SeedPlacement placement;
+    placement.label = 1;
+    placement.voxels.assign(seeds.begin(), seeds.end());
+    core::submitWhole(engine, placement);
+    core::GrowBurst burst;
+    burst.lowCode = lowCode;
+    burst.highCode = highCode;
+    const core::Ticket ticket =
+        core::submitWhole(engine, burst, {core::GrowAdvance{core::GrowAdvance::toClosure}});
+    engine.finish();
+    const std::vector<core::EngineResult> results = engine.collect();
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+    grown.milliseconds = spent.count();
+
+    for (const core::EngineResult& result : results) {
+        if (result.error)
+            return {};
+        if (result.ticket != ticket || !result.atClosure)
+            continue;
+        grown.generation = result.generation;
+        grown.mask.assign(
+            std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), std::uint8_t{0});
+        const core::BrickGrid grid{size};
+        for (const core::BrickChange& change : result.changes)
+            paste(change, grid, grown.mask);
+    }
+    return grown;
+}
+
+} // namespace test

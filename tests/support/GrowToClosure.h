@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EditEngine.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace test {
+
+struct GrownVoxels {
+    std::vector<std::uint8_t> mask; ///< label plane 0, x fastest
+    std::uint32_t generation = 0;
+    double milliseconds = 0.0; ///< wall clock from the first command to the last result
+};
+
+/// Seeds one segment (label 1, plane 0) and grows it to closure in the volume that the engine
+/// holds. Qt Test's failures are the caller's: an engine's error comes as an empty mask.
+[[nodiscard]] GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
+    std::span<const glm::ivec3> seeds, int lowCode, int highCode);
+
+} // namespace test
