@@ -5,7 +5,6 @@
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/ConnectedThreshold.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/SharedData.h"
 
@@ -44,19 +43,20 @@ std::vector<glm::ivec3> seedsWithin(const LoadedVolume& loaded, int low, int hig
 
 } // namespace
 
-/// `burin run` grown to closure equals the oracle word for word, and ITK voxel for voxel.
-class GrowthPeersTest : public QObject {
+/// `burin run`, grown to closure and drilled, prints the hashes that the oracle reaches with the
+/// same recipe. (The voxels are compared with ITK's in GrowItkGlTest.)
+class RunOracleTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void growsAlike_data();
-    void growsAlike();
+    void runsAlike_data();
+    void runsAlike();
 
 private:
     QTemporaryDir m_folder;
 };
 
-void GrowthPeersTest::growsAlike_data()
+void RunOracleTest::runsAlike_data()
 {
     QTest::addColumn<Input>("input");
     const auto addReal = [](const char* name, double lower, double upper) {
@@ -91,7 +91,7 @@ void GrowthPeersTest::growsAlike_data()
     }
 }
 
-void GrowthPeersTest::growsAlike()
+void RunOracleTest::runsAlike()
 {
     QFETCH(Input, input);
     if (input.study.isEmpty())
@@ -107,10 +107,18 @@ void GrowthPeersTest::growsAlike()
     SeedStroke stroke{1, {}};
     for (const glm::ivec3& seed : seeds)
         stroke.pointsLps.push_back(geometry.toWorld(glm::dvec3(seed)));
+    DrillStroke drill;
+    drill.view.targetLps = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
+    drill.view.eyeLps = drill.view.targetLps + glm::dvec3(-150.0, -210.0, 60.0);
+    drill.radiusMm = 9.0;
+    drill.depthMm = 12.0;
+    drill.surfaceThreshold = input.lower;
+    drill.samples = {{.xMm = -6.0, .yMm = 3.0, .pressure = 0.8}, {.xMm = 8.0, .yMm = -5.0}};
     const std::vector<Edit> edits{
         quantised(AddSegment{.name = QStringLiteral("Grown"), .rgb = 0x40C080, .code = {}}),
         quantised(stroke),
-        quantised(GrowSteps{.lower = input.lower, .upper = input.upper, .steps = {}})};
+        quantised(GrowSteps{.lower = input.lower, .upper = input.upper, .steps = {}}),
+        quantised(drill)};
 
     const QTemporaryDir folder;
     QJsonArray json;
@@ -132,7 +140,6 @@ void GrowthPeersTest::growsAlike()
     QCOMPARE(std::size_t(lines.size()), edits.size());
 
     reference::ReferenceEngine oracle;
-    const std::vector<std::uint16_t> codes = loaded->codes;
     const auto session = EditSession::create(oracle, *std::move(loaded), {});
     QVERIFY(session);
     for (std::size_t i = 0; i < edits.size(); ++i) {
@@ -146,13 +153,8 @@ void GrowthPeersTest::growsAlike()
     QVERIFY(labels);
     const auto grown = std::size_t(std::count(labels->begin(), labels->end(), 1));
     QVERIFY(grown >= 3);
-
-    const auto peer = test::connectedThreshold(geometry.size, codes, low, high, seeds);
-    if (!peer)
-        QSKIP("equal to the oracle; built without ITK, so not compared with it");
-    QCOMPARE(std::size_t(std::count(peer->begin(), peer->end(), 1)), grown);
-    QVERIFY(*peer == *labels);
+    QVERIFY((*session)->history().rows().back().statistics.voxelsChanged > 100);
 }
 
-QTEST_GUILESS_MAIN(GrowthPeersTest)
-#include "GrowthPeersTest.moc"
+QTEST_GUILESS_MAIN(RunOracleTest)
+#include "RunOracleTest.moc"
