@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <map>
 
 namespace core {
 
@@ -58,15 +59,18 @@ struct Selection {
 Result<Selection> select(const Volume& volume, const ExportRequest& request)
 {
     Selection selection;
+    std::map<std::uint8_t, std::vector<std::bitset<256>>> presentInPlane;
     for (const Segment& segment : request.segments) {
         const LabelPlaneView* plane = planeOf(request, segment);
         if (plane == nullptr || plane->labels.size() != volume.geometry.voxelCount())
             return failure(ErrorCode::UnknownSegment, segment.name,
                 QStringLiteral("its label plane is not there"));
-        const auto present = labelsBySlice(volume, *plane);
+        auto [present, isNew] = presentInPlane.try_emplace(segment.plane);
+        if (isNew)
+            present->second = labelsBySlice(volume, *plane);
         std::vector<int> slices;
-        for (std::size_t k = 0; k < present.size(); ++k) {
-            if (present[k].test(segment.label))
+        for (std::size_t k = 0; k < present->second.size(); ++k) {
+            if (present->second[k].test(segment.label))
                 slices.push_back(int(k));
         }
         if (slices.empty()) {

@@ -101,7 +101,7 @@ core::Volume SmallSeries::write(const QString& folder) const
         dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
 
         const QString file = QDir(folder).filePath(
-            QStringLiteral("im%1.dcm").arg((k * 5 + 3) % 1000, 3, 10, QLatin1Char('0')));
+            QStringLiteral("im%1.dcm").arg((k * 5 + 3) % 997, 3, 10, QLatin1Char('0')));
         if (format.saveFile(QFile::encodeName(file).constData(), EXS_LittleEndianExplicit).bad())
             throw std::runtime_error("SmallSeries: cannot write");
         volume.sources.push_back({.file = file,
