@@ -160,11 +160,11 @@ Result<QStringList> checkSegExport(
     }
     return QStringList{
         QStringLiteral("Position, orientation, spacing, frame of reference, patient and study of "
-                       "%1 frames equal those of the source images they name (%2 source headers "
-                       "read again).")
-            .arg(seg.frames.size())
-            .arg(headers->size()),
-        QStringLiteral("All voxels of %1 segments are as drawn.").arg(expected.segments.size())};
+                       "%1 equal those of the source images they name (%2 read again).")
+            .arg(counted(int(seg.frames.size()), "frame"),
+                counted(int(headers->size()), "source header")),
+        QStringLiteral("All voxels of %1 are as drawn.")
+            .arg(counted(int(expected.segments.size()), "segment"))};
 }
 
 } // namespace core

@@ -4,6 +4,7 @@
 #include "core/base/StagedFile.h"
 #include "core/dicom/SegWriter.h"
 #include "core/export/CheckExport.h"
+#include "core/export/CheckSources.h"
 #include "core/nifti/NiftiWriter.h"
 
 #include <QFileInfo>
@@ -150,10 +151,10 @@ Result<QStringList> writeSegFile(const QString& path, const Volume& volume,
     if (volume.identity.frameOfReferenceUid.isEmpty())
         report.cautions += QStringLiteral(
             "The source images have no frame of reference in common; the segmentation names none.");
-    return QStringList{QStringLiteral("DICOM SEG, binary: %1 segments in %2 frames of %3 × %4; "
-                                      "slices without a voxel are left out.")
-                           .arg(content.segments.size())
-                           .arg(content.frames.size())
+    return QStringList{QStringLiteral(
+        "DICOM SEG, binary: %1 in %2 of %3 × %4; slices without a voxel are left out.")
+                           .arg(counted(int(content.segments.size()), "segment"),
+                               counted(int(content.frames.size()), "frame"))
                            .arg(content.columns)
                            .arg(content.rows)};
 }
