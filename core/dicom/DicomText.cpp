@@ -4,11 +4,53 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcspchrs.h>
 
+#include <QStringList>
+
+#include <iconv.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace core {
+
+namespace {
+
+std::optional<QString> convert(const QByteArray& bytes, const char* encoding)
+{
+    const iconv_t converter = iconv_open("UTF-8", encoding);
+    if (converter == iconv_t(-1))
+        return std::nullopt;
+    QByteArray input = bytes;
+    // No character of these encodings takes more than four bytes in UTF-8.
+    QByteArray output(4 * bytes.size(), Qt::Uninitialized);
+    char* from = input.data();
+    char* to = output.data();
+    auto fromLeft = std::size_t(input.size());
+    auto toLeft = std::size_t(output.size());
+    const bool good = iconv(converter, &from, &fromLeft, &to, &toLeft) != std::size_t(-1);
+    iconv_close(converter);
+    if (!good)
+        return std::nullopt;
+    return QString::fromUtf8(output.constData(), output.size() - qsizetype(toLeft));
+}
+
+/// Japanese text with code extensions (PS3.5 6.1.2.5): DCMTK over glibc cannot open ISO 2022 IR 87
+/// and 159. Escapes make a component group ISO-2022-JP-2, bytes with the high bit JIS X 0201.
+std::optional<QString> japaneseText(const QByteArray& bytes)
+{
+    QStringList groups;
+    for (const QByteArray& group : bytes.split('=')) {
+        const std::optional<QString> text =
+            convert(group, group.contains('\x1b') ? "ISO-2022-JP-2" : "SHIFT_JIS");
+        if (!text)
+            return std::nullopt;
+        groups.append(*text);
+    }
+    return groups.join(QLatin1Char('=')).trimmed();
+}
+
+} // namespace
 
 QString dicomText(const QByteArray& bytes, const QByteArray& characterSet)
 {
@@ -22,6 +64,12 @@ QString dicomText(const QByteArray& bytes, const QByteArray& characterSet)
     if (converter.selectCharacterSet(characterSet.constData()).good()
         && converter.convertString(text, utf8, "\\^=").good()) {
         return QString::fromUtf8(utf8.c_str(), qsizetype(utf8.size())).trimmed();
+    }
+    for (const char* term : {"IR 87", "IR 159", "IR 13"}) {
+        if (!characterSet.contains(term))
+            continue;
+        if (const std::optional<QString> text = japaneseText(bytes))
+            return *text;
     }
     return QString::fromLatin1(bytes).trimmed();
 }

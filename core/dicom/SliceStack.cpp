@@ -29,7 +29,9 @@ struct Place {
 QString apartKind(const ImageHeader& image, QString& reason)
 {
     if (image.frames > 1 || image.isEnhanced) {
-        reason = QStringLiteral("%1 frames in one file are not read yet").arg(image.frames);
+        reason = image.frames == 1
+            ? QStringLiteral("a place given frame by frame is not read yet")
+            : QStringLiteral("%1 frames in one file are not read yet").arg(image.frames);
         return QStringLiteral("multi-frame image");
     }
     const QString& photometric = image.layout.photometric;
@@ -132,7 +134,9 @@ std::vector<Images> splitByFrameOfReference(Images group)
 
 std::vector<Place> sortIntoPlaces(Images images)
 {
-    constexpr double samePlaceMm = 0.001;
+    // Scanners round positions; slices of micro-CT may be closer than their rounding.
+    const glm::dvec2 pixel = *images.front().spacing;
+    const double samePlaceMm = std::min(0.01, 0.05 * std::min(pixel.x, pixel.y));
     const glm::dvec3 normal = images.front().plane->normal();
     const auto along = [&](const ImageHeader& image) { return glm::dot(*image.position, normal); };
     std::stable_sort(images.begin(), images.end(),

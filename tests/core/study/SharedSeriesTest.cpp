@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/HeaderReader.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
 
@@ -126,16 +127,18 @@ private Q_SLOTS:
     void matchesExpectations();
     void timePointsStayApart();
     void localizersStayApart();
+    void namesInEveryScript_data();
+    void namesInEveryScript();
 };
 
 void SharedSeriesTest::matchesExpectations_data()
 {
     QTest::addColumn<QString>("name");
-    for (const char* name :
-        {"ct_cranium_inv3", "ct_lidc0314_lower", "ct_abdomen_j2k_organs", "mr_t1_sag_mprage",
-            "mr_patient_position_hfs_hfp", "mr_multifragment_jpegll", "ct_tilt_study_philips",
-            "edge_geometry", "edge_transfer_syntaxes", "ct_mr_pet_sts001", "ct_ibsi_lung_rtstruct",
-            "pet_headneck_seg", "seg_dcmqi_liver", "mr_prostate_localizer_missing"})
+    for (const char* name : {"ct_cranium_inv3", "ct_lidc0314_lower", "ct_abdomen_j2k_organs",
+             "mr_t1_sag_mprage", "mr_patient_position_hfs_hfp", "mr_multifragment_jpegll",
+             "ct_tilt_study_philips", "edge_geometry", "edge_transfer_syntaxes", "ct_mr_pet_sts001",
+             "ct_ibsi_lung_rtstruct", "pet_headneck_seg", "seg_dcmqi_liver",
+             "mr_prostate_localizer_missing", "edge_charsets"})
         QTest::newRow(name) << QString::fromLatin1(name);
 }
 
@@ -151,7 +154,8 @@ void SharedSeriesTest::matchesExpectations()
     folders.removeIf(
         [](const QString& folder) { return folder.contains(QLatin1String("/one_slice")); });
     // Slices of one series may be spread over folders; cases that repeat UIDs are the exception.
-    const bool repeatsUids = name.startsWith(QLatin1String("edge_"));
+    const bool repeatsUids =
+        name != QLatin1String("edge_charsets") && name.startsWith(QLatin1String("edge_"));
     const std::vector<core::LoadedVolume> opened = openAll(
         repeatsUids ? folders : QStringList{data.unpacked.isEmpty() ? data.source : data.unpacked});
 
@@ -233,6 +237,31 @@ void SharedSeriesTest::localizersStayApart()
     QCOMPARE(kinds.count(QStringLiteral("DICOMDIR")), std::size_t(4));
     QCOMPARE(kinds.count(QStringLiteral("localizer")), std::size_t(3));
     QCOMPARE(kinds.count(QStringLiteral("colour image")), std::size_t(3));
+}
+
+void SharedSeriesTest::namesInEveryScript_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("name");
+    const test::SharedCase data = test::sharedCase(QStringLiteral("edge_charsets"));
+    if (data.source.isEmpty())
+        QTest::newRow("no shared data") << QString() << QString();
+    for (const QJsonValue& file : data.expected[QStringLiteral("single_files")].toArray()) {
+        const QString path = file[QStringLiteral("file")].toString();
+        QTest::newRow(qPrintable(path)) << data.source + QLatin1Char('/') + path
+                                        << file[QStringLiteral("patient_name")].toString();
+    }
+}
+
+void SharedSeriesTest::namesInEveryScript()
+{
+    QFETCH(QString, file);
+    QFETCH(QString, name);
+    if (file.isEmpty())
+        QSKIP("the shared data are not there (BURIN_SHARED_DATA)");
+    const core::Result<core::ImageHeader> header = core::readImageHeader(file);
+    QVERIFY(header);
+    QCOMPARE(header->identity.patientName, name);
 }
 
 QTEST_GUILESS_MAIN(SharedSeriesTest)
