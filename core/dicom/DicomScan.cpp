@@ -43,8 +43,7 @@ QString seriesKey(const StudyIdentity& of)
 {
     if (!of.seriesUid.isEmpty())
         return of.seriesUid;
-    return madeUpName("series",
-        {studyKey(of), of.seriesNumber, of.seriesDescription, of.modality, of.frameOfReferenceUid});
+    return madeUpName("series", {studyKey(of), of.seriesNumber, of.seriesDescription, of.modality});
 }
 
 QString unitOf(const ImageHeader& image)

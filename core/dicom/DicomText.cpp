@@ -68,8 +68,8 @@ QString dicomText(const QByteArray& bytes, const QByteArray& characterSet)
     for (const char* term : {"IR 87", "IR 159", "IR 13"}) {
         if (!characterSet.contains(term))
             continue;
-        if (const std::optional<QString> text = japaneseText(bytes))
-            return *text;
+        if (const std::optional<QString> japanese = japaneseText(bytes))
+            return *japanese;
     }
     return QString::fromLatin1(bytes).trimmed();
 }

@@ -110,6 +110,7 @@ private Q_SLOTS:
     void placesEveryVoxel_data();
     void placesEveryVoxel();
     void identityAndSources();
+    void frameOfReferenceIsSharedOrNone();
     void tiltShearsTheGrid();
     void missingSlicesAreCounted();
     void unevenSpacingKeepsEveryPosition();
@@ -283,6 +284,31 @@ void StudyLoaderTest::identityAndSources()
         QCOMPARE(source.instanceNumber, series.size.z - k);
         QCOMPARE(source.sopInstanceUid, QStringLiteral("%1.%2").arg(series.seriesUid).arg(k + 1));
     }
+}
+
+void StudyLoaderTest::frameOfReferenceIsSharedOrNone()
+{
+    SyntheticSeries series;
+    test::writeSeries(series, path());
+    QCOMPARE(open(path()).volume.identity.frameOfReferenceUid, QStringLiteral("2.25.4713"));
+
+    series.adjust = [](DcmDataset& set, int k) {
+        set.putAndInsertString(
+            DCM_FrameOfReferenceUID, ("2.25.9." + QByteArray::number(k + 1)).constData());
+    };
+    test::writeSeries(series, path(QStringLiteral("each its own")));
+    const core::LoadedVolume loaded = open(path(QStringLiteral("each its own")));
+    QCOMPARE(worstError(loaded, series), 0.0);
+    QCOMPARE(loaded.volume.identity.frameOfReferenceUid, QString());
+    QVERIFY(!loaded.volume.problems.empty());
+
+    series.adjust = [](DcmDataset& set, int k) {
+        set.putAndInsertString(DCM_FrameOfReferenceUID, k < 4 ? "2.25.5" : "2.25.6");
+    };
+    test::writeSeries(series, path(QStringLiteral("two")));
+    const core::Result<core::StudyListing> listing = core::scanStudies(path(QStringLiteral("two")));
+    QVERIFY(listing);
+    QCOMPARE(listing->candidates().size(), std::size_t(2));
 }
 
 void StudyLoaderTest::tiltShearsTheGrid()
