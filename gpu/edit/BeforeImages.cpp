@@ -102,7 +102,7 @@ std::vector<core::BrickKey> BeforeImages::keys() const
     return keys;
 }
 
-void writeImages(EditFields& fields, std::span<const core::BrickImage> images)
+void writeImages(VoxelFields& fields, std::span<const core::BrickImage> images)
 {
     std::vector<core::BrickImage> sorted(images.begin(), images.end());
     std::sort(sorted.begin(), sorted.end(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/edit/EditFields.h"
+#include "gpu/edit/VoxelFields.h"
 
 #include <map>
 #include <vector>
@@ -12,7 +12,7 @@ namespace gpu {
 /// until the transaction ends (DESIGN §3.3). Engine thread only.
 class BeforeImages {
 public:
-    explicit BeforeImages(EditFields& fields)
+    explicit BeforeImages(VoxelFields& fields)
         : m_fields(fields)
     {
     }
@@ -39,12 +39,12 @@ private:
     };
     [[nodiscard]] std::vector<std::uint8_t> image(const core::BrickKey& key) const;
 
-    EditFields& m_fields;
+    VoxelFields& m_fields;
     std::map<core::BrickKey, Place> m_places;
     std::vector<Batch> m_batches;
 };
 
-/// Writes images into their fields: gives and takes pages, tells EditFields what changed.
-void writeImages(EditFields& fields, std::span<const core::BrickImage> images);
+/// Writes images into their fields: gives and takes pages, tells VoxelFields what changed.
+void writeImages(VoxelFields& fields, std::span<const core::BrickImage> images);
 
 } // namespace gpu

@@ -50,7 +50,7 @@ DrillPrograms::DrillPrograms(const ShaderLibrary& library)
 }
 
 DrillKernel::DrillKernel(
-    DrillPrograms& programs, EditFields& fields, BeforeImages& before, const core::DrillCut& cut)
+    DrillPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::DrillCut& cut)
     : m_programs(programs)
     , m_fields(fields)
     , m_before(before)

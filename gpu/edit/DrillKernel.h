@@ -3,7 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BeforeImages.h"
-#include "gpu/edit/EditFields.h"
+#include "gpu/edit/VoxelFields.h"
 
 #include <map>
 #include <set>
@@ -27,7 +27,7 @@ struct DrillPrograms {
 /// is kept for the rays to come. Cost ∝ what the piece of path touches. Engine thread only.
 class DrillKernel {
 public:
-    DrillKernel(DrillPrograms& programs, EditFields& fields, BeforeImages& before,
+    DrillKernel(DrillPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::DrillCut& cut);
 
     void extend(const std::vector<core::DrillSample>& samples);
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] Tile& tileOf(const glm::ivec2& at);
 
     DrillPrograms& m_programs;
-    EditFields& m_fields;
+    VoxelFields& m_fields;
     BeforeImages& m_before;
     core::DrillCut m_cut;
     glm::ivec3 m_perI{0}; ///< mm16 per voxel

@@ -56,7 +56,7 @@ core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
 }
 
 core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
-    EditPrograms& programs, EditFields& fields, const core::EngineEdit& edit)
+    EditPrograms& programs, VoxelFields& fields, const core::EngineEdit& edit)
 {
     const core::Result<void> checked =
         std::visit([&fields](const auto& known) { return check(known, fields.grid()); }, edit);

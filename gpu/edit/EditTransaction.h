@@ -29,7 +29,7 @@ class EditTransaction {
 public:
     /// Errors: InvalidField; then nothing was changed.
     static core::Result<std::unique_ptr<EditTransaction>> begin(
-        EditPrograms& programs, EditFields& fields, const core::EngineEdit& edit);
+        EditPrograms& programs, VoxelFields& fields, const core::EngineEdit& edit);
 
     /// Errors: InvalidField where the extension is of another kind of edit.
     core::Result<void> extend(const core::EngineExtension& extension);
@@ -46,14 +46,14 @@ public:
     [[nodiscard]] core::GrowthProgress progress() const;
 
 private:
-    explicit EditTransaction(EditFields& fields)
+    explicit EditTransaction(VoxelFields& fields)
         : m_fields(fields)
         , m_before(fields)
     {
     }
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
 
-    EditFields& m_fields;
+    VoxelFields& m_fields;
     BeforeImages m_before;
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;

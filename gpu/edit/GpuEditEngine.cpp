@@ -47,7 +47,7 @@ core::Result<void> GpuEditEngine::openVolume(
         opened = m_textures.open(size, codes);
         if (!opened)
             return;
-        m_fields = std::make_unique<EditFields>(m_shaders, m_textures);
+        m_fields = std::make_unique<VoxelFields>(m_shaders, m_textures);
         m_fields->setShownLabels(m_shownLabels);
         publishProgress();
     });

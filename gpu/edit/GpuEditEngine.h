@@ -71,7 +71,7 @@ private:
     const ShaderLibrary& m_shaders;
     EditPrograms m_programs;
     PickKernel m_picks;
-    std::unique_ptr<EditFields> m_fields;
+    std::unique_ptr<VoxelFields> m_fields;
     std::unique_ptr<EditTransaction> m_transaction;
     std::bitset<256> m_shownLabels;
     double m_editMilliseconds = 0.0; ///< of the open transaction

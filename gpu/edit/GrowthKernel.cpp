@@ -35,7 +35,7 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& library)
 {
 }
 
-std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, EditFields& fields,
+std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement)
 {
     std::vector<glm::ivec4> voxels;
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, EditFields& fiel
     return bricks;
 }
 
-GrowthKernel::GrowthKernel(GrowthPrograms& programs, EditFields& fields, BeforeImages& before,
+GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::GrowBurst& burst)
     : m_programs(programs)
     , m_fields(fields)

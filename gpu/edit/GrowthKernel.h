@@ -3,7 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BeforeImages.h"
-#include "gpu/edit/EditFields.h"
+#include "gpu/edit/VoxelFields.h"
 
 #include <array>
 #include <set>
@@ -24,7 +24,7 @@ struct GrowthPrograms {
 };
 
 /// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
-std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, EditFields& fields,
+std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
 
 /// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in EngineCommands.h).
@@ -36,7 +36,7 @@ class GrowthKernel {
 public:
     static constexpr int ringsPerBatch = 16;
 
-    GrowthKernel(GrowthPrograms& programs, EditFields& fields, BeforeImages& before,
+    GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::GrowBurst& burst);
 
     /// Admits pending seeds and finds the front. Call it once, first.
@@ -74,7 +74,7 @@ private:
     void enlargeQueues();
 
     GrowthPrograms& m_programs;
-    EditFields& m_fields;
+    VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;
     Buffer m_state;

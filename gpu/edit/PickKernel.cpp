@@ -28,7 +28,7 @@ PickKernel::PickKernel(const ShaderLibrary& library)
 }
 
 std::vector<std::optional<glm::ivec3>> PickKernel::pick(
-    EditFields& fields, const core::PickVoxels& command)
+    VoxelFields& fields, const core::PickVoxels& command)
 {
     if (command.rays.empty())
         return {};
@@ -66,7 +66,7 @@ std::vector<std::optional<glm::ivec3>> PickKernel::pick(
 }
 
 std::vector<core::ProbedVoxel> PickKernel::probe(
-    EditFields& fields, const core::ProbeVoxels& command)
+    VoxelFields& fields, const core::ProbeVoxels& command)
 {
     if (command.voxels.empty())
         return {};

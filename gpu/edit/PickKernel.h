@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/engine/EngineCommands.h"
-#include "gpu/edit/EditFields.h"
+#include "gpu/edit/VoxelFields.h"
 
 #include <optional>
 #include <vector>
@@ -16,9 +16,9 @@ public:
     explicit PickKernel(const ShaderLibrary& library);
 
     [[nodiscard]] std::vector<std::optional<glm::ivec3>> pick(
-        EditFields& fields, const core::PickVoxels& command);
+        VoxelFields& fields, const core::PickVoxels& command);
     [[nodiscard]] std::vector<core::ProbedVoxel> probe(
-        EditFields& fields, const core::ProbeVoxels& command);
+        VoxelFields& fields, const core::ProbeVoxels& command);
 
 private:
     Program m_pick;

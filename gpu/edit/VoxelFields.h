@@ -17,10 +17,10 @@ namespace gpu {
 /// Radiation follows coverage at once, since strokes and picks read it. The segmentation map is for
 /// pictures only and follows between edits (updateSegmentation). What pictures show of a change is
 /// marked dirty in VolumeTextures.
-class EditFields {
+class VoxelFields {
 public:
     /// @param shared the dense textures of the open volume; outlive the fields
-    EditFields(const ShaderLibrary& library, VolumeTextures& shared);
+    VoxelFields(const ShaderLibrary& library, VolumeTextures& shared);
 
     [[nodiscard]] const core::BrickGrid& grid() const { return m_grid; }
     [[nodiscard]] const Texture3D& codes() const { return m_shared.intensityCodes(); }

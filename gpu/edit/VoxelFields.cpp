@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/edit/EditFields.h"
+#include "gpu/edit/VoxelFields.h"
 
 namespace gpu {
 
-EditFields::EditFields(const ShaderLibrary& library, VolumeTextures& shared)
+VoxelFields::VoxelFields(const ShaderLibrary& library, VolumeTextures& shared)
     : m_grid(shared.grid())
     , m_shared(shared)
     , m_radiation(shared.radiation().view(GL_R8UI, "radiation, integer"))
@@ -13,7 +13,7 @@ EditFields::EditFields(const ShaderLibrary& library, VolumeTextures& shared)
 {
 }
 
-BrickField& EditFields::coverage(std::uint8_t layer)
+BrickField& VoxelFields::coverage(std::uint8_t layer)
 {
     BrickField& field = m_coverage[layer];
     if (!field.created())
@@ -22,7 +22,7 @@ BrickField& EditFields::coverage(std::uint8_t layer)
     return field;
 }
 
-BrickField& EditFields::seedWords(std::uint8_t plane)
+BrickField& VoxelFields::seedWords(std::uint8_t plane)
 {
     BrickField& field = m_seedWords[plane];
     if (!field.created())
@@ -31,7 +31,7 @@ BrickField& EditFields::seedWords(std::uint8_t plane)
     return field;
 }
 
-const Texture3D& EditFields::labels(std::uint8_t plane)
+const Texture3D& VoxelFields::labels(std::uint8_t plane)
 {
     if (plane == 0)
         return m_shared.labels();
@@ -43,7 +43,7 @@ const Texture3D& EditFields::labels(std::uint8_t plane)
     return texture;
 }
 
-BrickField* EditFields::paged(core::Field field, std::uint8_t plane)
+BrickField* VoxelFields::paged(core::Field field, std::uint8_t plane)
 {
     switch (field) {
     case core::Field::Coverage:
@@ -56,21 +56,21 @@ BrickField* EditFields::paged(core::Field field, std::uint8_t plane)
     return nullptr;
 }
 
-FieldTextures EditFields::textures(core::Field field, std::uint8_t plane)
+FieldTextures VoxelFields::textures(core::Field field, std::uint8_t plane)
 {
     if (BrickField* bricks = paged(field, plane))
         return {.voxels = &bricks->atlas(), .pageTable = &bricks->pageTable(), .field = field};
     return {.voxels = &labels(plane), .pageTable = nullptr, .field = field};
 }
 
-bool EditFields::hasData(const core::BrickKey& key)
+bool VoxelFields::hasData(const core::BrickKey& key)
 {
     if (const BrickField* bricks = paged(key.field, key.plane))
         return bricks->holds(key.brick);
     return m_labelledBricks.count(key.brick) != 0;
 }
 
-core::VoxelBox EditFields::boxOf(std::span<const std::uint32_t> bricks) const
+core::VoxelBox VoxelFields::boxOf(std::span<const std::uint32_t> bricks) const
 {
     core::VoxelBox box;
     for (const std::uint32_t brick : bricks)
@@ -78,7 +78,7 @@ core::VoxelBox EditFields::boxOf(std::span<const std::uint32_t> bricks) const
     return box;
 }
 
-std::vector<std::uint32_t> EditFields::withNeighbours(std::span<const std::uint32_t> bricks) const
+std::vector<std::uint32_t> VoxelFields::withNeighbours(std::span<const std::uint32_t> bricks) const
 {
     const glm::ivec3 count = m_grid.bricks();
     std::vector<bool> wanted(std::size_t(m_grid.brickCount()), false);
@@ -99,7 +99,7 @@ std::vector<std::uint32_t> EditFields::withNeighbours(std::span<const std::uint3
     return result;
 }
 
-void EditFields::noteChanged(core::Field field, std::span<const std::uint32_t> bricks)
+void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> bricks)
 {
     if (bricks.empty())
         return;
@@ -120,7 +120,7 @@ void EditFields::noteChanged(core::Field field, std::span<const std::uint32_t> b
     }
 }
 
-void EditFields::setShownLabels(const std::bitset<256>& shown)
+void VoxelFields::setShownLabels(const std::bitset<256>& shown)
 {
     if (shown == m_shownLabels)
         return;
@@ -130,7 +130,7 @@ void EditFields::setShownLabels(const std::bitset<256>& shown)
         m_staleSegmentation.insert(brick);
 }
 
-void EditFields::updateSegmentation(std::size_t maxBricks)
+void VoxelFields::updateSegmentation(std::size_t maxBricks)
 {
     std::vector<std::uint32_t> bricks;
     while (!m_staleSegmentation.empty() && bricks.size() < maxBricks)
@@ -139,7 +139,7 @@ void EditFields::updateSegmentation(std::size_t maxBricks)
     m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
 }
 
-std::size_t EditFields::bytes() const
+std::size_t VoxelFields::bytes() const
 {
     std::size_t total = 0;
     for (const auto& layer : m_coverage)
