@@ -35,10 +35,14 @@ struct VolumeFacts {
     {
         return loaded ? loaded->volume.geometry : entry.geometry;
     }
+    [[nodiscard]] const std::vector<core::VolumeProblem>& listed() const
+    {
+        return loaded ? loaded->volume.problems : entry.problems;
+    }
     [[nodiscard]] QStringList problems() const
     {
         QStringList texts;
-        for (const core::VolumeProblem& problem : loaded ? loaded->volume.problems : entry.problems)
+        for (const core::VolumeProblem& problem : listed())
             texts.append(problem.text);
         if (!loaded)
             texts.append(ui::errorText(loaded.error()));
@@ -73,21 +77,21 @@ QJsonObject json(const VolumeFacts& facts)
 }
 
 /// Loads volume after volume, one at a time in memory.
-bool forEachVolume(const core::StudyListing& listing,
+bool forEachVolume(const core::Study& study,
     const std::function<void(const core::StudyEntry&, const VolumeFacts&)>& visit)
 {
     bool sound = true;
-    for (const core::StudyEntry& study : listing.studies) {
-        for (const core::SeriesEntry& entry : study.series) {
-            const VolumeFacts facts{entry, core::loadVolume(listing.path, entry.key)};
+    for (const core::StudyEntry& one : study.listing().studies) {
+        for (const core::SeriesEntry& entry : one.series) {
+            const VolumeFacts facts{entry, study.load(entry.key)};
             sound = sound && facts.loaded.has_value();
-            visit(study, facts);
+            visit(one, facts);
         }
     }
     return sound;
 }
 
-int printJson(const core::StudyListing& listing)
+int printJson(const core::Study& source)
 {
     QJsonArray studies;
     const core::StudyEntry* current = nullptr;
@@ -100,7 +104,7 @@ int printJson(const core::StudyListing& listing)
         series = {};
     };
     const bool sound =
-        forEachVolume(listing, [&](const core::StudyEntry& study, const VolumeFacts& facts) {
+        forEachVolume(source, [&](const core::StudyEntry& study, const VolumeFacts& facts) {
             if (&study != current)
                 close();
             current = &study;
@@ -138,15 +142,20 @@ void printVolume(const VolumeFacts& facts)
                 .arg(volume.maximum)
                 .arg(volume.unit));
     }
-    for (const QString& problem : facts.problems())
-        print(stdout, QStringLiteral("    caution  %1").arg(problem));
+    for (const core::VolumeProblem& problem : facts.listed()) {
+        print(stdout,
+            QStringLiteral("    %1%2")
+                .arg(QLatin1String(problem.caution ? "caution  " : "note     "), problem.text));
+    }
+    if (!facts.loaded)
+        print(stdout, QStringLiteral("    failed   %1").arg(ui::errorText(facts.loaded.error())));
 }
 
-int printText(const core::StudyListing& listing)
+int printText(const core::Study& source)
 {
     const core::StudyEntry* current = nullptr;
     const bool sound =
-        forEachVolume(listing, [&](const core::StudyEntry& study, const VolumeFacts& facts) {
+        forEachVolume(source, [&](const core::StudyEntry& study, const VolumeFacts& facts) {
             if (&study != current) {
                 const core::StudyIdentity& of = facts.entry.identity;
                 print(stdout,
@@ -161,7 +170,7 @@ int printText(const core::StudyListing& listing)
             current = &study;
             printVolume(facts);
         });
-    for (const core::ForeignObject& object : listing.foreign) {
+    for (const core::ForeignObject& object : source.listing().foreign) {
         print(stdout,
             QStringLiteral("%1 × %2%3  %4")
                 .arg(object.files.size())
@@ -170,7 +179,7 @@ int printText(const core::StudyListing& listing)
                                             : QStringLiteral(" (%1)").arg(object.reason),
                     QFileInfo(object.files.front()).fileName()));
     }
-    for (const core::UnreadableFile& file : listing.unreadable)
+    for (const core::UnreadableFile& file : source.listing().unreadable)
         print(stdout, QStringLiteral("not read: %1").arg(ui::errorText(file.error)));
     return sound ? 0 : 1;
 }
@@ -195,12 +204,12 @@ int runInfo(const QStringList& arguments)
         print(stderr, QStringLiteral("burin info: PATH is missing"));
         return 2;
     }
-    const core::Result<core::StudyListing> listing = core::scanStudies(path);
-    if (!listing) {
-        print(stderr, QStringLiteral("burin: ") + ui::errorText(listing.error()));
+    const core::Result<core::Study> study = core::Study::scan(path);
+    if (!study) {
+        print(stderr, QStringLiteral("burin: ") + ui::errorText(study.error()));
         return 1;
     }
-    return asJson ? printJson(*listing) : printText(*listing);
+    return asJson ? printJson(*study) : printText(*study);
 }
 
 } // namespace app

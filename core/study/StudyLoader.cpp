@@ -13,17 +13,21 @@
 
 namespace core {
 
+/// A listing and, beside it, what its entries are made of.
+struct Study::Contents {
+    StudyListing listing;
+    std::vector<ListedStack> stacks;
+    std::vector<SeriesEntry> niftis;
+
+    /// Sorts the stacks, gives them their keys and lists them by study.
+    void listStacks();
+    void listNifti(const QString& root);
+};
+
 namespace {
 
 constexpr int mostFiles = 500000;
 constexpr int deepestFolder = 32;
-
-/// A listing and, beside it, what its entries are made of.
-struct Scan {
-    StudyListing listing;
-    std::vector<ListedStack> stacks;
-    std::vector<SeriesEntry> niftis;
-};
 
 Result<QStringList> filesBelow(const QString& path)
 {
@@ -65,51 +69,6 @@ void numberKeys(std::vector<SeriesEntry*>& entries)
     }
 }
 
-void list(Scan& scan)
-{
-    const auto order = [](const ListedStack& stack) {
-        const StudyIdentity& of = stack.entry.identity;
-        return std::make_tuple(of.studyDate, stack.studyKey, of.seriesNumber.toInt(),
-            stack.seriesKey, -stack.entry.slices());
-    };
-    std::stable_sort(scan.stacks.begin(), scan.stacks.end(),
-        [&](const ListedStack& a, const ListedStack& b) { return order(a) < order(b); });
-    std::vector<SeriesEntry*> entries;
-    for (ListedStack& listed : scan.stacks) {
-        listed.entry.key = listed.seriesKey;
-        entries.push_back(&listed.entry);
-    }
-    numberKeys(entries);
-    for (const ListedStack& listed : scan.stacks) {
-        std::vector<StudyEntry>& studies = scan.listing.studies;
-        if (studies.empty() || studies.back().studyUid != listed.studyKey)
-            studies.push_back({.studyUid = listed.studyKey});
-        studies.back().series.push_back(listed.entry);
-    }
-}
-
-void listNifti(Scan& scan, const QString& root)
-{
-    const bool besideDicom = !scan.stacks.empty();
-    std::vector<SeriesEntry> volumes;
-    for (SeriesEntry& entry : scan.niftis) {
-        if (besideDicom) {
-            scan.listing.foreign.push_back({.kind = QStringLiteral("NIfTI file"),
-                .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
-                .files = entry.files});
-            continue;
-        }
-        const QString file = entry.files.front();
-        entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
-                                            : QFileInfo(file).fileName();
-        volumes.push_back(std::move(entry));
-    }
-    scan.niftis = std::move(volumes);
-    if (scan.niftis.empty())
-        return;
-    scan.listing.studies.push_back({.studyUid = {}, .series = scan.niftis});
-}
-
 Error nothingFound(const StudyListing& listing)
 {
     // Files that nothing could be made of explain themselves best.
@@ -132,39 +91,6 @@ Error nothingFound(const StudyListing& listing)
     return {ErrorCode::NoImages, {listing.path, reasons.join(QLatin1String("; "))}};
 }
 
-Result<Scan> scanPath(const QString& path, const Progress& progress)
-{
-    const Result<QStringList> files = filesBelow(path);
-    if (!files)
-        return tl::unexpected<Error>(files.error());
-    Scan scan;
-    scan.listing.path = path;
-    QStringList others;
-    for (const QString& file : *files) {
-        if (!isNiftiName(file)) {
-            others.append(file);
-            continue;
-        }
-        Result<SeriesEntry> entry = readNiftiEntry(file);
-        if (entry)
-            scan.niftis.push_back(std::move(*entry));
-        else
-            scan.listing.unreadable.push_back({.file = file, .error = entry.error()});
-    }
-    DicomScan dicom = scanDicom(others, progress);
-    if (progress.cancelled())
-        return failure(ErrorCode::Cancelled);
-    scan.stacks = std::move(dicom.stacks);
-    scan.listing.foreign = std::move(dicom.foreign);
-    scan.listing.unreadable.insert(
-        scan.listing.unreadable.end(), dicom.unreadable.begin(), dicom.unreadable.end());
-    list(scan);
-    listNifti(scan, path);
-    if (scan.listing.studies.empty() && scan.listing.foreign.empty())
-        return tl::unexpected<Error>(nothingFound(scan.listing));
-    return scan;
-}
-
 Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& series)
 {
     const std::vector<const SeriesEntry*> found =
@@ -183,21 +109,107 @@ Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& se
 
 } // namespace
 
-Result<StudyListing> scanStudies(const QString& path, const Progress& progress)
+void Study::Contents::listStacks()
 {
-    Result<Scan> scan = scanPath(path, progress);
-    if (!scan)
-        return tl::unexpected<Error>(scan.error());
-    return std::move(scan->listing);
+    const auto order = [](const ListedStack& stack) {
+        const StudyIdentity& of = stack.entry.identity;
+        return std::make_tuple(of.studyDate, stack.studyKey, of.seriesNumber.toInt(),
+            stack.seriesKey, -stack.entry.slices());
+    };
+    std::stable_sort(stacks.begin(), stacks.end(),
+        [&](const ListedStack& a, const ListedStack& b) { return order(a) < order(b); });
+    std::vector<SeriesEntry*> entries;
+    for (ListedStack& listed : stacks) {
+        listed.entry.key = listed.seriesKey;
+        entries.push_back(&listed.entry);
+    }
+    numberKeys(entries);
+    for (const ListedStack& listed : stacks) {
+        std::vector<StudyEntry>& studies = listing.studies;
+        if (studies.empty() || studies.back().studyUid != listed.studyKey)
+            studies.push_back({.studyUid = listed.studyKey});
+        studies.back().series.push_back(listed.entry);
+    }
 }
 
-Result<LoadedVolume> loadVolume(
-    const QString& path, const QString& series, const Progress& progress)
+void Study::Contents::listNifti(const QString& root)
 {
-    const Result<Scan> scan = scanPath(path, progress);
-    if (!scan)
-        return tl::unexpected<Error>(scan.error());
-    const Result<const SeriesEntry*> entry = choose(scan->listing, series);
+    const bool besideDicom = !stacks.empty();
+    std::vector<SeriesEntry> volumes;
+    for (SeriesEntry& entry : niftis) {
+        if (besideDicom) {
+            listing.foreign.push_back({.kind = QStringLiteral("NIfTI file"),
+                .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
+                .files = entry.files});
+            continue;
+        }
+        const QString file = entry.files.front();
+        entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
+                                            : QFileInfo(file).fileName();
+        volumes.push_back(std::move(entry));
+    }
+    niftis = std::move(volumes);
+    if (niftis.empty())
+        return;
+    listing.studies.push_back({.studyUid = {}, .series = niftis});
+}
+
+Study::Study(std::unique_ptr<const Contents> contents)
+    : m_contents(std::move(contents))
+{
+}
+
+Study::Study(Study&&) noexcept = default;
+Study& Study::operator=(Study&&) noexcept = default;
+Study::~Study() = default;
+
+const StudyListing& Study::listing() const
+{
+    return m_contents->listing;
+}
+
+Result<Study> Study::scan(const QString& path, const Progress& progress)
+{
+    const QFileInfo info(path);
+    const bool isDirectoryFile = info.isFile()
+        && info.fileName().compare(QLatin1String("DICOMDIR"), Qt::CaseInsensitive) == 0;
+    const QString root = isDirectoryFile ? info.absolutePath() : path;
+    const Result<QStringList> files = filesBelow(root);
+    if (!files)
+        return tl::unexpected<Error>(files.error());
+    auto contents = std::make_unique<Contents>();
+    StudyListing& listing = contents->listing;
+    listing.path = path;
+    QStringList others;
+    for (const QString& file : *files) {
+        if (!isNiftiName(file)) {
+            others.append(file);
+            continue;
+        }
+        Result<SeriesEntry> entry = readNiftiEntry(file);
+        if (entry)
+            contents->niftis.push_back(std::move(*entry));
+        else
+            listing.unreadable.push_back({.file = file, .error = entry.error()});
+    }
+    DicomScan dicom = scanDicom(others, progress);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    contents->stacks = std::move(dicom.stacks);
+    listing.foreign = std::move(dicom.foreign);
+    listing.unreadable.insert(
+        listing.unreadable.end(), dicom.unreadable.begin(), dicom.unreadable.end());
+    contents->listStacks();
+    contents->listNifti(root);
+    if (listing.studies.empty() && listing.foreign.empty())
+        return tl::unexpected<Error>(nothingFound(listing));
+    return Study(std::move(contents));
+}
+
+Result<LoadedVolume> Study::load(const QString& series, const Progress& progress) const
+{
+    const StudyListing& listing = m_contents->listing;
+    const Result<const SeriesEntry*> entry = choose(listing, series);
     if (!entry)
         return tl::unexpected<Error>(entry.error());
     const auto opened = [](Result<LoadedVolume> loaded, const QString& from) {
@@ -205,16 +217,33 @@ Result<LoadedVolume> loadVolume(
             loaded->volume.sourcePath = from;
         return loaded;
     };
-    for (const ListedStack& listed : scan->stacks) {
+    for (const ListedStack& listed : m_contents->stacks) {
         if (listed.entry.key == (*entry)->key)
-            return opened(loadStack(listed, progress), path);
+            return opened(loadStack(listed, progress), listing.path);
     }
-    for (const SeriesEntry& nifti : scan->niftis) {
+    for (const SeriesEntry& nifti : m_contents->niftis) {
         if (nifti.key == (*entry)->key)
             // Without slices that name it, only this tells an export's check which file it was.
             return opened(loadNifti(nifti, progress), nifti.files.front());
     }
-    return failure(ErrorCode::SeriesNotFound, path, series);
+    return failure(ErrorCode::SeriesNotFound, listing.path, series);
+}
+
+Result<StudyListing> scanStudies(const QString& path, const Progress& progress)
+{
+    const Result<Study> study = Study::scan(path, progress);
+    if (!study)
+        return tl::unexpected<Error>(study.error());
+    return study->listing();
+}
+
+Result<LoadedVolume> loadVolume(
+    const QString& path, const QString& series, const Progress& progress)
+{
+    const Result<Study> study = Study::scan(path, progress);
+    if (!study)
+        return tl::unexpected<Error>(study.error());
+    return study->load(series, progress);
 }
 
 } // namespace core

@@ -7,23 +7,49 @@
 
 #include <QString>
 
+#include <memory>
+
 namespace core {
 
-/// Lists what @p path (a file, or a folder with all below it) holds: DICOM by content, whatever the
-/// file names, and NIfTI (.nii, .nii.gz).
+/// What a file, or a folder with all below it, holds, read once: list it, then open from it.
 ///
-/// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error is
-/// returned when nothing at all could be read: FileNotFound, FolderEmpty, NoImages, the file's own
-/// error if @p path is one file, or Cancelled. Blocking; call it beside the UI thread.
+/// DICOM is known by content, whatever the file names; NIfTI by .nii and .nii.gz. A DICOMDIR stands
+/// for its folder: what it names is a hint only. All calls block; make them beside the UI thread.
+class Study {
+public:
+    /// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error
+    /// is returned when nothing at all could be read: FileNotFound, FolderEmpty, NoImages, the
+    /// file's own error if @p path is one file, or Cancelled.
+    [[nodiscard]] static Result<Study> scan(
+        const QString& path, const Progress& progress = Progress());
+
+    Study(Study&&) noexcept;
+    Study& operator=(Study&&) noexcept;
+    ~Study();
+
+    [[nodiscard]] const StudyListing& listing() const;
+
+    /// Opens one volume with its voxels.
+    ///
+    /// @param series key or SeriesInstanceUID; empty: the only volume there is. SeriesAmbiguous,
+    /// with one line per candidate, where more than one is left; SeriesNotFound where none is.
+    /// Slices that cannot be decoded are left out and named in Volume::problems; an error is
+    /// returned if none is left. Decodes on all cores; @p progress tells slices done and may
+    /// cancel.
+    [[nodiscard]] Result<LoadedVolume> load(
+        const QString& series = QString(), const Progress& progress = Progress()) const;
+
+private:
+    struct Contents;
+    explicit Study(std::unique_ptr<const Contents> contents);
+    std::unique_ptr<const Contents> m_contents;
+};
+
+/// Study::scan() for callers that only list.
 [[nodiscard]] Result<StudyListing> scanStudies(
     const QString& path, const Progress& progress = Progress());
 
-/// Opens one volume with its voxels.
-///
-/// @param series key or SeriesInstanceUID; empty: the only volume there is. SeriesAmbiguous, with
-/// one line per candidate, where more than one is left; SeriesNotFound where none is.
-/// Slices that cannot be decoded are left out and named in Volume::problems; an error is returned
-/// if none is left. Blocking; decodes on all cores; @p progress tells slices done and may cancel.
+/// Study::scan() and Study::load() in one.
 [[nodiscard]] Result<LoadedVolume> loadVolume(
     const QString& path, const QString& series = QString(), const Progress& progress = Progress());
 

@@ -134,6 +134,8 @@ private Q_SLOTS:
     void cancelStops();
     void nestedSequencesAreRefused();
     void multiFrameIsReported();
+    void directoryFileStandsForItsFolder();
+    void unevenPhasesAreDoubtful();
 
 private:
     [[nodiscard]] QString path(const QString& name = QStringLiteral("series")) const
@@ -733,6 +735,44 @@ void StudyLoaderTest::multiFrameIsReported()
     QCOMPARE(loaded.error().code, core::ErrorCode::NoImages);
     QVERIFY2(loaded.error().arguments.value(1).contains(QLatin1String("multi-frame")),
         qPrintable(why(loaded.error())));
+}
+
+void StudyLoaderTest::directoryFileStandsForItsFolder()
+{
+    SyntheticSeries series;
+    test::writeSeries(series, path() + QStringLiteral("/IMAGES"));
+    QFile directory(path() + QStringLiteral("/DICOMDIR"));
+    QVERIFY(directory.open(QIODevice::WriteOnly));
+    directory.close();
+    QCOMPARE(worstError(open(directory.fileName()), series), 0.0);
+}
+
+void StudyLoaderTest::unevenPhasesAreDoubtful()
+{
+    SyntheticSeries series;
+    test::writeSeries(series, path());
+    SyntheticSeries more = series;
+    more.size.z = 4;
+    more.fileName = [](int k) { return QStringLiteral("more%1").arg(k); };
+    more.adjust = [](DcmDataset& set, int k) {
+        set.putAndInsertString(DCM_SOPInstanceUID, QByteArray::number(700 + k).constData());
+        set.putAndInsertString(DCM_InstanceNumber, "99");
+    };
+    test::writeSeries(more, path());
+    const core::Result<core::StudyListing> listing = core::scanStudies(path());
+    QVERIFY(listing);
+    const std::vector<const core::SeriesEntry*> candidates = listing->candidates();
+    QCOMPARE(candidates.size(), std::size_t(2));
+    QCOMPARE(candidates[0]->slices() + candidates[1]->slices(), 14);
+    for (const core::SeriesEntry* entry : candidates) {
+        const auto mixed = std::find_if(
+            entry->problems.begin(), entry->problems.end(), [](const VolumeProblem& problem) {
+                return problem.kind == VolumeProblem::Kind::MixedSlices;
+            });
+        QVERIFY(mixed != entry->problems.end());
+        QVERIFY(mixed->caution);
+    }
+    QCOMPARE(worstError(open(path(), candidates[0]->key), series), 0.0);
 }
 
 QTEST_GUILESS_MAIN(StudyLoaderTest)
