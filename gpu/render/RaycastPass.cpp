@@ -35,17 +35,20 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
 {
     static constexpr std::array<const char*, 3> labels{"surface", "volume rendering", "MIP"};
     for (std::size_t mode = 0; mode < labels.size(); ++mode) {
-        m_programs[mode] = Program(library,
-            {.label = labels[mode],
-                .fragmentPath = "render/raycast.frag",
-                .defines = {{"MODE", int(mode)}}});
+        for (int sculpted = 0; sculpted < 2; ++sculpted) {
+            m_programs[2 * mode + std::size_t(sculpted)] = Program(library,
+                {.label = labels[mode],
+                    .fragmentPath = "render/raycast.frag",
+                    .defines = {{"MODE", int(mode)}, {"SCULPTED", sculpted}}});
+        }
     }
 }
 
 void RaycastPass::prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target)
 {
-    Program& active = m_programs[std::size_t(scene.mode)];
+    Program& active =
+        m_programs[2 * std::size_t(scene.mode) + (volume.cells().isSculpted() ? 1 : 0)];
     setRays(active, volume, scene, ViewFrame::of(scene, target.frameSize), target);
     const VisibleCodes visible = setMode(active, volume, scene);
     volume.intensity().bindUnit(0);
@@ -138,7 +141,7 @@ VisibleCodes RaycastPass::setMode(
     case RenderMode::Dvr: {
         m_transfer.set(scene.transferFunction, stepMm(scene.mode, volume.geometry()));
         const glm::dvec2 value = valueOfTexel(encoding);
-        program.set("lookup", glm::vec2(m_transfer.coordinateOfTexel(encoding)))
+        program.set("lookup", glm::vec2(m_transfer.entryOfTexel(encoding)))
             .set("gradientFull", float(0.08 * m_transfer.span() / value.x));
         return TransferLookup::visibleCodes(scene.transferFunction, encoding);
     }

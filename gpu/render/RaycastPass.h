@@ -33,7 +33,7 @@ private:
     /// @return codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
-    std::array<Program, 3> m_programs;
+    std::array<Program, 6> m_programs; ///< by mode, each plain and sculpted
     TransferLookup m_transfer;
 };
 

@@ -7,8 +7,13 @@
 namespace gpu {
 
 SlicePass::SlicePass(const ShaderLibrary& library)
-    : m_program(library, {.label = "slice", .fragmentPath = "render/slice.frag"})
 {
+    for (int variant = 0; variant < 4; ++variant) {
+        m_programs[std::size_t(variant)] = Program(library,
+            {.label = "slice",
+                .fragmentPath = "render/slice.frag",
+                .defines = {{"LABELED", variant & 1}, {"CARVED", variant >> 1}}});
+    }
 }
 
 void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
@@ -26,7 +31,9 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     volume.radiation().bindUnit(1);
     volume.labels().bindUnit(3);
     palette.texture().bindUnit(7);
-    m_program.set("base", glm::vec3(base))
+    Program& program = m_programs[(volume.touched(VolumeField::Labels) ? 1u : 0u)
+        + (volume.touched(VolumeField::Radiation) ? 2u : 0u)];
+    program.set("base", glm::vec3(base))
         .set("perX", glm::vec3(perX))
         .set("perY", glm::vec3(perY))
         .set("pixelScale", target.pixelScale)
@@ -36,7 +43,7 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         .set("showCarved", scene.showCarved)
         .set("fillOpacity", segments.fillOpacity)
         .set("outlineWidth", segments.outlineWidthPixels);
-    m_program.use();
+    program.use();
 }
 
 } // namespace gpu

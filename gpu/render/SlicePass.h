@@ -6,6 +6,8 @@
 #include "gpu/render/Palette.h"
 #include "gpu/render/PassTarget.h"
 
+#include <array>
+
 namespace gpu {
 
 class VolumeTextures;
@@ -23,7 +25,7 @@ public:
         const Palette& palette, const PassTarget& target);
 
 private:
-    Program m_program;
+    std::array<Program, 4> m_programs; ///< labels or none, plus twice carved or not
 };
 
 } // namespace gpu

@@ -10,7 +10,7 @@ namespace gpu {
 
 namespace {
 
-constexpr int entries = 1024;
+constexpr int entries = 2048;
 
 glm::dvec3 colourOf(std::uint32_t rgb)
 {
@@ -34,8 +34,7 @@ glm::dvec4 sample(const std::vector<TransferFunction::Point>& points, double val
 } // namespace
 
 TransferLookup::TransferLookup()
-    : m_texture(
-        {.label = "transfer function", .size = {entries, 1}, .format = GL_RGBA32F, .linear = true})
+    : m_texture({.label = "transfer function", .size = {entries, 1}, .format = GL_RGBA32F})
 {
     m_texture.clear();
 }
@@ -64,12 +63,11 @@ void TransferLookup::set(const TransferFunction& function, double stepMm)
     m_texture.upload<float>(texels);
 }
 
-glm::dvec2 TransferLookup::coordinateOfTexel(const core::VoxelEncoding& encoding) const
+glm::dvec2 TransferLookup::entryOfTexel(const core::VoxelEncoding& encoding) const
 {
     const glm::dvec2 value = valueOfTexel(encoding);
-    // The first and the last point stand at the centres of the first and the last entry.
-    const double perValue = (entries - 1.0) / entries / (m_highest - m_lowest);
-    return {value.x * perValue, (value.y - m_lowest) * perValue + 0.5 / entries};
+    const double perValue = (entries - 1.0) / (m_highest - m_lowest);
+    return {value.x * perValue, (value.y - m_lowest) * perValue + 0.5};
 }
 
 VisibleCodes TransferLookup::visibleCodes(

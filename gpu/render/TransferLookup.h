@@ -22,8 +22,9 @@ public:
     void set(const TransferFunction& function, double stepMm);
 
     [[nodiscard]] const Texture2D& texture() const { return m_texture; }
-    /// Lookup coordinate = x · texel + y for a texel of the R16 intensity.
-    [[nodiscard]] glm::dvec2 coordinateOfTexel(const core::VoxelEncoding& encoding) const;
+    /// Entry of the row (to be rounded down and clamped) = x · texel + y for a texel of the R16
+    /// intensity.
+    [[nodiscard]] glm::dvec2 entryOfTexel(const core::VoxelEncoding& encoding) const;
     /// Span of values from the first to the last point.
     [[nodiscard]] double span() const { return m_highest - m_lowest; }
 

@@ -8,20 +8,18 @@ vec3 seenAlong(Ray ray)
 {
     float t = ray.gridZero + stepMm;
     float greatest = -1.0;
+#if SCULPTED
     float segmentAt = -1.0;
+#endif
     while (t < ray.last) {
         const float start = t;
         const Stretch stretch = stretchAt(ray, t);
         const bool wanted = stretch.distance == 0u && greatest < saturated
             && texelFetch(cellRanges, stretch.cell, 0).g > greatest;
+#if SCULPTED
         const bool plain = (stretch.flags & (carvedFlag | segmentFlag)) == 0u;
         const bool segments = (stretch.flags & segmentFlag) != 0u && segmentAt < 0.0;
-        float end = wanted && plain ? stretch.end : t;
-        while (t < end) {
-            greatest = max(greatest, texture(intensity, ray.origin + ray.direction * t).r);
-            t += stepMm;
-        }
-        end = !plain && (wanted || segments) ? stretch.end : t;
+        float end = !plain && (wanted || segments) ? stretch.end : t;
         while (t < end) {
             const vec3 at = ray.origin + ray.direction * t;
             const bool kept = texture(radiation, at).r < 0.5;
@@ -29,16 +27,23 @@ vec3 seenAlong(Ray ray)
             segmentAt = segmentAt < 0.0 && texture(segmentation, at).r >= 0.5 ? t : segmentAt;
             t += stepMm;
         }
-        if (t == start)
-            t = gridAfter(ray, t, stretch.end);
+        end = wanted && plain ? stretch.end : t;
+#else
+        const float end = wanted ? stretch.end : t;
+#endif
+        while (t < end) {
+            greatest = max(greatest, texture(intensity, ray.origin + ray.direction * t).r);
+            t += stepMm;
+        }
+        t = t == start ? gridAfter(ray, t, stretch.end) : t;
     }
     vec3 result = vec3(greatest < 0.0 ? 0.0 : clamp(greatest * window.x + window.y, 0.0, 1.0));
-    while (segmentAt >= 0.0) {
-        const vec3 at = ray.origin + ray.direction * segmentAt;
-        const vec3 rise = centralDifferences(segmentation, at, 1.0);
-        const vec3 normal = normalize(gradientToWorld * -rise - 1e-9 * ray.world);
-        result = mix(result, lit(segmentColour(at), normal, -ray.world, 1.0, 0.15), 0.7);
-        segmentAt = -1.0;
-    }
+#if SCULPTED
+    const vec3 at = ray.origin + ray.direction * segmentAt;
+    const vec3 inward = centralDifferences(segmentation, at, 1.0);
+    const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
+    const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
+    result = segmentAt >= 0.0 ? mix(result, segment, 0.7) : result;
+#endif
     return result;
 }

@@ -3,8 +3,9 @@
 // Spaces. Texture: 0 … 1 over the volume's voxel cells (voxel centres at (index + 0.5) / size).
 // World: patient millimetres, only directions occur. t: millimetres along the ray.
 //
-// llvmpipe computes both sides of an `if` and only loops really branch: work that few pixels need
-// stands in `while` loops, which cost nothing when no pixel of a group enters.
+// llvmpipe computes both sides of an `if` and every loop's body at least once, for all pixels of a
+// group: what is not needed at all must not be compiled. Hence the variants by SCULPTED (something
+// is carved away or a segment is shown) and loops that put much work behind few tests.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity;    // code / 65535
@@ -132,6 +133,31 @@ vec3 centralDifferences(sampler3D field, vec3 at, float reach)
         * (0.5 / reach);
 }
 
+/// Differences per voxel from the eight corners of a cube around the place: smooth across the steps
+/// that voxels make in a surface.
+vec3 cubeDifferences(sampler3D field, vec3 at, float reach)
+{
+    const vec3 h = voxel * reach;
+    vec3 sum = vec3(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec3 side = vec3(ivec3(corner & 1, corner >> 1 & 1, corner >> 2) * 2 - 1);
+        sum += side * texture(field, at + h * side).r;
+    }
+    return sum / (8.0 * reach);
+}
+
+/// Differences per voxel from the four corners of a tetrahedron around the place.
+vec3 tetrahedronDifferences(sampler3D field, vec3 at)
+{
+    const vec3 a = vec3(1, 1, 1);
+    const vec3 b = vec3(-1, -1, 1);
+    const vec3 c = vec3(-1, 1, -1);
+    const vec3 d = vec3(1, -1, -1);
+    return 0.25
+        * (a * texture(field, at + voxel * a).r + b * texture(field, at + voxel * b).r
+            + c * texture(field, at + voxel * c).r + d * texture(field, at + voxel * d).r);
+}
+
 /// Colour of the shown segments around a point, weighted like interpolation weighs them.
 vec3 segmentColour(vec3 at)
 {
@@ -151,20 +177,27 @@ vec3 segmentColour(vec3 at)
     return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
 }
 
-/// Soft headlight from above the viewer's shoulder, sky light, a little gloss.
+/// Soft headlight from above the viewer's shoulder, sky light, a little gloss: what an albedo is
+/// multiplied by, and what is added.
 /// @param open 0: enclosed … 1: nothing near
-vec3 lit(vec3 albedo, vec3 normal, vec3 toViewer, float open, float gloss)
+vec4 lightOn(vec3 normal, vec3 toViewer, float open, float gloss)
 {
-    const float facing = dot(normal, toLight);
-    const float wrapped = clamp((facing + 0.35) / 1.35, 0.0, 1.0);
+    const float wrapped = clamp((dot(normal, toLight) + 0.35) / 1.35, 0.0, 1.0);
     const float sky = 0.5 + 0.5 * dot(normal, viewUp);
     // What is shadowed turns warmer, not grey.
     const vec3 ambient = mix(vec3(0.20, 0.16, 0.14), vec3(0.36, 0.36, 0.38), sky);
     const vec3 shadow = mix(vec3(0.62, 0.50, 0.42), vec3(1.0), open);
     const float facingViewer = clamp(dot(normal, toViewer), 0.0, 1.0);
-    const float edge = mix(0.72, 1.0, sqrt(facingViewer));
-    const vec3 halfway = normalize(toLight + toViewer);
-    const float shine = pow(max(dot(normal, halfway), 0.0), 28.0) * gloss * open;
-    return albedo * (ambient + vec3(0.80, 0.785, 0.76) * pow(wrapped, 1.25)) * edge * shadow
-        + vec3(shine);
+    const float edge = 0.72 + 0.28 * facingViewer * (2.0 - facingViewer);
+    const float straight = max(dot(normal, normalize(toLight + toViewer)), 0.0);
+    const float to2 = straight * straight;
+    const float to8 = to2 * to2 * to2 * to2;
+    const float shine = to8 * to8 * to8 * gloss * open;
+    const float diffuse = wrapped * (0.75 + 0.25 * wrapped);
+    return vec4((ambient + vec3(0.80, 0.785, 0.76) * diffuse) * edge * shadow, shine);
+}
+
+vec3 lit(vec3 albedo, vec4 light)
+{
+    return albedo * light.rgb + light.a;
 }

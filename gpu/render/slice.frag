@@ -1,4 +1,4 @@
-// One pixel of a slice view.
+// One pixel of a slice view. LABELED, CARVED: whether there is anything of the kind to look for.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
@@ -48,38 +48,30 @@ void main()
     const vec3 size = vec3(textureSize(intensity, 0));
     const bool inside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
     const ivec3 voxel = nearestVoxel(index);
-    vec3 result = vec3(0.0);
-    bool draw = inside;
-    while (draw) {
-        draw = false;
-        const vec3 place = interpolated ? index : vec3(voxel);
-        float grey = clamp(texture(intensity, (place + 0.5) / size).r * window.x + window.y, 0.0, 1.0);
-        grey = inverted ? 1.0 - grey : grey;
-        result = vec3(grey);
+    const vec3 place = interpolated ? index : vec3(voxel);
+    const float grey
+        = clamp(texture(intensity, (place + 0.5) / size).r * window.x + window.y, 0.0, 1.0);
+    vec3 result = vec3(inverted ? 1.0 - grey : grey);
 
-        const uint label = texelFetch(labels, voxel, 0).r;
-        const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
-        bool fill = entry.a > 0.0;
-        while (fill) {
-            fill = false;
-            bool edge = false;
-            for (int i = 0; i < 8; ++i) {
-                const vec3 there = indexAt(pixel + around(i) * outlineWidth);
-                edge = edge || texelFetch(labels, nearestVoxel(there), 0).r != label;
-            }
-            result = mix(result, entry.rgb, edge ? 1.0 : fillOpacity);
-        }
-
-        bool carved = showCarved && texture(radiation, (index + 0.5) / size).r >= 0.5;
-        while (carved) {
-            carved = false;
-            float least = 1.0;
-            for (int i = 0; i < 8; ++i) {
-                const vec3 there = indexAt(pixel + around(i) * carvedWidth);
-                least = min(least, texture(radiation, (there + 0.5) / size).r);
-            }
-            result = mix(result, carvedColour, least < 0.5 ? 0.9 : 0.10);
-        }
+#if LABELED
+    const uint label = texelFetch(labels, voxel, 0).r;
+    const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
+    bool edge = false;
+    for (int i = 0; i < 8; ++i) {
+        const vec3 there = indexAt(pixel + around(i) * outlineWidth);
+        edge = edge || texelFetch(labels, nearestVoxel(there), 0).r != label;
     }
-    colour = vec4(result, 1.0);
+    result = mix(result, entry.rgb, entry.a * (edge ? 1.0 : fillOpacity));
+#endif
+#if CARVED
+    const float covered = texture(radiation, (index + 0.5) / size).r;
+    float least = 1.0;
+    for (int i = 0; i < 8; i += 2) {
+        const vec3 there = indexAt(pixel + around(i) * carvedWidth);
+        least = min(least, texture(radiation, (there + 0.5) / size).r);
+    }
+    const float tint = least < 0.5 ? 0.9 : 0.10;
+    result = mix(result, carvedColour, showCarved && covered >= 0.5 ? tint : 0.0);
+#endif
+    colour = vec4(inside ? result : vec3(0.0), 1.0);
 }

@@ -8,13 +8,25 @@ uniform float aoRadius;  // mm
 const vec3 boneColour = vec3(0.965, 0.895, 0.775);
 const vec3 marrowColour = vec3(0.70, 0.44, 0.35);
 
-bool isTissue(vec3 at)
+bool isDense(vec3 at)
 {
-    return texture(intensity, at).r >= threshold && texture(radiation, at).r < 0.5;
+    return texture(intensity, at).r >= threshold;
 }
 
-/// How open the place is, by a few looks along a direction. Cheap: one path, growing strides.
-float openness(vec3 at, vec3 directionWorld, bool carved)
+#if SCULPTED
+bool isCarved(vec3 at)
+{
+    return texture(radiation, at).r >= 0.5;
+}
+
+bool isSegment(vec3 at)
+{
+    return texture(segmentation, at).r >= 0.5;
+}
+#endif
+
+/// How open the place is, by a few looks along a direction: one path with growing strides.
+float openness(vec3 at, vec3 directionWorld)
 {
     float hidden = 0.0;
     float stride = aoRadius * 0.22;
@@ -23,13 +35,11 @@ float openness(vec3 at, vec3 directionWorld, bool carved)
         reached += stride;
         stride *= 1.6;
         const vec3 there = at + worldToTexture * (directionWorld * reached);
-        float solid = smoothstep(threshold - denseSpan * 0.35, threshold + denseSpan * 0.35,
+        float solid = smoothstep(threshold - denseSpan * 0.8, threshold + denseSpan * 0.5,
             texture(intensity, there).r);
-        bool ask = carved;
-        while (ask) {
-            solid *= 1.0 - smoothstep(0.35, 0.65, texture(radiation, there).r);
-            ask = false;
-        }
+#if SCULPTED
+        solid *= 1.0 - smoothstep(0.35, 0.65, texture(radiation, there).r);
+#endif
         hidden += solid * (0.62 - 0.14 * float(look));
     }
     return 1.0 - clamp(hidden, 0.0, 1.0);
@@ -40,108 +50,85 @@ vec3 seenAlong(Ray ray)
     float t = ray.first;
     bool hit = false;
     bool segmentHit = false;
-    uint flags = 0u;
     while (t < ray.last && !hit) {
         const float start = t;
         const Stretch stretch = stretchAt(ray, t);
-        flags = stretch.flags;
-        const bool plain = (flags & (carvedFlag | segmentFlag)) == 0u;
-        float end = stretch.distance == 0u && plain ? stretch.end : t;
-        while (t < end) {
-            if (texture(intensity, ray.origin + ray.direction * t).r >= threshold) {
-                hit = true;
-                break;
-            }
-            t += stepMm;
-        }
-        end = stretch.distance == 0u && !plain ? stretch.end : t;
-        while (t < end && !hit) {
+        const float end = stretch.distance == 0u ? stretch.end : t;
+#if SCULPTED
+        const bool plain = (stretch.flags & (carvedFlag | segmentFlag)) == 0u;
+        float until = plain ? t : end;
+        while (t < until && !hit) {
             const vec3 at = ray.origin + ray.direction * t;
-            segmentHit = texture(segmentation, at).r >= 0.5;
-            hit = segmentHit || isTissue(at);
-            if (hit)
-                break;
-            t += stepMm;
+            segmentHit = isSegment(at);
+            hit = segmentHit || (isDense(at) && !isCarved(at));
+            t += hit ? 0.0 : stepMm;
         }
-        if (t == start && !hit)
-            t = gridAfter(ray, t, stretch.end);
+        until = plain ? end : t;
+#else
+        const float until = end;
+#endif
+        while (t < until && !hit) {
+            hit = isDense(ray.origin + ray.direction * t);
+            t += hit ? 0.0 : stepMm;
+        }
+        t = t == start && !hit ? gridAfter(ray, t, stretch.end) : t;
     }
-
-    vec3 result = vec3(0.0);
-    bool shade = hit;
-    while (shade) {
-        shade = false;
-        // Between the last empty sample and this one.
-        float before = max(t - stepMm, ray.first);
-        const bool plain = (flags & (carvedFlag | segmentFlag)) == 0u;
-        for (int halving = 0; halving < 5; ++halving) {
-            const float middle = 0.5 * (before + t);
-            const vec3 at = ray.origin + ray.direction * middle;
-            bool inside = texture(intensity, at).r >= threshold;
-            bool ask = !plain;
-            while (ask) {
-                const bool inSegment = texture(segmentation, at).r >= 0.5;
-                inside = segmentHit ? inSegment : inside && texture(radiation, at).r < 0.5;
-                ask = false;
-            }
-            before = inside ? before : middle;
-            t = inside ? middle : t;
-        }
-        const vec3 at = ray.origin + ray.direction * t;
-        const vec3 toViewer = -ray.world;
-        const float value = texture(intensity, at).r;
-        const vec3 slope = centralDifferences(intensity, at, 1.0);
-        vec3 normal = gradientToWorld * -slope;
-        normal = dot(normal, normal) > 0.0 ? normalize(normal) : toViewer;
-        vec3 albedo = boneColour;
-        float gloss = 0.10;
-
-        // The flat side of the scanned box: solid material is cut there by nature.
-        const bool onBox = t - ray.first < stepMm * 0.05;
-        float cut = onBox ? 1.0 : 0.0;
-        vec3 cutNormal = toViewer;
-        bool faceOfBox = onBox;
-        while (faceOfBox) {
-            const vec3 fromCentre = (at - 0.5) * 2.0;
-            const vec3 size = abs(fromCentre);
-            const float most = max(max(size.x, size.y), size.z);
-            cutNormal = normalize(gradientToWorld
-                * (vec3(greaterThanEqual(size, vec3(most))) * sign(fromCentre)));
-            faceOfBox = false;
-        }
-        bool carved = (flags & carvedFlag) != 0u && !segmentHit && !onBox;
-        while (carved) {
-            // Which of the two surfaces is nearer decides; in between they blend (voxels).
-            const vec3 rise = centralDifferences(radiation, at, 1.0);
-            const float toCut = (0.5 - texture(radiation, at).r) / max(length(rise), 1e-3);
-            const float toIso = (value - threshold) / max(length(slope), 1e-5);
-            cut = length(rise) > 1e-3 ? smoothstep(-0.4, 0.6, toIso - toCut) : 0.0;
-            cutNormal = normalize(gradientToWorld * rise + 1e-9 * toViewer);
-            carved = false;
-        }
-        const float solid = smoothstep(0.0, 1.0, (value - threshold) / denseSpan);
-        const vec3 cutColour = mix(marrowColour, boneColour * vec3(1.0, 0.99, 0.97), solid);
-        albedo = mix(albedo, cutColour, cut);
-        normal = normalize(mix(normal, cutNormal, cut) + 1e-6 * toViewer);
-
-        bool inSegment = segmentHit;
-        while (inSegment) {
-            const vec3 rise = centralDifferences(segmentation, at, 1.0);
-            normal = normalize(gradientToWorld * -rise + 1e-9 * toViewer);
-            albedo = segmentColour(at);
-            gloss = 0.22;
-            inSegment = false;
-        }
-        // A gradient that looks away is noise: bend it back into sight instead of a black speck.
-        const float away = min(dot(normal, toViewer), 0.0);
-        normal = normalize(normal - (away - 0.02) * toViewer);
-
-        const float turn = fract(pixelNoise(gl_FragCoord.yx + 17.0) + jitterPhase) * 6.2831853;
-        const vec3 side = normalize(cross(normal, abs(normal.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0)));
-        const vec3 tilted = normalize(
-            normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
-        const float open = openness(at, tilted, (flags & carvedFlag) != 0u);
-        result = lit(albedo, normal, toViewer, open, gloss);
+    // Everything below is computed for all pixels of a group anyway.
+    const bool onBox = t - ray.first < stepMm * 0.05;
+    float before = max(t - stepMm, ray.first);
+    for (int halving = 0; halving < 5; ++halving) {
+        const float middle = 0.5 * (before + t);
+        const vec3 between = ray.origin + ray.direction * middle;
+#if SCULPTED
+        const bool inside = segmentHit ? isSegment(between) : isDense(between) && !isCarved(between);
+#else
+        const bool inside = isDense(between);
+#endif
+        before = inside ? before : middle;
+        t = inside ? middle : t;
     }
-    return result;
+    const vec3 at = ray.origin + ray.direction * t;
+    const vec3 toViewer = -ray.world;
+    const float value = texture(intensity, at).r;
+    const vec3 slope = cubeDifferences(intensity, at, 0.6);
+    vec3 normal = normalize(gradientToWorld * -slope + 1e-9 * toViewer);
+    vec3 albedo = boneColour;
+    float gloss = 0.10;
+
+    // The flat side of the scanned box: solid material is cut there by nature.
+    const vec3 fromCentre = abs(at - 0.5);
+    const float most = max(max(fromCentre.x, fromCentre.y), fromCentre.z);
+    vec3 cutNormal = normalize(gradientToWorld
+        * (vec3(greaterThanEqual(fromCentre, vec3(most - 1e-4))) * sign(at - 0.5)));
+    float cut = onBox ? 1.0 : 0.0;
+#if SCULPTED
+    // Which of the two surfaces is nearer decides; in between they blend (distances in voxels).
+    const vec3 rise = centralDifferences(radiation, at, 1.0);
+    const float toCut = (0.5 - texture(radiation, at).r) / max(length(rise), 1e-3);
+    const float toIso = (value - threshold) / max(length(slope), 1e-5);
+    const float nearCut = length(rise) > 1e-3 ? smoothstep(-0.4, 0.6, toIso - toCut) : 0.0;
+    cutNormal = onBox ? cutNormal : normalize(gradientToWorld * rise + 1e-9 * toViewer);
+    cut = max(cut, nearCut);
+#endif
+    const float solid = smoothstep(0.0, 1.0, (value - threshold) / denseSpan);
+    const vec3 cutColour = mix(marrowColour, boneColour * vec3(1.0, 0.99, 0.97), solid);
+    albedo = mix(albedo, cutColour, cut);
+    normal = normalize(mix(normal, cutNormal, cut) + 1e-6 * toViewer);
+#if SCULPTED
+    const vec3 inward = centralDifferences(segmentation, at, 1.0);
+    normal = segmentHit ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
+    albedo = segmentHit ? segmentColour(at) : albedo;
+    gloss = segmentHit ? 0.22 : gloss;
+#endif
+    // A gradient that looks away is noise: bend it back into sight instead of a black speck.
+    const float away = min(dot(normal, toViewer), 0.0);
+    normal = normalize(normal - (away - 0.02) * toViewer);
+
+    const float turn = fract(pixelNoise(gl_FragCoord.yx + 17.0) + jitterPhase) * 6.2831853;
+    const vec3 side
+        = normalize(cross(normal, abs(normal.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0)));
+    const vec3 tilted = normalize(
+        normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
+    const vec3 seen = lit(albedo, lightOn(normal, toViewer, openness(at, tilted), gloss));
+    return hit ? seen : vec3(0.0);
 }

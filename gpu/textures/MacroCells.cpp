@@ -10,6 +10,8 @@ namespace gpu {
 
 namespace {
 
+constexpr std::uint8_t half = 128;
+
 std::size_t product(const glm::ivec3& size)
 {
     return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
@@ -116,13 +118,15 @@ void MacroCells::update(Program& kernel, const Texture3D& radiation, const Textu
         }
     }
     m_skipMapValid = false;
+    m_sculpted = std::any_of(m_sculpt.begin(), m_sculpt.end(), [](const Sculpt& cell) {
+        return cell.greatestRadiation >= half || cell.greatestSegmentation >= half;
+    });
 }
 
 const Texture3D& MacroCells::skipMap(const VisibleCodes& visible)
 {
     if (m_skipMapValid && visible == m_visible)
         return m_skipMap;
-    constexpr std::uint8_t half = 128;
     std::vector<std::uint8_t> flags(m_codes.size());
     std::vector<std::uint8_t> occupied(m_codes.size());
     for (std::size_t i = 0; i < flags.size(); ++i) {

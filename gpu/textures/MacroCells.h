@@ -40,6 +40,8 @@ public:
 
     [[nodiscard]] glm::ivec3 cells() const { return m_cells; }
     [[nodiscard]] int greatestCode() const { return m_greatestCode; } ///< of the volume
+    /// Whether anything is carved away or a segment is shown anywhere.
+    [[nodiscard]] bool isSculpted() const { return m_sculpted; }
     /// RG16: least and greatest code of each cell.
     [[nodiscard]] const Texture3D& ranges() const { return m_ranges; }
 
@@ -77,6 +79,7 @@ private:
     Texture3D m_skipMap;
     VisibleCodes m_visible; ///< what m_skipMap was made for
     bool m_skipMapValid = false;
+    bool m_sculpted = false;
 };
 
 } // namespace gpu

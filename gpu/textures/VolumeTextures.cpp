@@ -45,6 +45,7 @@ core::Result<void> VolumeTextures::open(
     m_segmentation = std::move(segmentation);
     m_cells = MacroCells(size, codes);
     m_dirty = {};
+    m_touched = {};
     return {};
 }
 
@@ -60,6 +61,7 @@ void VolumeTextures::markDirty(VolumeField field, const core::VoxelBox& box)
 {
     core::VoxelBox& dirty = m_dirty[std::size_t(field)];
     dirty = dirty.united(box);
+    m_touched[std::size_t(field)] = true;
 }
 
 core::VoxelBox VolumeTextures::takeDirty(VolumeField field)

@@ -55,6 +55,8 @@ public:
     void markDirty(VolumeField field, const core::VoxelBox& box);
     /// What was marked since the last call; empty: nothing.
     [[nodiscard]] core::VoxelBox takeDirty(VolumeField field);
+    /// Whether the field was ever marked since the volume was opened; before that it is empty.
+    [[nodiscard]] bool touched(VolumeField field) const { return m_touched[std::size_t(field)]; }
     /// Another volume or geometry since the last call.
     [[nodiscard]] bool takeReplaced();
 
@@ -71,6 +73,7 @@ private:
     Texture3D m_segmentation;
     MacroCells m_cells;
     std::array<core::VoxelBox, 3> m_dirty;
+    std::array<bool, 3> m_touched{};
     bool m_replaced = false;
 };
 
