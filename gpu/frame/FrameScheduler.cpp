@@ -260,12 +260,7 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         return;
     }
     if (!view.tiles) {
-        int factor = 1;
-        if (view.stage == Stage::Coarse) {
-            factor = coarseFactor(view, editing);
-            if (factor == 1)
-                view.stage = Stage::Full;
-        }
+        const int factor = view.stage == Stage::Coarse ? coarseFactor(view, editing) : 1;
         view.tiles.emplace((view.request.sizePixels + (factor - 1)) / factor);
         view.milliseconds = 0.0;
     }
@@ -313,6 +308,9 @@ void FrameScheduler::finishPicture(View& view)
         return;
     }
     m_resolve.draw(view.targets, view.sample + 1, drawn, m_noVertices);
+    // What could be drawn whole at once needs no second time.
+    if (view.stage == Stage::Coarse && drawn == view.targets.size)
+        view.stage = Stage::Full;
     Frame::Quality quality = Frame::Quality::Full;
     switch (view.stage) {
     case Stage::Coarse:

@@ -109,7 +109,7 @@ Stretch stretchAt(Ray ray, float t)
     vec3 low = cell - reach;
     low -= vec3(lessThanEqual(low, vec3(0.0))); // the outermost half voxel belongs to cell 0
     const vec3 high = cell + 1.0 + reach;
-    const vec3 border = mix(low, high, greaterThan(ray.direction, vec3(0.0)));
+    const vec3 border = mix(low, high, greaterThan(ray.inverse, vec3(0.0)));
     const vec3 times = ((border * cellSide + 0.5) * voxel - ray.origin) * ray.inverse;
     stretch.end = min(min(min(times.x, times.y), times.z), ray.last);
     return stretch;

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FrameFixture.h"
+#include "tests/support/GlFixture.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <optional>
+
+using namespace gpu;
+
+class FrameSchedulerGlTest : public QObject {
+    Q_OBJECT
+
+    testing::GlFixture gl;
+    std::optional<test::FrameFixture> m_fixture;
+
+    void openBall()
+    {
+        m_fixture->open(test::centredGeometry({48, 48, 48}),
+            [](const glm::dvec3& lps) { return 1000.0 - 30.0 * glm::length(lps); });
+    }
+    [[nodiscard]] static FrameRequest volumeRequest(ViewId view, glm::ivec2 size = {200, 150})
+    {
+        VolumeScene scene;
+        scene.heightMm = 60.0;
+        scene.surfaceThreshold = 500.0;
+        FrameRequest request;
+        request.view = view;
+        request.sizePixels = size;
+        request.scene = scene;
+        return request;
+    }
+    [[nodiscard]] static FrameRequest sliceRequest(ViewId view, double z)
+    {
+        SliceScene scene;
+        scene.centreLps = {0.0, 0.0, z};
+        scene.mmPerPixel = 0.5;
+        scene.window = {500.0, 1000.0};
+        FrameRequest request;
+        request.view = view;
+        request.sizePixels = {100, 100};
+        request.scene = scene;
+        return request;
+    }
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
+    void init()
+    {
+        m_fixture.emplace();
+        openBall();
+    }
+    void cleanup()
+    {
+        m_fixture.reset();
+        QCOMPARE(gl.newErrors(), 0);
+    }
+
+    void refinesThenRests()
+    {
+        m_fixture->scheduler.request(volumeRequest(1));
+        QCOMPARE(m_fixture->wakeUps, 1);
+        const std::vector<Frame> frames = m_fixture->settle();
+        QVERIFY(frames.size() >= 2);
+        QCOMPARE(frames[frames.size() - 2].quality, Frame::Quality::Full);
+        QCOMPARE(frames.back().quality, Frame::Quality::Refined);
+        for (const Frame& frame : frames)
+            QCOMPARE(frame.rgba->size(), std::size_t(200 * 150 * 4));
+        const auto tiles = m_fixture->scheduler.counters().tiles;
+        for (int i = 0; i < 100; ++i)
+            QVERIFY(!m_fixture->scheduler.work(false));
+        // The same request again, or one that only stops interacting, is no work either.
+        m_fixture->scheduler.request(volumeRequest(1));
+        QVERIFY(m_fixture->settle().empty());
+        QCOMPARE(m_fixture->scheduler.counters().tiles, tiles);
+    }
+
+    void slicesAreFinalAtOnce()
+    {
+        m_fixture->scheduler.request(sliceRequest(1, 0.0));
+        const std::vector<Frame> frames = m_fixture->settle();
+        QVERIFY(!frames.empty());
+        QCOMPARE(frames.back().quality, Frame::Quality::Refined);
+        QVERIFY(std::none_of(frames.begin(), frames.end(),
+            [](const Frame& frame) { return frame.quality == Frame::Quality::Full; }));
+    }
+
+    void noRefinementWhileInteracting()
+    {
+        FrameRequest request = volumeRequest(1, {480, 420});
+        request.interacting = true;
+        m_fixture->scheduler.request(request);
+        std::vector<Frame> frames = m_fixture->settle();
+        QVERIFY(std::none_of(frames.begin(), frames.end(),
+            [](const Frame& frame) { return frame.quality == Frame::Quality::Refined; }));
+        QVERIFY(!frames.empty());
+        request.interacting = false;
+        m_fixture->scheduler.request(request);
+        frames = m_fixture->settle();
+        QVERIFY(!frames.empty());
+        QCOMPARE(frames.back().quality, Frame::Quality::Refined);
+    }
+
+    void theLatestRequestWins()
+    {
+        FrameRequest request = volumeRequest(1);
+        m_fixture->scheduler.request(request);
+        std::get<VolumeScene>(request.scene).heightMm = 30.0;
+        m_fixture->scheduler.request(request);
+        for (const Frame& frame : m_fixture->settle())
+            QCOMPARE(std::get<VolumeScene>(frame.scene).heightMm, 30.0);
+        // In the middle of a picture too: it is given up.
+        m_fixture->scheduler.request(volumeRequest(1, {480, 420}));
+        QVERIFY(m_fixture->scheduler.work(false));
+        std::get<VolumeScene>(request.scene).heightMm = 40.0;
+        m_fixture->scheduler.request(request);
+        const std::vector<Frame> frames = m_fixture->settle();
+        QCOMPARE(std::get<VolumeScene>(frames.back().scene).heightMm, 40.0);
+        QCOMPARE(frames.back().sizePixels, request.sizePixels);
+    }
+
+    void picturesDoNotDependOnHowTheyWereCut()
+    {
+        const Frame first = m_fixture->draw(volumeRequest(1).scene, {233, 122});
+        // Now the cost of a tile is known: other cuts.
+        const Frame second = m_fixture->draw(volumeRequest(1).scene, {233, 122});
+        QVERIFY(*first.rgba == *second.rgba);
+        m_fixture.emplace();
+        openBall();
+        QVERIFY(*m_fixture->draw(volumeRequest(1).scene, {233, 122}).rgba == *first.rgba);
+    }
+
+    void resizingGivesTheNewSize()
+    {
+        for (const glm::ivec2 size : {glm::ivec2(64, 64), glm::ivec2(301, 77), glm::ivec2(1, 1)}) {
+            m_fixture->scheduler.request(volumeRequest(1, size));
+            const std::vector<Frame> frames = m_fixture->settle();
+            QCOMPARE(frames.back().sizePixels, size);
+            QCOMPARE(frames.back().rgba->size(), std::size_t(size.x * size.y * 4));
+        }
+        m_fixture->scheduler.request(volumeRequest(1, {0, 10}));
+        QVERIFY(m_fixture->settle().empty());
+    }
+
+    void onlyAffectedViewsAreDrawnAgain()
+    {
+        m_fixture->scheduler.request(sliceRequest(1, 0.0));
+        m_fixture->scheduler.request(sliceRequest(2, 15.0));
+        m_fixture->scheduler.request(volumeRequest(3));
+        (void)m_fixture->settle();
+        const auto views = [](const std::vector<Frame>& frames) {
+            QList<int> ids;
+            for (const Frame& frame : frames)
+                if (frame.quality == Frame::Quality::Refined)
+                    ids.append(frame.view);
+            std::sort(ids.begin(), ids.end());
+            return ids;
+        };
+        // Voxel k = 23.5 + z.
+        m_fixture->fill(VolumeField::Labels, {{10, 10, 22}, {20, 20, 25}}, 1);
+        QCOMPARE(views(m_fixture->settle()), QList<int>({1}));
+        m_fixture->fill(VolumeField::Radiation, {{10, 10, 37}, {20, 20, 40}}, 255);
+        QCOMPARE(views(m_fixture->settle()), QList<int>({2, 3}));
+        m_fixture->fill(VolumeField::Segmentation, {{10, 10, 22}, {20, 20, 25}}, 255);
+        QCOMPARE(views(m_fixture->settle()), QList<int>({3}));
+        QVERIFY(m_fixture->settle().empty());
+    }
+
+    void whileEditingPicturesStayCoarse()
+    {
+        m_fixture->scheduler.request(volumeRequest(1, {480, 420}));
+        (void)m_fixture->settle();
+        m_fixture->fill(VolumeField::Radiation, {{20, 0, 20}, {28, 10, 28}}, 255);
+        const auto before = m_fixture->scheduler.counters().frames;
+        for (int i = 0; i < 1000 && m_fixture->scheduler.work(true); ++i) { }
+        const auto during = m_fixture->scheduler.counters().frames - before;
+        QVERIFY2(during == 1, qPrintable(QString::number(during)));
+        QCOMPARE(m_fixture->settle().back().quality, Frame::Quality::Refined);
+    }
+
+    void forgottenViewsAreSilent()
+    {
+        m_fixture->scheduler.request(volumeRequest(1));
+        QVERIFY(m_fixture->scheduler.work(false));
+        m_fixture->scheduler.forget(1);
+        QVERIFY(m_fixture->settle().empty());
+        // Asked for again it begins anew, although the request is the same.
+        m_fixture->scheduler.request(volumeRequest(1));
+        QVERIFY(!m_fixture->settle().empty());
+        m_fixture->scheduler.forget(1);
+        m_fixture->scheduler.request(volumeRequest(1));
+        QVERIFY(!m_fixture->settle().empty());
+    }
+
+    void shownSegmentsReachTheEditEngine()
+    {
+        FrameRequest request = volumeRequest(1);
+        request.segments.visible[4] = true;
+        request.segments.visible[0] = true; // label 0 is no segment
+        m_fixture->scheduler.request(request);
+        (void)m_fixture->settle();
+        QCOMPARE(m_fixture->edits.shown.to_ullong(), 1ull << 4);
+    }
+
+    void withoutAVolumeItIsBlack()
+    {
+        m_fixture.emplace();
+        m_fixture->scheduler.request(volumeRequest(1));
+        const std::vector<Frame> frames = m_fixture->settle();
+        QCOMPARE(frames.size(), std::size_t(1));
+        QCOMPARE(test::pixel(frames[0], 100, 75), glm::ivec3(0));
+        openBall();
+        const std::vector<Frame> drawn = m_fixture->settle();
+        QVERIFY(!drawn.empty());
+        QVERIFY(test::pixel(drawn.back(), 100, 75).r > 50);
+    }
+};
+
+QTEST_GUILESS_MAIN(FrameSchedulerGlTest)
+#include "FrameSchedulerGlTest.moc"

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FrameFixture.h"
+#include "tests/support/GlFixture.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+using namespace gpu;
+
+namespace {
+
+/// DICOM PS3.3 C.11.2.1.2.1, LINEAR, to 0 … 255, as the standard words it.
+int windowed(double value, const core::WindowLevel& window)
+{
+    const double c = window.centre;
+    const double w = window.width;
+    if (value <= c - 0.5 - (w - 1) / 2)
+        return 0;
+    if (value > c - 0.5 + (w - 1) / 2)
+        return 255;
+    return int(std::lround(((value - (c - 0.5)) / (w - 1) + 0.5) * 255.0));
+}
+
+/// A slope in all directions: trilinear interpolation has it exactly.
+double ramp(const glm::dvec3& lps)
+{
+    return 2000.0 + 11.0 * lps.x + 17.0 * lps.y - 23.0 * lps.z;
+}
+
+glm::dvec3 lpsOf(const SliceScene& scene, const glm::ivec2& size, double x, double y)
+{
+    return scene.centreLps + scene.rightLps * ((x - size.x / 2.0) * scene.mmPerPixel)
+        + scene.downLps * ((y - size.y / 2.0) * scene.mmPerPixel);
+}
+
+bool isInside(const core::VolumeGeometry& geometry, const glm::dvec3& lps, double margin)
+{
+    const glm::dvec3 index = geometry.toIndex(lps);
+    for (int axis = 0; axis < 3; ++axis)
+        if (index[axis] < -0.5 - margin || index[axis] > geometry.size[axis] - 0.5 + margin)
+            return false;
+    return true;
+}
+
+core::VolumeGeometry tilted()
+{
+    core::VolumeGeometry geometry = test::centredGeometry({40, 30, 24}, {0.7, 1.1, 2.0});
+    geometry.indexToWorld[2][1] = 0.6; // gantry tilt
+    geometry.indexToWorld[0][2] = 0.2;
+    return geometry;
+}
+
+} // namespace
+
+class SlicePassGlTest : public QObject {
+    Q_OBJECT
+
+    testing::GlFixture gl;
+    std::optional<test::FrameFixture> m_fixture;
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
+    void init() { m_fixture.emplace(); }
+    void cleanup()
+    {
+        m_fixture.reset();
+        QCOMPARE(gl.newErrors(), 0);
+    }
+
+    void equalsWindowLevelOnTheProcessor_data()
+    {
+        QTest::addColumn<int>("plane");
+        QTest::addColumn<bool>("sheared");
+        QTest::addColumn<bool>("inverted");
+        QTest::newRow("axial") << 0 << false << false;
+        QTest::newRow("coronal") << 1 << false << false;
+        QTest::newRow("sagittal, MONOCHROME1") << 2 << false << true;
+        QTest::newRow("oblique") << 3 << false << false;
+        QTest::newRow("axial, tilted gantry") << 0 << true << false;
+        QTest::newRow("oblique, tilted gantry") << 3 << true << false;
+    }
+
+    void equalsWindowLevelOnTheProcessor()
+    {
+        QFETCH(int, plane);
+        QFETCH(bool, sheared);
+        QFETCH(bool, inverted);
+        const core::VolumeGeometry geometry =
+            sheared ? tilted() : test::centredGeometry({40, 30, 24}, {0.7, 1.1, 2.0});
+        core::VoxelEncoding encoding;
+        encoding.rescaleSlope = 0.5;
+        encoding.rescaleIntercept = -300.0;
+        m_fixture->open(geometry, ramp, encoding);
+        SliceScene scene;
+        const glm::dvec3 rights[] = {
+            {1, 0, 0}, {1, 0, 0}, {0, 1, 0}, glm::normalize(glm::dvec3(1, 0.4, 0.2))};
+        const glm::dvec3 downs[] = {{0, 1, 0}, {0, 0, -1}, {0, 0, -1}, {}};
+        scene.rightLps = rights[plane];
+        scene.downLps = plane < 3
+            ? downs[plane]
+            : glm::normalize(glm::cross(scene.rightLps, glm::dvec3(0.3, -1, 0.2)));
+        scene.centreLps = {1.3, -0.7, 2.1};
+        scene.mmPerPixel = 0.31;
+        scene.window = {700.0, 500.0};
+        scene.inverted = inverted;
+        const glm::ivec2 size(151, 149);
+        const Frame frame = m_fixture->draw(scene, size);
+        QCOMPARE(frame.sizePixels, size);
+        int inside = 0;
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::dvec3 lps = lpsOf(scene, size, x + 0.5, y + 0.5);
+                const int seen = test::pixel(frame, x, y).r;
+                if (!isInside(geometry, lps, 1e-3)) {
+                    QCOMPARE(seen, 0);
+                } else if (isInside(geometry, lps, -0.51)) {
+                    ++inside;
+                    int expected = windowed(0.5 * ramp(lps) - 300.0, scene.window);
+                    expected = inverted ? 255 - expected : expected;
+                    // Codes are whole numbers: half a code is 0.13 of a grey level here.
+                    QVERIFY2(std::abs(seen - expected) <= 1,
+                        qPrintable(QStringLiteral("(%1, %2): %3, not %4")
+                                       .arg(x)
+                                       .arg(y)
+                                       .arg(seen)
+                                       .arg(expected)));
+                }
+            }
+        }
+        QVERIFY(inside > 2000);
+    }
+
+    void nearestShowsVoxels()
+    {
+        const core::VolumeGeometry geometry = test::centredGeometry({9, 9, 9});
+        m_fixture->open(
+            geometry, [](const glm::dvec3& lps) { return glm::length(lps) < 0.1 ? 200.0 : 0.0; });
+        SliceScene scene;
+        scene.mmPerPixel = 0.1;
+        scene.window = {100.5, 201.0};
+        scene.interpolated = false;
+        Frame frame = m_fixture->draw(scene, {40, 40});
+        QCOMPARE(test::pixel(frame, 16, 20).r, 255);
+        QCOMPARE(test::pixel(frame, 14, 20).r, 0);
+        scene.interpolated = true;
+        frame = m_fixture->draw(scene, {40, 40});
+        QVERIFY(test::pixel(frame, 16, 20).r < 200);
+        QVERIFY(test::pixel(frame, 14, 20).r > 50);
+    }
+
+    void widthOneIsAStep()
+    {
+        m_fixture->open(test::centredGeometry({9, 9, 9}),
+            [](const glm::dvec3& lps) { return lps.x > 0.1 ? 101.0 : 99.0; });
+        SliceScene scene;
+        scene.mmPerPixel = 1.0;
+        scene.window = {100.5, 1.0};
+        const Frame frame = m_fixture->draw(scene, {9, 9});
+        QCOMPARE(test::pixel(frame, 2, 4).r, 0);
+        QCOMPARE(test::pixel(frame, 6, 4).r, 255);
+    }
+
+    void segmentsAreFilledAndOutlined()
+    {
+        m_fixture->open(test::centredGeometry({20, 20, 20}), [](const glm::dvec3&) { return 0.0; });
+        m_fixture->fill(VolumeField::Labels, {{5, 5, 5}, {15, 15, 15}}, 3);
+        SliceScene scene;
+        scene.mmPerPixel = 0.1;
+        scene.window = {500.0, 1000.0};
+        SegmentDisplay segments;
+        segments.rgb[3] = 0x64C832;
+        segments.visible[3] = true;
+        segments.fillOpacity = 0.5f;
+        segments.outlineWidthPixels = 2.0f;
+        const glm::ivec2 size(200, 200); // voxel i covers pixels 10·i … 10·i + 9
+        Frame frame = m_fixture->draw(scene, size, segments);
+        QCOMPARE(test::pixel(frame, 100, 100), glm::ivec3(50, 100, 25));
+        QCOMPARE(test::pixel(frame, 50, 100), glm::ivec3(100, 200, 50));
+        QCOMPARE(test::pixel(frame, 149, 100), glm::ivec3(100, 200, 50));
+        QCOMPARE(test::pixel(frame, 49, 100), glm::ivec3(0));
+        QCOMPARE(test::pixel(frame, 150, 100), glm::ivec3(0));
+        int outline = 0;
+        for (int x = 0; x < size.x; ++x)
+            outline += test::pixel(frame, x, 100).g == 200 ? 1 : 0;
+        QCOMPARE(outline, 4);
+        segments.visible[3] = false;
+        frame = m_fixture->draw(scene, size, segments);
+        QCOMPARE(test::pixel(frame, 100, 100), glm::ivec3(0));
+    }
+
+    void carvedVoxelsAreTinted()
+    {
+        m_fixture->open(test::centredGeometry({20, 20, 20}), [](const glm::dvec3&) { return 0.0; });
+        m_fixture->fill(VolumeField::Radiation, {{5, 5, 5}, {15, 15, 15}}, 255);
+        SliceScene scene;
+        scene.mmPerPixel = 0.1;
+        scene.window = {500.0, 1000.0};
+        Frame frame = m_fixture->draw(scene, {200, 200});
+        // Interpolated, the cut lies half-way between voxel centres: pixels 50 and 150.
+        QVERIFY(test::pixel(frame, 50, 100).r > 180);
+        const int within = test::pixel(frame, 100, 100).r;
+        QVERIFY(within > 5 && within < 60);
+        QCOMPARE(test::pixel(frame, 47, 100).r, 0);
+        scene.showCarved = false;
+        frame = m_fixture->draw(scene, {200, 200});
+        QCOMPARE(test::pixel(frame, 50, 100).r, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(SlicePassGlTest)
+#include "SlicePassGlTest.moc"

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FrameFixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace test {
+
+FrameFixture::FrameFixture()
+    : scheduler(
+        {.volume = volume, .edits = edits, .shaders = shaders, .wake = [this] { ++wakeUps; }})
+{
+    scheduler.setListener([this](const gpu::Frame& frame) { m_frames.push_back(frame); });
+}
+
+void FrameFixture::open(const core::VolumeGeometry& geometry,
+    const std::function<double(const glm::dvec3&)>& codeAt, const core::VoxelEncoding& encoding)
+{
+    std::vector<std::uint16_t> codes;
+    codes.reserve(geometry.voxelCount());
+    for (int k = 0; k < geometry.size.z; ++k)
+        for (int j = 0; j < geometry.size.y; ++j)
+            for (int i = 0; i < geometry.size.x; ++i) {
+                const double code = codeAt(geometry.toWorld(glm::dvec3(i, j, k)));
+                codes.push_back(std::uint16_t(std::lround(std::clamp(code, 0.0, 65535.0))));
+            }
+    if (!volume.open(geometry.size, codes))
+        qFatal("the test volume cannot be opened");
+    volume.setGeometry(geometry, encoding);
+}
+
+void FrameFixture::fill(gpu::VolumeField field, const core::VoxelBox& box, std::uint8_t value)
+{
+    gpu::Texture3D* textures[] = {&volume.labels(), &volume.radiation(), &volume.segmentation()};
+    textures[int(field)]->clear(box.minimum, box.maximum - box.minimum, &value);
+    volume.markDirty(field, box);
+}
+
+std::vector<gpu::Frame> FrameFixture::settle()
+{
+    while (scheduler.work(false)) { }
+    return std::exchange(m_frames, {});
+}
+
+gpu::Frame FrameFixture::draw(
+    const gpu::Scene& scene, const glm::ivec2& size, const gpu::SegmentDisplay& segments)
+{
+    gpu::FrameRequest request;
+    request.view = 99;
+    request.sizePixels = size;
+    request.scene = scene;
+    request.segments = segments;
+    scheduler.request(request);
+    const std::vector<gpu::Frame> frames = settle();
+    scheduler.forget(99);
+    if (frames.empty())
+        qFatal("no frame came");
+    return frames.back();
+}
+
+core::VolumeGeometry centredGeometry(const glm::ivec3& size, const glm::dvec3& spacingMm)
+{
+    core::VolumeGeometry geometry;
+    geometry.size = size;
+    for (int axis = 0; axis < 3; ++axis) {
+        geometry.indexToWorld[axis][axis] = spacingMm[axis];
+        geometry.indexToWorld[3][axis] = -0.5 * (size[axis] - 1) * spacingMm[axis];
+    }
+    return geometry;
+}
+
+glm::ivec3 pixel(const gpu::Frame& frame, int x, int y)
+{
+    const std::uint8_t* bytes = &(*frame.rgba)[std::size_t(y * frame.sizePixels.x + x) * 4];
+    return {bytes[0], bytes[1], bytes[2]};
+}
+
+QImage imageOf(const gpu::Frame& frame)
+{
+    return QImage(
+        frame.rgba->data(), frame.sizePixels.x, frame.sizePixels.y, QImage::Format_RGBA8888)
+        .copy();
+}
+
+} // namespace test
