@@ -3,6 +3,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
 #include <QJsonArray>
@@ -208,6 +209,24 @@ void SharedSeriesTest::timePointsStayApart()
                 return problem.kind == core::VolumeProblem::Kind::MixedSlices;
             }));
     }
+    // One after the other the phases are the whole series.
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    for (const core::SeriesEntry* entry : listing->candidates()) {
+        const core::Result<core::LoadedVolume> loaded = core::loadVolume(data.unpacked, entry->key);
+        QVERIFY(loaded);
+        for (const std::uint16_t code : loaded->codes) {
+            const auto value = float(loaded->volume.encoding.value(code));
+            hash.addData(QByteArrayView(reinterpret_cast<const char*>(&value), sizeof(value)));
+        }
+    }
+    const QJsonObject stack = data.expected[QStringLiteral("series")]
+                                  .toArray()[0]
+                                  .toObject()[QStringLiteral("stacks")]
+                                  .toArray()[0]
+                                  .toObject();
+    QCOMPARE(QString::fromLatin1(hash.result().toHex()),
+        stack[QStringLiteral("rescaled")].toObject()[QStringLiteral("sha256_f32le")].toString());
+
     const core::Result<core::LoadedVolume> guessed = core::loadVolume(data.unpacked);
     QVERIFY(!guessed);
     QCOMPARE(guessed.error().code, core::ErrorCode::SeriesAmbiguous);
