@@ -17,11 +17,11 @@ namespace {
 
 const char* const tables[]{
     "CREATE TABLE source (id INTEGER PRIMARY KEY CHECK (id = 1), json TEXT NOT NULL)",
-    "CREATE TABLE row (id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, name TEXT NOT NULL,"
-    " edit TEXT NOT NULL, statistics TEXT NOT NULL, growthGeneration INTEGER NOT NULL,"
-    " chain TEXT NOT NULL, stateHash TEXT, deltaSha256 TEXT, seal TEXT)",
-    "CREATE TABLE delta (row INTEGER NOT NULL, piece INTEGER NOT NULL, bytes BLOB NOT NULL,"
-    " PRIMARY KEY (row, piece))",
+    R"(CREATE TABLE row (id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, name TEXT NOT NULL,
+        edit TEXT NOT NULL, statistics TEXT NOT NULL, growthGeneration INTEGER NOT NULL,
+        chain TEXT NOT NULL, stateHash TEXT, deltaSha256 TEXT, seal TEXT))",
+    R"(CREATE TABLE delta (row INTEGER NOT NULL, piece INTEGER NOT NULL, bytes BLOB NOT NULL,
+        PRIMARY KEY (row, piece)))",
     "CREATE TABLE visited (parent INTEGER PRIMARY KEY, child INTEGER NOT NULL)",
     "CREATE TABLE state (key TEXT PRIMARY KEY, value TEXT NOT NULL)",
 };
