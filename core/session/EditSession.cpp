@@ -127,6 +127,12 @@ public:
     Result<void> check(const Edit& edit) const;
     [[nodiscard]] VoxelOperation* interactive() const;
     void closeGrowth();
+    void endStroke(VoxelOperation& stroke, Ending ending)
+    {
+        stroke.end(m_state, ending);
+        advance();
+        tellNews();
+    }
     void ask(EngineCommand question, Answer answer);
     void poll();
     Result<void> settle();
@@ -257,8 +263,9 @@ void EditSession::Implementation::poll()
     if (m_polling)
         return;
     m_polling = true;
-    while (collect())
+    do
         advance();
+    while (collect());
     m_polling = false;
     tellNews();
 }
@@ -533,7 +540,7 @@ void EditSession::pauseGrowth()
 void EditSession::end(Ending ending)
 {
     if (VoxelOperation* open = m_implementation->interactive())
-        open->end(m_implementation->state(), ending);
+        m_implementation->endStroke(*open, ending);
 }
 
 bool EditSession::transactionOpen() const

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <atomic>
 
 using namespace core;
 
@@ -355,6 +356,50 @@ private Q_SLOTS:
             bench.session->apply(test::seedInBrain(2)).error().code, ErrorCode::UnknownSegment);
         QVERIFY(bench.session->settle());
         QCOMPARE(bench.session->history().rows().size(), std::size_t(3));
+    }
+
+    void whatCannotBeToldBeforeIsToldAfter()
+    {
+        Bench bench(true);
+        bench.run(test::addSegment("A"));
+        std::vector<ErrorCode> told;
+        bench.session->setErrorListener(
+            [&told](const Error& error) { told.push_back(error.code); });
+        QVERIFY(bench.session->apply(test::drillAt(0)));
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->apply(test::seedInBrain(1))); // the segment is gone by then
+        const Result<void> settled = bench.session->settle();
+        QVERIFY(!settled);
+        QCOMPARE(settled.error().code, ErrorCode::UnknownSegment);
+        QCOMPARE(told, std::vector<ErrorCode>{ErrorCode::UnknownSegment});
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(2));
+        QCOMPARE(bench.session->history().position(), RowId(0));
+    }
+
+    void wakesWhoeverPolls()
+    {
+        // Nothing but the wake-up says when to poll; that must be enough to come to the end.
+        reference::ReferenceEngine oracle;
+        reference::DelayedEngine late(oracle, 3);
+        std::atomic<bool> woken = false;
+        const auto session =
+            *EditSession::create(late, test::smallStudy(), {.wakeUp = [&woken] { woken = true; }});
+        for (const Edit& edit : test::manyEdits())
+            QVERIFY(session->apply(edit));
+        QVERIFY(session->undo());
+        const std::size_t rows = test::manyEdits().size();
+        const auto finished = [&] {
+            const History& history = session->history();
+            return history.rows().size() == rows && history.position() == RowId(rows - 1)
+                && !history.rows().back().stateHash.isEmpty();
+        };
+        while (!finished()) {
+            QTRY_VERIFY_WITH_TIMEOUT(woken, 60000);
+            woken = false;
+            session->poll();
+        }
     }
 
     void tellsWhatChangedWhere()
