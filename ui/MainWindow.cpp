@@ -30,6 +30,7 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -37,8 +38,7 @@ namespace ui {
 namespace {
 
 constexpr int panelWidth = 330;
-/// A list's share of the column's height before anyone has dragged a border.
-constexpr int listHeight = 200;
+constexpr int lowestList = 120; ///< header included
 
 QString droppedPath(const QMimeData& data)
 {
@@ -226,14 +226,31 @@ void MainWindow::addPanel(Panel* panel)
     addDockWidget(Qt::RightDockWidgetArea, dock);
     m_docks.push_back(dock);
     showPanels(m_panelsWanted);
+    resizeDocks({dock}, {panelWidth}, Qt::Horizontal);
+}
+
+void MainWindow::sharePanelHeight()
+{
     QList<QDockWidget*> docks;
+    int room = 0;
+    int lists = 0;
+    for (PanelDock* dock : m_docks) {
+        if (dock->isFloating() || !dock->isVisible())
+            continue;
+        docks += dock;
+        room += dock->height();
+        if (dock->panel().stretches())
+            ++lists;
+        else
+            room -= dock->sizeHint().height();
+    }
     QList<int> heights;
-    for (PanelDock* each : m_docks) {
-        docks += each;
-        heights += each->panel().stretches() ? listHeight : each->sizeHint().height();
+    for (QDockWidget* dock : docks) {
+        const bool list = static_cast<PanelDock*>(dock)->panel().stretches();
+        heights +=
+            list ? std::max(room / std::max(lists, 1), lowestList) : dock->sizeHint().height();
     }
     resizeDocks(docks, heights, Qt::Vertical);
-    resizeDocks({dock}, {panelWidth}, Qt::Horizontal);
 }
 
 bool MainWindow::panelsShown() const
@@ -261,8 +278,10 @@ void MainWindow::showSession()
     showPanels(m_panelsWanted);
     showIdentity();
     showCaution();
-    if (open)
+    if (open) {
         m_views->current().setFocus();
+        QTimer::singleShot(0, this, &MainWindow::sharePanelHeight);
+    }
     m_actions.refresh();
 }
 
@@ -292,7 +311,7 @@ void MainWindow::showCaution()
     if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
         return;
     m_messages->show(MessageBar::Kind::Caution,
-        QStringLiteral("%1. Views and exports carry this caution until you accept it.")
+        QStringLiteral("%1 Views and exports carry this caution until you accept it.")
             .arg(cautionText(*volume)),
         QStringLiteral("Accept"), [this] { m_workspace.acceptCaution(); });
 }
@@ -349,6 +368,8 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
     showIdentity();
+    // Once the docks have taken their places in the new window.
+    QTimer::singleShot(0, this, &MainWindow::sharePanelHeight);
 }
 
 } // namespace ui

@@ -69,6 +69,7 @@ private:
     void buildMenus();
     void buildCentre();
     void connectOpener();
+    void sharePanelHeight(); ///< lists share what the other panels leave
     void showSession();
     void showIdentity();
     void showCaution();

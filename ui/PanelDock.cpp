@@ -39,12 +39,12 @@ PanelDock::PanelDock(Panel& panel, QWidget* parent)
 
     auto* header = new QFrame(this);
     header->setProperty("role", QStringLiteral("bar"));
-    header->setFixedHeight(30);
     auto* row = new QHBoxLayout(header);
-    row->setContentsMargins(4, 0, 6, 0);
+    // A dock asks its title for the size it would like, not for the one it is fixed to.
+    row->setContentsMargins(4, 3, 6, 3);
     row->setSpacing(2);
     m_fold->setIconSize(QSize(14, 14));
-    m_fold->setFixedSize(22, 22);
+    m_fold->setFixedSize(22, 24);
     m_fold->setToolTip(QStringLiteral("Fold or unfold"));
     row->addWidget(m_fold);
     auto* title = new QLabel(panel.title(), header);
@@ -60,7 +60,7 @@ PanelDock::PanelDock(Panel& panel, QWidget* parent)
         auto* button = new QToolButton(header);
         button->setDefaultAction(action);
         button->setIconSize(QSize(16, 16));
-        button->setFixedSize(24, 24);
+        button->setFixedSize(24, 22);
         row->addWidget(button);
     }
     setTitleBarWidget(header);

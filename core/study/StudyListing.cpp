@@ -21,7 +21,7 @@ QString SeriesEntry::line() const
                             : QStringLiteral("%1 slices").arg(slices()));
     QString line = words.join(QLatin1String(", "));
     for (const VolumeProblem& problem : problems)
-        line += QLatin1String(" · ") + problem.text;
+        line += QStringLiteral(" · ") + problem.text;
     return line;
 }
 

@@ -16,7 +16,7 @@ QString cautionText(const core::Volume& volume)
         if (problem.caution)
             sentences += problem.text;
     }
-    return sentences.join(QStringLiteral("; "));
+    return sentences.join(QLatin1Char(' '));
 }
 
 void paintCautionStrip(QPainter& painter, const QRect& view, const core::Volume& volume)
