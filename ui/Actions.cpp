@@ -43,6 +43,14 @@ QAction& Actions::operator[](const QString& id) const
     return *action;
 }
 
+std::vector<QAction*> Actions::all() const
+{
+    std::vector<QAction*> actions;
+    for (const Entry& entry : m_entries)
+        actions.push_back(&(*this)[entry.id]);
+    return actions;
+}
+
 void Actions::fill(QMenu& menu, const QStringList& ids) const
 {
     for (const QString& id : ids) {

@@ -38,6 +38,8 @@ public:
 
     QAction& add(Entry entry);
     [[nodiscard]] QAction& operator[](const QString& id) const;
+    /// In the order they were added.
+    [[nodiscard]] std::vector<QAction*> all() const;
     /// A menu of these actions in this order; an empty name is a separator.
     void fill(QMenu& menu, const QStringList& ids) const;
     /// Asks every action again whether it is possible, checked, and how it is called now.

@@ -37,7 +37,6 @@ namespace ui {
 
 namespace {
 
-constexpr int panelWidth = 330;
 constexpr int lowestList = 120; ///< header included
 
 QString droppedPath(const QMimeData& data)
@@ -128,7 +127,7 @@ void MainWindow::buildMenus()
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
     m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
     QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));
-    m_actions.fill(*help, ids({"help.about"}));
+    m_actions.fill(*help, ids({"help.keys", "help.about"}));
 
     m_identity->setFont(theme::smallFont());
     m_identity->setProperty("role", QStringLiteral("secondary"));
@@ -226,7 +225,6 @@ void MainWindow::addPanel(Panel* panel)
     addDockWidget(Qt::RightDockWidgetArea, dock);
     m_docks.push_back(dock);
     showPanels(m_panelsWanted);
-    resizeDocks({dock}, {panelWidth}, Qt::Horizontal);
 }
 
 void MainWindow::sharePanelHeight()

@@ -15,13 +15,16 @@ namespace ui {
 
 namespace {
 
-/// As high as its panel would like to be.
+constexpr int panelWidth = 330;
+
+/// As high as its panel would like to be; always as wide as the others, or the pictures would
+/// change their size whenever a panel's words do.
 class PanelScroll : public QScrollArea {
 public:
     using QScrollArea::QScrollArea;
     [[nodiscard]] QSize sizeHint() const override
     {
-        return widget() ? widget()->sizeHint() : QScrollArea::sizeHint();
+        return {panelWidth, widget() ? widget()->sizeHint().height() : 0};
     }
 };
 
@@ -68,6 +71,7 @@ PanelDock::PanelDock(Panel& panel, QWidget* parent)
     // A low window scrolls inside its panels; they never make it higher.
     m_body->setWidget(&panel);
     m_body->setWidgetResizable(true);
+    m_body->setMinimumWidth(panelWidth);
     m_body->setFrameShape(QFrame::NoFrame);
     m_body->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_body->viewport()->setObjectName(QStringLiteral("panelBody"));

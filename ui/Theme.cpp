@@ -7,7 +7,7 @@
 #include <QFile>
 #include <QFontDatabase>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
 
 #include <utility>
 
@@ -62,6 +62,22 @@ QPalette palette()
     return result;
 }
 
+/// Fusion without what is noise here: pictures in dialog buttons, underlined menu letters.
+class PlainStyle : public QProxyStyle {
+public:
+    PlainStyle()
+        : QProxyStyle(QStringLiteral("Fusion"))
+    {
+    }
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+        QStyleHintReturn* data) const override
+    {
+        if (hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_UnderlineShortcut)
+            return 0;
+        return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
+
 QString styleSheet()
 {
     QFile file(QStringLiteral(":/burin/style/burin.qss"));
@@ -97,7 +113,7 @@ QFont smallFont()
 void apply(QApplication& application)
 {
     registerResources();
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new PlainStyle);
     QApplication::setPalette(palette());
     QApplication::setFont(bodyFont());
     application.setStyleSheet(styleSheet());

@@ -3,6 +3,7 @@
 
 #include "ui/InitialDisplay.h"
 #include "ui/MainWindow.h"
+#include "ui/dialogs/KeysDialog.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -70,6 +71,10 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Quit"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Q"))},
         .run = [] { QApplication::closeAllWindows(); }});
+    actions.add({.id = QStringLiteral("help.keys"),
+        .text = QStringLiteral("Mouse, pen and keys"),
+        .keys = {QKeySequence(QStringLiteral("F1"))},
+        .run = [&window] { KeysDialog(window.actionTable(), &window).exec(); }});
     actions.add({.id = QStringLiteral("help.about"),
         .text = QStringLiteral("About Burin"),
         .run = [&window] { window.showAbout(); }});

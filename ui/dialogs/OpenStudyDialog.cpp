@@ -106,7 +106,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
         addRow(*entry);
         files += entry->files.value(entry->files.size() / 2);
     }
-    const int widths[ColumnCount] = {pictureSize + 16, 210, 96, 60, 260, 160, 0};
+    const int widths[ColumnCount] = {pictureSize + 16, 190, 96, 56, 240, 190, 0};
     for (int column = 0; column < Problems; ++column)
         m_list->setColumnWidth(column, widths[column]);
     m_list->header()->setStretchLastSection(true);

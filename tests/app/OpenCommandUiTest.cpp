@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <QDir>
+#include <QFile>
+
+class OpenCommandUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void saysWhatIsWrong_data();
+    void saysWhatIsWrong();
+    void saysWhyAFolderDoesNotOpen();
+    void screenshotOfTheStartPage();
+    void screenshotOfTheDemonstration();
+
+private:
+    struct Outcome {
+        int status = -1;
+        QString output;
+    };
+    Outcome burin(const QStringList& arguments);
+
+    QTemporaryDir m_folder;
+};
+
+OpenCommandUiTest::Outcome OpenCommandUiTest::burin(const QStringList& arguments)
+{
+    QProcess process;
+    // Nothing of the test stays in the user's folders.
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
+        environment.insert(QLatin1String(name), m_folder.filePath(QLatin1String(name)));
+    process.setProcessEnvironment(environment);
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(QStringLiteral(BURIN_PROGRAM), QStringList{QStringLiteral("open")} + arguments);
+    if (!process.waitForFinished(300000)) {
+        process.kill();
+        process.waitForFinished();
+        return {};
+    }
+    return {process.exitCode(), QString::fromUtf8(process.readAll())};
+}
+
+void OpenCommandUiTest::saysWhatIsWrong_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QString>("words");
+    const auto row = [](const char* name, const QStringList& arguments, int status,
+                         const char* words) {
+        QTest::newRow(name) << arguments << status << QString::fromUtf8(words);
+    };
+    row("no such path", {QStringLiteral("/no/such/study")}, 1,
+        "/no/such/study: no such file or folder");
+    row("size without height", {QStringLiteral("--size"), QStringLiteral("800")}, 2, "--size 800");
+    row("size missing", {QStringLiteral("--size")}, 2, "--size needs a value");
+    row("unknown option", {QStringLiteral("--shiny")}, 2, "unknown option --shiny");
+    row("two paths", {QStringLiteral("a"), QStringLiteral("b")}, 2, "one path at a time: b");
+}
+
+void OpenCommandUiTest::saysWhatIsWrong()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, words);
+    const Outcome outcome = burin(arguments);
+    QTEST(outcome.status, "status");
+    QVERIFY2(outcome.output.contains(words), qPrintable(outcome.output));
+}
+
+void OpenCommandUiTest::saysWhyAFolderDoesNotOpen()
+{
+    const QString empty = m_folder.filePath(QStringLiteral("empty"));
+    QVERIFY(QDir().mkpath(empty));
+    const QString picture = m_folder.filePath(QStringLiteral("none.png"));
+    const Outcome outcome = burin({empty, QStringLiteral("--screenshot"), picture});
+    QCOMPARE(outcome.status, 1);
+    QVERIFY2(outcome.output.contains(empty), qPrintable(outcome.output));
+    QVERIFY(!QFile::exists(picture));
+}
+
+void OpenCommandUiTest::screenshotOfTheStartPage()
+{
+    const QString file = m_folder.filePath(QStringLiteral("start.png"));
+    const Outcome outcome = burin({QStringLiteral("--screenshot"), file, QStringLiteral("--size"),
+        QStringLiteral("1024x640")});
+    QVERIFY2(outcome.status == 0, qPrintable(outcome.output));
+    QCOMPARE(QImage(file).size(), QSize(1024, 640));
+}
+
+void OpenCommandUiTest::screenshotOfTheDemonstration()
+{
+    const QString file = m_folder.filePath(QStringLiteral("demonstration.png"));
+    const Outcome outcome = burin({QStringLiteral("--demo"), QStringLiteral("--screenshot"), file,
+        QStringLiteral("--size"), QStringLiteral("1100x700")});
+    QVERIFY2(outcome.status == 0, qPrintable(outcome.output));
+    const QImage picture(file);
+    QCOMPARE(picture.size(), QSize(1100, 700));
+    // The middle of each quarter of the views is inside the head.
+    const int right = picture.width() - 340;
+    for (const double x : {0.28, 0.76}) {
+        for (const double y : {0.30, 0.74}) {
+            int lit = 0;
+            const int left = int(x * right) - 20;
+            const int top = int(y * picture.height()) - 20;
+            for (int row = 0; row < 40; ++row) {
+                for (int column = 0; column < 40; ++column)
+                    lit += qGray(picture.pixel(left + column, top + row)) > 40;
+            }
+            QVERIFY2(lit > 200, qPrintable(QStringLiteral("quarter %1, %2").arg(x).arg(y)));
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(OpenCommandUiTest)
+#include "OpenCommandUiTest.moc"

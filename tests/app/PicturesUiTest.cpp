@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/GpuEngine.h"
+#include "tests/support/WindowFixture.h"
+#include "ui/StatusLine.h"
+#include "ui/Theme.h"
+#include "ui/views/OrientationLetters.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QTest>
+#include <QTimer>
+
+#include <set>
+
+// The window with the real engine: what the pictures show against where things are in the patient.
+
+namespace {
+
+using glm::dvec3;
+
+/// A round body with one marker each towards the patient's left, front and head; no two alike.
+struct Marker {
+    dvec3 centreLps;
+    double value;
+};
+const Marker left{{40.0, 0.0, 0.0}, 300.0};
+const Marker front{{0.0, -40.0, 0.0}, 500.0};
+const Marker head{{0.0, 0.0, 45.0}, 700.0};
+constexpr double markerRadius = 9.0;
+
+double valueAt(const dvec3& lps)
+{
+    for (const Marker& marker : {left, front, head}) {
+        if (glm::length(lps - marker.centreLps) <= markerRadius)
+            return marker.value;
+    }
+    return glm::length(lps / dvec3(56.0, 50.0, 58.0)) <= 1.0 ? 100.0 : -1000.0;
+}
+
+core::LoadedVolume patient(const glm::dmat4& indexToWorld)
+{
+    core::LoadedVolume loaded = test::plainCt(indexToWorld);
+    const core::VolumeGeometry& geometry = loaded.volume.geometry;
+    std::size_t next = 0;
+    for (int k = 0; k < geometry.size.z; ++k) {
+        for (int j = 0; j < geometry.size.y; ++j) {
+            for (int i = 0; i < geometry.size.x; ++i)
+                loaded.codes[next++] =
+                    std::uint16_t(valueAt(geometry.toWorld(dvec3(i, j, k))) + 1024.0);
+        }
+    }
+    loaded.volume.minimum = -1000.0;
+    loaded.volume.maximum = 700.0;
+    loaded.volume.defaultWindow = {350.0, 1000.0};
+    return loaded;
+}
+
+class RealWindow {
+public:
+    explicit RealWindow(core::LoadedVolume loaded)
+        : engine(std::move(*gpu::GpuEngine::create()))
+        , workspace(engine->frames())
+        , window(workspace, engine->rendererName())
+    {
+        ui::theme::apply(*qApp);
+        const core::VolumeGeometry geometry = loaded.volume.geometry;
+        const core::VoxelEncoding encoding = loaded.volume.encoding;
+        auto session = core::EditSession::create(engine->edits(), std::move(loaded), {});
+        if (!session)
+            qFatal("no session");
+        engine->setVolumeGeometry(geometry, encoding);
+        workspace.setSession(std::move(*session));
+        poll.setInterval(5);
+        QObject::connect(&poll, &QTimer::timeout, [this] { workspace.session()->poll(); });
+        poll.start();
+        window.resize(900, 700);
+        window.show();
+    }
+    ~RealWindow()
+    {
+        poll.stop();
+        workspace.setSession(nullptr);
+    }
+
+    [[nodiscard]] bool waitUntilRefined()
+    {
+        return QTest::qWaitFor([this] { return window.views().refined(); }, 180000);
+    }
+
+    std::unique_ptr<gpu::GpuEngine> engine;
+    ui::Workspace workspace;
+    ui::MainWindow window;
+    QTimer poll;
+};
+
+int greyAt(const ui::ImageView& view, const QPointF& at)
+{
+    const QRgb pixel = view.picture().pixel(int(at.x()), int(at.y()));
+    return std::max({qRed(pixel), qGreen(pixel), qBlue(pixel)});
+}
+
+/// What window and level make of a value.
+int greyOf(double value, const core::WindowLevel& window)
+{
+    return int(
+        std::lround(255.0 * std::clamp((value - window.centre) / window.width + 0.5, 0.0, 1.0)));
+}
+
+} // namespace
+
+class PicturesUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void noViewIsBlack();
+    void markersLieWhereTheLettersSay_data();
+    void markersLieWhereTheLettersSay();
+    void crosshairIsOneVoxelInEveryView_data();
+    void crosshairIsOneVoxelInEveryView();
+};
+
+void PicturesUiTest::initTestCase()
+{
+    if (const auto engine = gpu::GpuEngine::create(); !engine)
+        QSKIP("no OpenGL 4.5 here");
+}
+
+void PicturesUiTest::noViewIsBlack()
+{
+    RealWindow real(patient(test::headFirstSupine()));
+    QVERIFY(real.waitUntilRefined());
+    const QImage whole = real.window.grab().toImage();
+    for (const ui::ImageView* view : real.window.views().views()) {
+        const QRect place(view->mapTo(&real.window, QPoint()), view->size());
+        std::set<QRgb> colours;
+        int lit = 0;
+        for (int y = place.top(); y < place.bottom(); y += 3) {
+            for (int x = place.left(); x < place.right(); x += 3) {
+                const QRgb pixel = whole.pixel(x, y);
+                colours.insert(pixel);
+                lit += qGray(pixel) > 40;
+            }
+        }
+        const int samples = (place.width() / 3) * (place.height() / 3);
+        QVERIFY2(lit > samples / 20, qPrintable(view->title()));
+        QVERIFY2(colours.size() > 12, qPrintable(view->title()));
+    }
+}
+
+void PicturesUiTest::markersLieWhereTheLettersSay_data()
+{
+    QTest::addColumn<bool>("prone");
+    QTest::newRow("head first supine") << false;
+    QTest::newRow("head first prone") << true;
+}
+
+void PicturesUiTest::markersLieWhereTheLettersSay()
+{
+    QFETCH(bool, prone);
+    RealWindow real(patient(prone ? test::headFirstProne() : test::headFirstSupine()));
+    QVERIFY(real.waitUntilRefined());
+    const core::WindowLevel window = real.workspace.windowLevel();
+    for (const ui::ImageView* view : real.window.views().views()) {
+        const ui::ViewContext shown = view->shownContext();
+        if (!shown.isSlice())
+            continue;
+        const auto& scene = std::get<gpu::SliceScene>(shown.scene);
+        const QPointF middle(view->width() / 2.0, view->height() / 2.0);
+        for (const Marker& marker : {left, front, head}) {
+            // The edge whose letter names the marker's side shows the marker.
+            const QString side = ui::directionLetters(marker.centreLps);
+            const double pixels = glm::length(marker.centreLps) / scene.mmPerPixel;
+            QPointF towards;
+            if (ui::directionLetters(scene.rightLps) == side)
+                towards = {1, 0};
+            else if (ui::directionLetters(-scene.rightLps) == side)
+                towards = {-1, 0};
+            else if (ui::directionLetters(scene.downLps) == side)
+                towards = {0, 1};
+            else if (ui::directionLetters(-scene.downLps) == side)
+                towards = {0, -1};
+            else
+                continue; // along the line of sight
+            QVERIFY(
+                std::abs(greyAt(*view, middle + towards * pixels) - greyOf(marker.value, window))
+                <= 2);
+            QVERIFY(
+                std::abs(greyAt(*view, middle - towards * pixels) - greyOf(100.0, window)) <= 2);
+        }
+    }
+}
+
+void PicturesUiTest::crosshairIsOneVoxelInEveryView_data()
+{
+    markersLieWhereTheLettersSay_data();
+}
+
+void PicturesUiTest::crosshairIsOneVoxelInEveryView()
+{
+    QFETCH(bool, prone);
+    RealWindow real(patient(prone ? test::headFirstProne() : test::headFirstSupine()));
+    const core::VolumeGeometry& geometry = real.workspace.volume()->geometry;
+    const auto* status = real.window.findChild<ui::StatusLine*>();
+    QVERIFY(status);
+    for (const Marker& marker : {left, front, head}) {
+        real.workspace.setCrosshairLps(marker.centreLps);
+        QVERIFY(real.waitUntilRefined());
+        for (const ui::ImageView* view : real.window.views().views()) {
+            if (!view->shownContext().isSlice())
+                continue;
+            QVERIFY(std::abs(greyAt(*view, view->crosshairPixel())
+                        - greyOf(marker.value, real.workspace.windowLevel()))
+                <= 2);
+        }
+        const glm::ivec3 voxel(glm::round(geometry.toIndex(marker.centreLps)));
+        const QString expected = QStringLiteral("voxel %1, %2, %3 · %4 HU")
+                                     .arg(voxel.x)
+                                     .arg(voxel.y)
+                                     .arg(voxel.z)
+                                     .arg(marker.value);
+        QTRY_VERIFY2(status->readout().contains(expected), qPrintable(status->readout()));
+    }
+}
+
+QTEST_MAIN(PicturesUiTest)
+#include "PicturesUiTest.moc"

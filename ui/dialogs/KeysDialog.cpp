@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/KeysDialog.h"
+
+#include "ui/Actions.h"
+#include "ui/Theme.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+struct Binding {
+    const char* input;
+    const char* slice;
+    const char* volume;
+};
+
+// UX §4.3.
+const Binding bindings[] = {
+    {"Left drag, no tool", "grey scale (width, level)", "turn"},
+    {"Left drag or pen, with a tool", "the tool", "the tool, on the surface that is seen"},
+    {"Space + left drag", "pan", "turn"},
+    {"Click, no tool", "crosshair here", "on the cube: look from that side"},
+    {"Shift + move", "crosshair follows", ""},
+    {"Middle drag", "pan", "pan"},
+    {"Right drag", "zoom; grey scale with a tool", "zoom"},
+    {"Wheel", "slices; Shift: five at a time", "zoom"},
+    {"Ctrl + wheel", "zoom", "zoom"},
+    {"Shift + wheel, with a tool", "radius", "radius"},
+    {"Alt + wheel, with a tool", "depth", "depth"},
+    {"Double click", "this view alone, or all four", "this view alone, or all four"},
+    {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
+    {"Home, End", "first, last slice", ""},
+    {"Esc", "takes the stroke under the pen back", "takes the stroke under the pen back"},
+};
+
+} // namespace
+
+KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
+    : QDialog(parent)
+{
+    setWindowTitle(QStringLiteral("Mouse, pen and keys"));
+    resize(760, 640);
+    auto* list = new QTreeWidget(this);
+    list->setColumnCount(3);
+    list->setHeaderLabels(
+        {QStringLiteral("Input"), QStringLiteral("In a slice"), QStringLiteral("In 3D")});
+    list->setRootIsDecorated(false);
+    list->setSelectionMode(QAbstractItemView::NoSelection);
+    list->setFocusPolicy(Qt::NoFocus);
+    for (const Binding& binding : bindings) {
+        new QTreeWidgetItem(list,
+            {QString::fromUtf8(binding.input), QString::fromUtf8(binding.slice),
+                QString::fromUtf8(binding.volume)});
+    }
+    for (const QAction* action : actions.all()) {
+        if (action->shortcuts().isEmpty())
+            continue;
+        const QString keys =
+            QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
+        new QTreeWidgetItem(list, {keys, action->text()});
+    }
+    list->setColumnWidth(0, 230);
+    list->setColumnWidth(1, 250);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(12);
+    layout->addWidget(list);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+} // namespace ui
