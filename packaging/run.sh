@@ -41,17 +41,8 @@ installPackages build run
 build burin
 burin=$burinBuild/app/burin
 
-if [ -z "$study" ]; then
-    # Made once for each state of the code that makes it.
-    state=$(cat "$burinRoot"/core/demo/* | sha256sum | cut -c 1-12)
-    study=$burinRoot/build/demonstration-$state
-    if [ ! -d "$study" ]; then
-        say "writing the demonstration study"
-        rm -rf "$burinRoot"/build/demonstration-*
-        "$burin" demo "$study.part"
-        mv "$study.part" "$study"
-    fi
-fi
+# Made on its first opening and kept in the user's cache.
+if [ -z "$study" ]; then study=--demo; fi
 
 if [ -n "$screenshot" ]; then
     startDisplay
