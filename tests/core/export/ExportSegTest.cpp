@@ -83,6 +83,7 @@ private Q_SLOTS:
     void existingFileIsRefused();
     void aFileOfTheStudyIsNeverReplaced();
     void fullDiskLeavesNothing();
+    void cancelledLeavesNothing();
     void uidsAreNewEachTime();
 
 private:
@@ -411,6 +412,40 @@ void ExportSegTest::fullDiskLeavesNothing()
         QCOMPARE(refused.error().arguments.value(0), file);
     }
     QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+}
+
+void ExportSegTest::cancelledLeavesNothing()
+{
+    QTemporaryDir folder;
+    test::SmallSeries series;
+    series.placeEvenly({0, 0, 0}, {0, 0, 1});
+    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
+    const auto labels = randomLabels(series.size, 1);
+    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
+        // Cancelled as soon as the writer, and then as soon as the check begins to read.
+        for (int reports = 0; reports < 2; ++reports) {
+            int seen = 0;
+            core::Progress* running = nullptr;
+            core::Progress progress([&](const QString&, int done, int) {
+                seen += done == 0 ? 1 : 0;
+                if (seen > reports)
+                    running->cancel();
+            });
+            running = &progress;
+            const auto report = core::exportMask(volume,
+                {.format = format,
+                    .file = folder.filePath(QStringLiteral("seg.nii")),
+                    .segments = {segmentOf(1, skull)},
+                    .planes = planes},
+                progress);
+            if (format == core::ExportFormat::Nifti && reports == 1)
+                continue; // the sources are read once only
+            QVERIFY(!report);
+            QCOMPARE(report.error().code, core::ErrorCode::Cancelled);
+            QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+        }
+    }
 }
 
 void ExportSegTest::uidsAreNewEachTime()
