@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/HeaderReading.h"
 
+#include "core/dicom/DicomText.h"
+
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <initializer_list>
 
 namespace core {
 
@@ -29,17 +30,16 @@ glm::dvec3 HeaderPlane::at(double column, double row) const
 
 HeaderPatient readHeaderPatient(DcmDataset& dataset)
 {
-    // Only what is compared is converted: one odd private element must not spoil the rest.
-    DcmDataset part;
-    for (const DcmTagKey& tag :
-        {DCM_SpecificCharacterSet, DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate})
-        dataset.findAndInsertCopyOfElement(tag, &part);
+    const auto bytesOf = [&](const DcmTagKey& tag) {
+        OFString value;
+        dataset.findAndGetOFStringArray(tag, value);
+        return QByteArray(value.data(), qsizetype(value.size()));
+    };
+    const QByteArray characterSet = bytesOf(DCM_SpecificCharacterSet);
     HeaderPatient patient;
-    patient.decoded = part.convertToUTF8().good();
-    const ItemReader reader(&part);
-    patient.name = reader.text(DCM_PatientName);
-    patient.id = reader.text(DCM_PatientID);
-    patient.birthDate = digitsOf(reader.text(DCM_PatientBirthDate));
+    patient.name = dicomText(bytesOf(DCM_PatientName), characterSet);
+    patient.id = dicomText(bytesOf(DCM_PatientID), characterSet);
+    patient.birthDate = digitsOf(QString::fromLatin1(bytesOf(DCM_PatientBirthDate)));
     return patient;
 }
 

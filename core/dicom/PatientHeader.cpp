@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/PatientHeader.h"
 
+#include "core/dicom/DicomText.h"
+
 #include <QDate>
 #include <QRegularExpression>
 
@@ -129,20 +131,6 @@ std::optional<QString> normalised(const QString& text, Kind kind)
     return std::nullopt;
 }
 
-/// Stands in for text whose character set DCMTK cannot convert.
-QString loadedText(const DcmTagKey& tag, const StudyIdentity& identity)
-{
-    if (tag == DCM_PatientName)
-        return identity.patientName;
-    if (tag == DCM_PatientID)
-        return identity.patientId;
-    if (tag == DCM_StudyDescription)
-        return identity.studyDescription;
-    if (tag == DCM_AccessionNumber)
-        return identity.accessionNumber;
-    return {};
-}
-
 bool isText(Kind kind)
 {
     return kind == Kind::Name || kind == Kind::LongText || kind == Kind::ShortText;
@@ -161,25 +149,20 @@ QString singleValueText(const QString& text, int length)
 }
 
 tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
-    DcmDataset& source, const StudyIdentity& identity, QStringList& notes)
+    DcmDataset& source, QStringList& notes)
 {
-    DcmDataset part;
-    source.findAndInsertCopyOfElement(DCM_SpecificCharacterSet, &part);
-    for (const Attribute& attribute : attributes)
-        source.findAndInsertCopyOfElement(attribute.tag, &part);
-    const bool decoded = part.convertToUTF8().good();
-    if (!decoded)
-        notes += QStringLiteral("The source's character set is not one that can be converted here; "
-                                "text was taken as it was shown, or left out.");
-
+    const auto bytesOf = [&](const DcmTagKey& tag) {
+        OFString value;
+        source.findAndGetOFStringArray(tag, value);
+        return QByteArray(value.data(), qsizetype(value.size()));
+    };
+    const QByteArray characterSet = bytesOf(DCM_SpecificCharacterSet);
     auto header = std::make_unique<DcmDataset>();
     header->putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 192");
     for (const Attribute& attribute : attributes) {
-        OFString value;
-        part.findAndGetOFStringArray(attribute.tag, value);
-        QString text = QString::fromUtf8(value.data(), qsizetype(value.size()));
-        if (!decoded && isText(attribute.kind))
-            text = loadedText(attribute.tag, identity);
+        const QByteArray bytes = bytesOf(attribute.tag);
+        QString text =
+            isText(attribute.kind) ? dicomText(bytes, characterSet) : QString::fromLatin1(bytes);
         while (text.endsWith(QChar(0)))
             text.chop(1);
         text = text.trimmed();

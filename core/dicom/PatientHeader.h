@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/Volume.h"
-
 #include <tl/expected.hpp>
 
 #include <QStringList>
@@ -17,11 +15,10 @@ namespace core {
 /// UTF-8, invalid values normalised or, where that cannot be done, left out (dcmseg refuses to
 /// write at all when a value copied from a source is not valid). Only for sources of core/dicom.
 ///
-/// @param identity what the loader read; its text stands in where DCMTK lacks the character set
 /// @param notes receives a sentence for each value that is not as in the source
 /// @returns the error is the reason why no object may refer to this source
 tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
-    DcmDataset& source, const StudyIdentity& identity, QStringList& notes);
+    DcmDataset& source, QStringList& notes);
 
 /// Text that DICOM can hold in a single value of at most @p length characters: no control
 /// characters, no backslash, no blanks at the ends.

@@ -114,8 +114,7 @@ std::string decimalString(double value)
     return "0";
 }
 
-Result<SegSource> readSegSource(const StudyIdentity& identity,
-    const std::vector<SourceSlice>& sources, const Progress& progress)
+Result<SegSource> readSegSource(const std::vector<SourceSlice>& sources, const Progress& progress)
 {
     QHash<QString, std::vector<std::size_t>> slicesOfFile;
     for (std::size_t k = 0; k < sources.size(); ++k)
@@ -145,7 +144,7 @@ Result<SegSource> readSegSource(const StudyIdentity& identity,
                         + QStringLiteral("; a DICOM SEG cannot refer to it, NIfTI can be "
                                          "exported instead"));
             if (k == 0) {
-                auto header = cleanPatientHeader(dataset, identity, source.notes);
+                auto header = cleanPatientHeader(dataset, source.notes);
                 if (!header)
                     return failure(ErrorCode::UnsupportedFormat, file, header.error());
                 source.header = std::move(*header);

@@ -47,8 +47,7 @@ struct SegSource {
     ~SegSource();
 };
 
-Result<SegSource> readSegSource(const StudyIdentity& identity,
-    const std::vector<SourceSlice>& sources, const Progress& progress);
+Result<SegSource> readSegSource(const std::vector<SourceSlice>& sources, const Progress& progress);
 
 /// A decimal string of at most 16 characters (PS3.5 6.2), as close as that allows.
 std::string decimalString(double value);

@@ -367,7 +367,7 @@ Result<SegWritten> writeSeg(
     const QString& path, const SegContent& content, const Progress& progress)
 {
     readyDcmtk();
-    auto source = readSegSource(content.identity, content.sources, progress);
+    auto source = readSegSource(content.sources, progress);
     if (!source)
         return tl::unexpected(source.error());
 

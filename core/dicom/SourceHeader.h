@@ -18,8 +18,6 @@ struct HeaderPatient {
     QString name;
     QString id;
     QString birthDate;
-    /// False: the character set is one that cannot be decoded here, `name` and `id` are not known.
-    bool decoded = true;
 };
 
 /// Where a plane of pixels lies, as its header says. LPS mm; directions as stored.

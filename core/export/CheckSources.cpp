@@ -15,8 +15,8 @@ QString nameParts(const QString& name)
 {
     QString plain = name;
     for (QChar& character : plain) {
-        if (character == QLatin1Char('^') || character == QLatin1Char(',')
-            || character == QLatin1Char('='))
+        if (character.category() == QChar::Other_Control || character == QLatin1Char('^')
+            || character == QLatin1Char(',') || character == QLatin1Char('='))
             character = QLatin1Char(' ');
     }
     return plain.simplified();
@@ -34,8 +34,7 @@ QString differenceFromVolume(const SourceHeader& header, const Volume& volume, i
     const StudyIdentity& identity = volume.identity;
     const HeaderPatient shown{.name = identity.patientName,
         .id = identity.patientId,
-        .birthDate = digits(identity.birthDate),
-        .decoded = true};
+        .birthDate = digits(identity.birthDate)};
     if (const QString what = differenceOfPatients(header.patient, shown); !what.isEmpty())
         return what + QStringLiteral(" is not that of the study that was opened");
     if (header.studyUid != identity.studyUid)
@@ -82,9 +81,9 @@ QString inMm(const glm::dvec3& point)
 
 QString differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b)
 {
-    if (a.decoded && b.decoded && nameParts(a.name) != nameParts(b.name))
+    if (nameParts(a.name) != nameParts(b.name))
         return QStringLiteral("the patient's name");
-    if (a.decoded && b.decoded && a.id.simplified() != b.id.simplified())
+    if (a.id.simplified() != b.id.simplified())
         return QStringLiteral("the patient ID");
     // A birth date that DICOM cannot hold is left out of the export, and said so.
     if (!a.birthDate.isEmpty() && !b.birthDate.isEmpty() && a.birthDate != b.birthDate)

@@ -80,6 +80,8 @@ private Q_SLOTS:
     void sourceWithoutUidsIsRefused();
     void sourceWithoutFrameOfReference();
     void invalidSourceValuesAreNormalised();
+    void namesInOtherScripts_data();
+    void namesInOtherScripts();
     void existingFileIsRefused();
     void aFileOfTheStudyIsNeverReplaced();
     void fullDiskLeavesNothing();
@@ -345,6 +347,50 @@ void ExportSegTest::invalidSourceValuesAreNormalised()
     const auto read = test::runScript(QStringLiteral("seg_facts.py"), {file, images});
     QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
     QCOMPARE(QJsonDocument::fromJson(read.output)["patientSex"].toString(), QStringLiteral("M"));
+    validate(file);
+}
+
+void ExportSegTest::namesInOtherScripts_data()
+{
+    QTest::addColumn<QByteArray>("characterSet");
+    QTest::addColumn<QByteArray>("stored");
+    QTest::addColumn<QString>("name");
+    QTest::newRow("Cyrillic") << QByteArray("ISO_IR 144") << QByteArray("\xbb\xee\xda\xd1")
+                              << QStringLiteral("Люкб");
+    QTest::newRow("UTF-8") << QByteArray("ISO_IR 192")
+                           << QStringLiteral("Wang^XiaoDong=王^小東").toUtf8()
+                           << QStringLiteral("Wang^XiaoDong=王^小東");
+    // PS3.5 annex H, example 1.
+    QTest::newRow("Japanese")
+        << QByteArray("\\ISO 2022 IR 87")
+        << QByteArray("Yamada^Tarou=\033$B;3ED\033(B^\033$BB@O:\033(B=\033$B$d$^$@\033(B^"
+                      "\033$B$?$m$&\033(B")
+        << QStringLiteral("Yamada^Tarou=山田^太郎=やまだ^たろう");
+    // Not what the header says it is: shown as it can be, written as it was shown.
+    QTest::newRow("wrong character set")
+        << QByteArray("ISO_IR 6") << QByteArray("M\xfcller") << QStringLiteral("Müller");
+}
+
+void ExportSegTest::namesInOtherScripts()
+{
+    QFETCH(QByteArray, characterSet);
+    QFETCH(QByteArray, stored);
+    QFETCH(QString, name);
+    QTemporaryDir folder;
+    test::SmallSeries series;
+    series.characterSet = characterSet.toStdString();
+    series.patientName = stored.toStdString();
+    series.placeEvenly({0, 0, 0}, {0, 0, 1});
+    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
+    const auto labels = randomLabels(series.size, 1);
+    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
+    const auto report = core::exportMask(
+        volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    const auto seg = core::readSeg(file);
+    QVERIFY(seg.has_value());
+    QCOMPARE(seg->patient.name, name);
     validate(file);
 }
 
