@@ -4,6 +4,7 @@
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
+#include "core/dicom/SegCompletion.h"
 #include "core/dicom/SegSource.h"
 
 #include <QCoreApplication>
@@ -30,61 +31,10 @@ namespace core {
 
 namespace {
 
-/// Carries the first failure of a chain of DCMTK calls.
-class Chain {
-public:
-    void operator()(const OFCondition& condition, const char* what)
-    {
-        if (condition.bad() && m_failure.isEmpty())
-            m_failure = QStringLiteral("%1: %2").arg(
-                QLatin1String(what), QString::fromLatin1(condition.text()));
-    }
-    [[nodiscard]] const QString& failure() const { return m_failure; }
-
-private:
-    QString m_failure;
-};
-
 std::string programVersion()
 {
     const QString version = QCoreApplication::applicationVersion();
     return version.isEmpty() ? "development" : version.toStdString();
-}
-
-/// dcmseg 3.6.7 takes no letters beyond ASCII, whatever the character set; complete() puts the text
-/// in their place.
-std::string placeholder(const QString& text)
-{
-    std::string plain;
-    for (const QChar character : text)
-        plain += character.unicode() < 128 ? char(character.unicode()) : '?';
-    return plain;
-}
-
-/// A copy of the source's header in ASCII.
-std::unique_ptr<DcmDataset> placeholderHeader(DcmDataset& header)
-{
-    auto plain = std::make_unique<DcmDataset>(header);
-    for (DcmObject* object = plain->nextInContainer(nullptr); object != nullptr;
-         object = plain->nextInContainer(object)) {
-        auto* element = static_cast<DcmElement*>(object);
-        OFString value;
-        element->getOFStringArray(value);
-        element->putOFStringArray(placeholder(QString::fromStdString(value)));
-    }
-    return plain;
-}
-
-QString seriesDescription(const SegContent& content)
-{
-    return singleValueText(
-        QStringLiteral("Segmentation ") + content.identity.seriesDescription, 64);
-}
-
-QString segmentLabel(const Segment& segment)
-{
-    const QString label = singleValueText(segment.name, 64);
-    return label.isEmpty() ? QStringLiteral("Segment") : label;
 }
 
 CodeSequenceMacro codeOf(const CodedConcept& coded)
@@ -97,10 +47,12 @@ bool codeIsValid(const CodedConcept& coded)
     const auto holds = [](const QString& text, int length) {
         return !text.isEmpty() && text == singleValueText(text, length);
     };
-    return holds(coded.value, 16) && holds(coded.scheme, 16) && holds(coded.meaning, 64);
+    return holds(coded.value, 16) && holds(coded.scheme, 16) && holds(coded.meaning, 64)
+        && placeholder(coded.value) == coded.value.toStdString()
+        && placeholder(coded.scheme) == coded.scheme.toStdString();
 }
 
-Result<void> addSegments(DcmSegmentation& seg, const SegContent& content, Chain& chain)
+Result<void> addSegments(DcmSegmentation& seg, const SegContent& content, ConditionChain& chain)
 {
     for (const Segment& segment : content.segments) {
         if (!codeIsValid(segment.code) || !codeIsValid(content.category))
@@ -155,7 +107,7 @@ std::unique_ptr<FGPlaneOrientationPatient> orientationOf(const SegSlice& slice)
 }
 
 std::unique_ptr<FGPixelMeasures> measuresOf(
-    const SegSlice& slice, double sliceDistanceMm, Chain& chain)
+    const SegSlice& slice, double sliceDistanceMm, ConditionChain& chain)
 {
     auto measures = std::make_unique<FGPixelMeasures>();
     chain(measures->setPixelSpacing(slice.spacing[0] + "\\" + slice.spacing[1]), "pixel spacing");
@@ -172,7 +124,7 @@ std::unique_ptr<FGPixelMeasures> measuresOf(
 }
 
 void addFrames(
-    DcmSegmentation& seg, const SegContent& content, const SegSource& source, Chain& chain)
+    DcmSegmentation& seg, const SegContent& content, const SegSource& source, ConditionChain& chain)
 {
     const bool sharedOrientation = sameOrientation(source);
     const bool sharedMeasures = content.sliceDistanceMm > 0.0
@@ -227,13 +179,13 @@ void addFrames(
             groups.push_back(measures.get());
         }
         chain(seg.addFrame(blank.data(), number, groups), "frame");
-        if (!chain.failure().isEmpty())
+        if (!chain.good())
             return;
     }
 }
 
 void addReferences(DcmSegmentation& seg, const SegContent& content, const SegSource& source,
-    const std::string& studyUid, Chain& chain)
+    const std::string& studyUid, ConditionChain& chain)
 {
     IODReferences references;
     std::set<std::string> named;
@@ -254,7 +206,7 @@ void addReferences(DcmSegmentation& seg, const SegContent& content, const SegSou
 }
 
 void describe(DcmSegmentation& seg, const SegContent& content, const SegSource& source,
-    const QDateTime& now, Chain& chain)
+    const QDateTime& now, ConditionChain& chain)
 {
     const std::string date = now.toString(QStringLiteral("yyyyMMdd")).toStdString();
     const std::string time = now.toString(QStringLiteral("HHmmss")).toStdString();
@@ -290,83 +242,17 @@ void describe(DcmSegmentation& seg, const SegContent& content, const SegSource& 
         "dimension");
 }
 
-void putText(DcmItem& item, const DcmTagKey& tag, const QString& text, Chain& chain)
-{
-    chain(item.putAndInsertString(tag, text.toStdString().c_str()), "text");
-}
-
-/// The text that placeholder() stood in for.
-void completeText(
-    DcmDataset& dataset, const SegContent& content, const SegSource& source, Chain& chain)
-{
-    for (DcmObject* object = source.header->nextInContainer(nullptr); object != nullptr;
-         object = source.header->nextInContainer(object)) {
-        auto* copy = static_cast<DcmElement*>(object->clone());
-        chain(dataset.insert(copy, OFTrue), "patient and study");
-    }
-    putText(dataset, DCM_SeriesDescription, seriesDescription(content), chain);
-    const auto putMeaning = [&](DcmItem& segment, const DcmTagKey& sequence, const QString& text) {
-        DcmItem* code = nullptr;
-        chain(segment.findAndGetSequenceItem(sequence, code), "code");
-        if (code != nullptr)
-            putText(*code, DCM_CodeMeaning, text, chain);
-    };
-    for (std::size_t i = 0; i < content.segments.size(); ++i) {
-        const Segment& segment = content.segments[i];
-        DcmItem* item = nullptr;
-        chain(dataset.findAndGetSequenceItem(DCM_SegmentSequence, item, long(i)), "segment");
-        if (item == nullptr)
-            return;
-        putText(*item, DCM_SegmentLabel, segmentLabel(segment), chain);
-        putText(*item, DCM_TrackingID, segmentLabel(segment), chain);
-        putMeaning(*item, DCM_SegmentedPropertyCategoryCodeSequence, content.category.meaning);
-        putMeaning(*item, DCM_SegmentedPropertyTypeCodeSequence, segment.code.meaning);
-    }
-}
-
-/// What dcmseg 3.6.7 gets wrong (bits, numbers of referenced frames) or leaves out.
-void complete(
-    DcmDataset& dataset, const SegContent& content, const SegSource& sources, Chain& chain)
-{
-    chain(dataset.putAndInsertUint8Array(
-              DCM_PixelData, content.bits.data(), static_cast<unsigned long>(content.bits.size())),
-        "pixel data");
-    chain(dataset.putAndInsertString(DCM_SegmentsOverlap, content.segmentsOverlap ? "YES" : "NO"),
-        "segments overlap");
-    DcmSequenceOfItems* frames = nullptr;
-    dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, frames);
-    // 3.6.7 writes on without a word when a functional group is not valid.
-    if (frames == nullptr || frames->card() != content.frames.size()) {
-        chain(EC_IllegalCall, "functional groups of the frames");
-        return;
-    }
-    auto frame = content.frames.begin();
-    for (DcmObject* object = frames->nextInContainer(nullptr); object != nullptr;
-         object = frames->nextInContainer(object), ++frame) {
-        auto* item = dynamic_cast<DcmItem*>(object);
-        DcmItem* derivation = nullptr;
-        DcmItem* source = nullptr;
-        if (item == nullptr
-            || item->findAndGetSequenceItem(DCM_DerivationImageSequence, derivation).bad()
-            || derivation->findAndGetSequenceItem(DCM_SourceImageSequence, source).bad()) {
-            chain(EC_IllegalCall, "source image");
-            return;
-        }
-        chain(source->putAndInsertString(DCM_SpatialLocationsPreserved, "YES"), "source image");
-        const SegSlice& slice = sources.slices[std::size_t(frame->slice)];
-        if (slice.multiFrame)
-            chain(source->putAndInsertString(
-                      DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1).c_str()),
-                "source frame");
-    }
-}
-
 } // namespace
 
 Result<SegWritten> writeSeg(
     const QString& path, const SegContent& content, const Progress& progress)
 {
     readyDcmtk();
+    constexpr std::size_t longestElement = 0xFFFFFFFE;
+    if (content.bits.size() > longestElement)
+        return failure(ErrorCode::UnsupportedFormat, path,
+            QStringLiteral(
+                "its frames fill more than 4 GiB; export the segments in several files"));
     auto source = readSegSource(content.sources, progress);
     if (!source)
         return tl::unexpected(source.error());
@@ -375,7 +261,7 @@ Result<SegWritten> writeSeg(
     const IODGeneralEquipmentModule::EquipmentInfo equipment("Burin", "Burin", "0", version);
     const ContentIdentificationMacro identification("1", "SEGMENTATION", "Segmentation", "");
     DcmSegmentation* made = nullptr;
-    Chain chain;
+    ConditionChain chain;
     chain(DcmSegmentation::createBinarySegmentation(
               made, Uint16(content.rows), Uint16(content.columns), equipment, identification),
         "segmentation");
@@ -396,11 +282,11 @@ Result<SegWritten> writeSeg(
     describe(*seg, content, *source, now, chain);
     if (auto added = addSegments(*seg, content, chain); !added)
         return tl::unexpected(added.error());
-    if (chain.failure().isEmpty())
+    if (chain.good())
         addFrames(*seg, content, *source, chain);
-    if (chain.failure().isEmpty())
+    if (chain.good())
         addReferences(*seg, content, *source, studyUid, chain);
-    if (!chain.failure().isEmpty())
+    if (!chain.good())
         return failure(ErrorCode::Internal, chain.failure());
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
@@ -411,11 +297,9 @@ Result<SegWritten> writeSeg(
     DcmFileFormat format;
     DcmDataset& dataset = *format.getDataset();
     chain(seg->writeDataset(dataset), "data set");
-    if (chain.failure().isEmpty())
-        completeText(dataset, content, *source, chain);
-    if (chain.failure().isEmpty())
-        complete(dataset, content, *source, chain);
-    if (!chain.failure().isEmpty())
+    if (chain.good())
+        completeSeg(dataset, content, *source, chain);
+    if (!chain.good())
         return failure(ErrorCode::Internal, chain.failure());
     if (ownFrame) {
         dataset.findAndDeleteElement(DCM_FrameOfReferenceUID);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/export/ExportMask.h"
+
+namespace core {
+
+/// What is left of a request once the empty segments are out of it.
+struct MaskSelection {
+    std::vector<Segment> segments;
+    std::vector<std::vector<int>> slices; ///< per segment, those that hold a voxel, ascending
+    QStringList empty;
+};
+
+/// Errors: NothingToExport, UnknownSegment (its plane is not there).
+Result<MaskSelection> selectMask(const Volume& volume, const ExportRequest& request);
+
+/// The plane that a segment lives in; null if the request lacks it.
+const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segment);
+
+std::size_t voxelsPerSlice(const Volume& volume);
+
+/// Writes what was selected at @p path, which the caller staged; what the reader of the file must
+/// know goes into the report. @returns what was written, in sentences
+Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
+    ExportReport& report);
+Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
+
+} // namespace core
