@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/DrillTool.h"
+
+#include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
+#include "tests/support/Pen.h"
+#include "tests/support/WindowFixture.h"
+#include "tests/support/WorkspaceFixture.h"
+#include "ui/tools/DrillOptions.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QJsonDocument>
+#include <QtTest>
+
+namespace {
+
+/// The real window with the small head and the drill in hand.
+class DrillFixture : public test::WindowFixture {
+public:
+    DrillFixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+        , view(window.views().volume())
+    {
+        ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+        display.surfaceThreshold = 300.0;
+        workspace.setVolumeDisplay(display);
+        workspace.setDrillSettings({3.0, 6.0, false});
+        workspace.setActiveTool(&tool);
+        view.lookFrom({0.0, -1.0, 0.0});
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] QPointF middle() const { return QPointF(view.width(), view.height()) / 2.0; }
+    [[nodiscard]] std::int64_t carvedVoxels()
+    {
+        std::int64_t count = 0;
+        core::ReadBricks read;
+        const core::BrickGrid grid{workspace.volume()->geometry.size};
+        for (int brick = 0; brick < grid.brickCount(); ++brick)
+            read.keys.push_back({core::Field::Coverage, 1, std::uint32_t(brick)});
+        session().ask(read, [&count](const core::EngineResult& result) {
+            for (const core::BrickChange& brick : result.changes)
+                count += std::count_if(brick.after.begin(), brick.after.end(),
+                    [](std::uint8_t coverage) { return coverage >= 128; });
+        });
+        session().poll();
+        return count;
+    }
+
+    ui::DrillTool tool;
+    ui::VolumeView& view;
+};
+
+struct Reading {
+    QPointF offset; ///< logical pixels from the view's middle
+    double pressure = 1.0;
+    quint64 milliseconds = 0;
+};
+
+const std::vector<Reading> stroke{{{0.0, 0.0}, 0.25, 70000}, {{6.5, 2.0}, 0.5, 70008},
+    {{14.25, 3.5}, 0.875, 70017}, {{22.0, 1.0}, 1.0, 70025}, {{30.0, -4.0}, 0.6, 70033}};
+
+void draw(DrillFixture& fixture, test::Pen& pen)
+{
+    for (std::size_t i = 0; i < stroke.size(); ++i) {
+        const QPointF at = fixture.middle() + stroke[i].offset;
+        if (i == 0)
+            pen.press(at, stroke[i].pressure, stroke[i].milliseconds);
+        else
+            pen.move(at, stroke[i].pressure, stroke[i].milliseconds);
+    }
+}
+
+QByteArray canonical(const core::Edit& edit)
+{
+    return QJsonDocument(core::editToJson(core::quantised(edit))).toJson(QJsonDocument::Compact);
+}
+
+} // namespace
+
+class DrillToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aPenStrokeIsTheEditOfARecipe()
+    {
+        DrillFixture fixture;
+        const ui::ViewContext context = fixture.view.context();
+        test::Pen pen(fixture.view);
+        pen.hover(fixture.middle(), 69990);
+        draw(fixture, pen);
+        pen.release(fixture.middle() + stroke.back().offset, 70041);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), core::RowId(1));
+
+        // The same stroke as a recipe would say it, from the view's numbers alone.
+        const auto& scene = std::get<gpu::VolumeScene>(context.scene);
+        core::DrillStroke expected;
+        expected.view = {scene.eyeLps, scene.targetLps, scene.up, scene.heightMm};
+        expected.radiusMm = 3.0;
+        expected.depthMm = 6.0;
+        expected.surfaceThreshold = 300.0;
+        const double mmPerPixel = scene.heightMm / fixture.view.height();
+        for (const Reading& reading : stroke)
+            expected.samples.push_back({reading.offset.x() * mmPerPixel,
+                -reading.offset.y() * mmPerPixel, reading.pressure,
+                double(reading.milliseconds - stroke.front().milliseconds) / 1000.0});
+        QCOMPARE(canonical(fixture.session().history().row(1).edit), canonical(expected));
+        QVERIFY(fixture.carvedVoxels() > 50);
+
+        // And the voxels are those of the recipe, hash for hash.
+        const QByteArray hash = fixture.session().stateHash();
+        test::WorkspaceFixture recipe;
+        recipe.apply(expected);
+        QCOMPARE(recipe.session().stateHash(), hash);
+    }
+
+    void theCutShowsWhileThePenIsDown()
+    {
+        DrillFixture fixture;
+        test::Pen pen(fixture.view);
+        draw(fixture, pen);
+        fixture.session().poll();
+        QVERIFY(fixture.session().transactionOpen());
+        QVERIFY(fixture.carvedVoxels() > 50);
+        QCOMPARE(fixture.session().history().position(), core::RowId(0));
+    }
+
+    void escapeTakesTheStrokeBack()
+    {
+        DrillFixture fixture;
+        test::Pen pen(fixture.view);
+        draw(fixture, pen);
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        pen.release(fixture.middle(), 70050);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.session().transactionOpen());
+        QCOMPARE(fixture.carvedVoxels(), 0);
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    void theViewOfPenDownHolds()
+    {
+        DrillFixture fixture;
+        test::Pen pen(fixture.view);
+        const auto scene = std::get<gpu::VolumeScene>(fixture.view.context().scene);
+        pen.press(fixture.middle(), 1.0, 10);
+        fixture.view.lookFrom({1.0, 0.0, 0.0});
+        pen.move(fixture.middle() + QPointF(10, 0), 1.0, 20);
+        pen.release(fixture.middle() + QPointF(10, 0), 30);
+        QVERIFY(fixture.session().settle());
+        const auto& edit = std::get<core::DrillStroke>(fixture.session().history().row(1).edit);
+        QVERIFY(glm::length(edit.view.eyeLps - scene.eyeLps) < 1e-3);
+        const double mmPerPixel = scene.heightMm / fixture.view.height();
+        QVERIFY(std::abs(edit.samples.back().xMm - 10.0 * mmPerPixel) < 1e-3);
+    }
+
+    void aMousePressesFully()
+    {
+        DrillFixture fixture;
+        const core::WindowLevel window = fixture.workspace.windowLevel();
+        QTest::mousePress(&fixture.view, Qt::LeftButton, {}, fixture.middle().toPoint());
+        QTest::mouseMove(&fixture.view, fixture.middle().toPoint() + QPoint(12, 5));
+        QTest::mouseRelease(
+            &fixture.view, Qt::LeftButton, {}, fixture.middle().toPoint() + QPoint(12, 5));
+        QVERIFY(fixture.session().settle());
+        const auto& edit = std::get<core::DrillStroke>(fixture.session().history().row(1).edit);
+        for (const core::PenSample& sample : edit.samples)
+            QCOMPARE(sample.pressure, 1.0);
+        QVERIFY(fixture.workspace.windowLevel() == window);
+    }
+
+    void slicesAreNotDrilledInto()
+    {
+        DrillFixture fixture;
+        QWidget& slice = fixture.window.views().axial();
+        test::Pen pen(slice);
+        const QPointF at = QPointF(slice.width(), slice.height()) / 2.0;
+        pen.press(at, 1.0, 10);
+        pen.release(at, 20);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    void theEraserEndDoesNotCut()
+    {
+        DrillFixture fixture;
+        test::Pen pen(fixture.view, test::Pen::End::Eraser);
+        draw(fixture, pen);
+        pen.release(fixture.middle(), 70050);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    void keysAndWheelSetTheMask()
+    {
+        DrillFixture fixture;
+        const auto wheel = [&fixture](Qt::KeyboardModifiers modifiers) {
+            QWheelEvent event(fixture.middle(), fixture.view.mapToGlobal(fixture.middle()), {},
+                {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&fixture.view, &event);
+        };
+        wheel(Qt::ShiftModifier);
+        QCOMPARE(fixture.workspace.drillSettings().radiusMm, 3.5);
+        wheel(Qt::AltModifier);
+        QCOMPARE(fixture.workspace.drillSettings().depthMm, 6.5);
+        fixture.tool.changeRadius(-100);
+        QCOMPARE(fixture.workspace.drillSettings().radiusMm, ui::DrillOptions::minimumRadiusMm);
+
+        auto* radius = fixture.window.findChild<QDoubleSpinBox*>(QStringLiteral("drillRadius"));
+        QVERIFY(radius);
+        QCOMPARE(radius->value(), ui::DrillOptions::minimumRadiusMm);
+        radius->setValue(12.0);
+        QCOMPARE(fixture.workspace.drillSettings().radiusMm, 12.0);
+    }
+};
+
+QTEST_MAIN(DrillToolUiTest)
+#include "DrillToolUiTest.moc"
