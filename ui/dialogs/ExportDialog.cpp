@@ -152,6 +152,8 @@ void ExportDialog::build()
     m_export->setObjectName(QStringLiteral("exportStart"));
     m_export->setDefault(true);
     m_close = new QPushButton(tr("Close"), this);
+    m_close->setAutoDefault(false);
+    m_browse->setAutoDefault(false);
 
     auto* target = new QHBoxLayout;
     target->addWidget(new QLabel(tr("File"), this));

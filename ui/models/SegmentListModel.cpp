@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
-#include "ui/ErrorText.h"
 #include "ui/Workspace.h"
 
 #include <QColor>
@@ -158,7 +157,7 @@ bool SegmentListModel::change(const core::Segment& segment, const QVariant& valu
     }
     const auto applied = m_workspace.session()->apply(edit);
     if (!applied)
-        m_workspace.say(errorText(applied.error()));
+        m_workspace.fail(applied.error());
     return applied.has_value();
 }
 

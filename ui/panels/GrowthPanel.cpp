@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/GrowthPanel.h"
 
-#include "ui/ErrorText.h"
 #include "ui/Icons.h"
 #include "ui/SeedStatistics.h"
 #include "ui/Theme.h"
@@ -9,17 +8,17 @@
 #include "ui/models/SegmentListModel.h"
 #include "ui/widgets/FrontSizeCurve.h"
 #include "ui/widgets/HistogramRange.h"
-#include "ui/widgets/ValueRow.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -51,7 +50,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
-    connect(m_fromSeeds, &QPushButton::clicked, this, &GrowthPanel::takeIntervalFromSeeds);
+    connect(m_fromSeeds, &QToolButton::clicked, this, &GrowthPanel::takeIntervalFromSeeds);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
     connect(m_play, &QPushButton::clicked, this, &GrowthPanel::playOrPause);
     connect(m_toClosure, &QPushButton::clicked, this, &GrowthPanel::runToClosure);
@@ -77,16 +76,8 @@ void GrowthPanel::build()
 {
     m_range = new HistogramRange(this);
     m_range->setObjectName(QStringLiteral("growthInterval"));
-    m_fromSeeds = new QPushButton(tr("From seeds: mean ±"), this);
-    m_fromSeeds->setObjectName(QStringLiteral("intervalFromSeeds"));
-    m_fromSeeds->setToolTip(tr("Set the interval around the values under the seeds"));
-    m_deviations = new QDoubleSpinBox(this);
-    m_deviations->setRange(0.5, 6.0);
-    m_deviations->setSingleStep(0.5);
-    m_deviations->setDecimals(1);
-    m_deviations->setValue(2.0);
-    m_deviations->setSuffix(tr(" σ"));
-    m_deviations->setFixedHeight(theme::controlHeight);
+    makeSeedButton();
+    m_range->setMiddleWidget(m_fromSeeds);
     m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
     m_step->setToolTip(tr("Grow by one generation"));
     m_play = transportButton(this, QStringLiteral("growPlay"), QStringLiteral("play"), tr("Grow"));
@@ -99,22 +90,20 @@ void GrowthPanel::build()
     m_pace->setFixedHeight(theme::controlHeight);
     m_pace->addItem(tr("as fast as it goes"), 0.0);
     for (const double pace : {60.0, 20.0, 5.0})
-        m_pace->addItem(tr("%1 generations per second").arg(pace), pace);
-    m_overwrite = new QCheckBox(tr("overwrite unlocked segments"), this);
+        m_pace->addItem(tr("%1 steps per second").arg(pace), pace);
+    m_overwrite = new QCheckBox(tr("overwrite"), this);
+    m_overwrite->setToolTip(tr("Take voxels of other segments that are not locked"));
     m_overwrite->setObjectName(QStringLiteral("growOverwrite"));
     m_advice = new QLabel(this);
     m_advice->setObjectName(QStringLiteral("growAdvice"));
     m_advice->setFont(theme::smallFont());
     m_advice->setWordWrap(true);
-    m_generation = new ValueRow(tr("Generation"), this);
-    m_front = new ValueRow(tr("Front"), this);
-    m_added = new ValueRow(tr("Added"), this);
+    m_progress = new QLabel(this);
+    m_progress->setObjectName(QStringLiteral("growProgress"));
+    m_progress->setFont(theme::smallFont());
+    m_progress->setProperty("role", QStringLiteral("secondary"));
     m_curve = new FrontSizeCurve(this);
 
-    auto* seeds = new QHBoxLayout;
-    seeds->setSpacing(theme::smallPadding);
-    seeds->addWidget(m_fromSeeds, 1);
-    seeds->addWidget(m_deviations);
     auto* transport = new QHBoxLayout;
     transport->setSpacing(theme::smallPadding);
     transport->addWidget(m_step, 2);
@@ -123,21 +112,42 @@ void GrowthPanel::build()
     auto* pace = new QHBoxLayout;
     auto* paceLabel = new QLabel(tr("Pace"), this);
     paceLabel->setProperty("role", QStringLiteral("secondary"));
+    pace->setSpacing(theme::smallPadding);
     pace->addWidget(paceLabel);
     pace->addWidget(m_pace, 1);
+    pace->addWidget(m_overwrite);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_range);
-    layout->addLayout(seeds);
     layout->addLayout(transport);
     layout->addWidget(m_advice);
     layout->addLayout(pace);
-    layout->addWidget(m_overwrite);
-    layout->addWidget(m_generation);
-    layout->addWidget(m_front);
-    layout->addWidget(m_added);
+    layout->addWidget(m_progress);
     layout->addWidget(m_curve);
+}
+
+void GrowthPanel::makeSeedButton()
+{
+    m_fromSeeds = new QToolButton(this);
+    m_fromSeeds->setObjectName(QStringLiteral("intervalFromSeeds"));
+    m_fromSeeds->setFont(theme::smallFont());
+    m_fromSeeds->setToolTip(tr("Set the interval around the mean of the values under the seeds"));
+    m_fromSeeds->setPopupMode(QToolButton::MenuButtonPopup);
+    auto* menu = new QMenu(m_fromSeeds);
+    const auto show = [this] {
+        m_fromSeeds->setText(tr("seeds ± %1 σ").arg(QLocale().toString(m_deviations)));
+    };
+    for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0}) {
+        menu->addAction(
+            tr("± %1 σ").arg(QLocale().toString(deviations)), this, [this, deviations, show] {
+                m_deviations = deviations;
+                show();
+                takeIntervalFromSeeds();
+            });
+    }
+    m_fromSeeds->setMenu(menu);
+    show();
 }
 
 QString GrowthPanel::title() const
@@ -168,6 +178,7 @@ void GrowthPanel::showVolume()
     m_watch.stop();
     m_running = false;
     m_seedValues.clear();
+    m_fronts.clear();
     const core::Volume* volume = m_workspace.volume();
     setEnabled(volume != nullptr);
     if (volume) {
@@ -214,7 +225,7 @@ bool GrowthPanel::begin(double generationsPerSecond)
     if (!session)
         return false;
     if (const auto begun = session->begin(growEdit()); !begun) {
-        m_workspace.say(errorText(begun.error()));
+        m_workspace.fail(begun.error());
         return false;
     }
     m_running = true;
@@ -234,7 +245,7 @@ void GrowthPanel::step()
     core::GrowSteps edit = growEdit();
     edit.steps = 1;
     if (const auto applied = session->apply(edit); !applied)
-        m_workspace.say(errorText(applied.error()));
+        m_workspace.fail(applied.error());
 }
 
 void GrowthPanel::playOrPause()
@@ -316,7 +327,7 @@ void GrowthPanel::takeIntervalFromSeeds()
         return;
     const SeedStatistics seeds = seedStatistics(m_seedValues);
     // One seed, or seeds of one value, have no spread to go by: take a hundredth of the range.
-    const double spread = seeds.deviation > 0.0 ? m_deviations->value() * seeds.deviation
+    const double spread = seeds.deviation > 0.0 ? m_deviations * seeds.deviation
                                                 : 0.01 * (volume->maximum - volume->minimum);
     Workspace::GrowSettings settings = m_workspace.growSettings();
     settings.lower = std::max(seeds.mean - spread, volume->minimum);
@@ -332,39 +343,64 @@ void GrowthPanel::showState()
     m_step->setEnabled(seeds > 0 && !m_running);
     m_play->setEnabled(seeds > 0);
     m_toClosure->setEnabled(seeds > 0 && !m_running);
-    m_play->setIcon(stateIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play")));
+    // Dark on the accent, as its text is.
+    m_play->setIcon(QIcon(tintedIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play"),
+        seeds > 0 ? theme::window : theme::secondary, 16, devicePixelRatioF())));
     m_play->setText(m_running ? tr("Pause") : tr("Grow"));
     m_fromSeeds->setEnabled(!m_seedValues.empty());
 
-    const core::Volume* volume = m_workspace.volume();
-    if (m_seedValues.empty() || !volume) {
-        m_range->setCaption({});
-    } else {
-        const SeedStatistics statistics = seedStatistics(m_seedValues);
-        m_range->setCaption(tr("seeds %1 ± %2")
-                                .arg(QLocale().toString(statistics.mean, 'f', 1),
-                                    QLocale().toString(statistics.deviation, 'f', 1)));
-    }
-    if (seeds == 0)
+    if (seeds == 0) {
         m_advice->setText(tr("No seeds yet: take the Seed tool and sketch on what belongs to the "
                              "segment."));
-    else if (m_running)
+    } else if (m_running) {
         m_advice->setText(tr("Growing. Pause keeps what has grown; undo takes it back."));
-    else
-        m_advice->setText(seeds == 1 ? tr("1 seed voxel.") : tr("%1 seed voxels.").arg(seeds));
+    } else {
+        m_advice->setText(seedText(seeds));
+    }
 
     const core::GrowthProgress progress =
         session ? session->engine().growthProgress() : core::GrowthProgress();
+    if (progress.open)
+        m_fronts = progress.frontSizes;
+    m_progress->setText(progressText(progress));
+    m_curve->setSizes(m_fronts);
+}
+
+QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return {};
     const auto number = [](qlonglong value) { return QLocale().toString(value); };
-    m_generation->setValue(number(progress.generation));
-    const auto& fronts = progress.frontSizes;
-    m_front->setValue(tr("%1 voxels").arg(number(fronts.empty() ? 0 : fronts.back())));
-    m_added->setValue(volume
-            ? tr("%1 voxels · %2")
-                  .arg(number(progress.members),
-                      millilitreText(progress.members, volume->geometry.voxelVolumeMm3()))
-            : QString());
-    m_curve->setSizes(fronts);
+    const core::Document& document = session->document();
+    const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
+    if (progress.open)
+        return tr("Generation %1 · front %2 · added %3 (%4)")
+            .arg(number(progress.generation),
+                number(m_fronts.empty() ? 0 : qlonglong(m_fronts.back())), number(progress.members),
+                millilitreText(progress.members, voxelMm3));
+    const std::uint32_t generation =
+        document.growths.empty() ? 0 : document.growths.front().generation;
+    const core::History& history = session->history();
+    if (history.position() == 0
+        || !std::holds_alternative<core::GrowSteps>(history.row(history.position()).edit))
+        return tr("Generation %1").arg(number(generation));
+    const auto added = history.row(history.position()).statistics.voxelsChanged;
+    return tr("Generation %1 · last added %2 (%3)")
+        .arg(number(generation), number(added), millilitreText(added, voxelMm3));
+}
+
+QString GrowthPanel::seedText(int seeds) const
+{
+    QString text = seeds == 1 ? tr("1 seed voxel") : tr("%1 seed voxels").arg(seeds);
+    if (!m_seedValues.empty() && m_workspace.volume()) {
+        const SeedStatistics statistics = seedStatistics(m_seedValues);
+        text =
+            tr("%1 · %2 ± %3 %4")
+                .arg(text, QLocale().toString(statistics.mean, 'f', 1),
+                    QLocale().toString(statistics.deviation, 'f', 1), m_workspace.volume()->unit);
+    }
+    return text.trimmed();
 }
 
 } // namespace ui

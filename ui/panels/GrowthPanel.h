@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/Edits.h"
+#include "core/engine/EngineCommands.h"
 #include "ui/panels/Panel.h"
 
 #include <QTimer>
@@ -10,15 +11,14 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace ui {
 
 class FrontSizeCurve;
 class HistogramRange;
-class ValueRow;
 class Workspace;
 
 /// Region growing (seed A §5): the interval, and transport buttons like a player's. A burst lasts
@@ -47,29 +47,31 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
+    [[nodiscard]] QString seedText(int seeds) const;
+    [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
     void poll();
     bool begin(double generationsPerSecond);
     void finish();
     void askSeedValues();
+    void makeSeedButton();
     void takeIntervalFromSeeds();
 
     Workspace& m_workspace;
     HistogramRange* m_range = nullptr;
-    QPushButton* m_fromSeeds = nullptr;
-    QDoubleSpinBox* m_deviations = nullptr;
+    QToolButton* m_fromSeeds = nullptr;
     QPushButton* m_step = nullptr;
     QPushButton* m_play = nullptr;
     QPushButton* m_toClosure = nullptr;
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;
-    ValueRow* m_generation = nullptr;
-    ValueRow* m_front = nullptr;
-    ValueRow* m_added = nullptr;
+    QLabel* m_progress = nullptr;
     FrontSizeCurve* m_curve = nullptr;
     QTimer m_watch; ///< only shows; decides nothing about voxels
     std::vector<double> m_seedValues; ///< of m_seedLabel, modality units
     int m_seedLabel = 0;
+    std::vector<std::uint32_t> m_fronts; ///< of the last burst that was watched
+    double m_deviations = 2.0; ///< half the interval from seeds, in standard deviations
     bool m_running = false;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/HistoryPanel.h"
 
-#include "ui/ErrorText.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/models/HistoryModel.h"
@@ -25,7 +24,7 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_view->setMouseTracking(true);
     m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_view->setMinimumHeight(3 * theme::rowHeight);
+    m_view->setMinimumHeight(2 * theme::rowHeight);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);
@@ -56,7 +55,7 @@ void HistoryPanel::goTo(const QModelIndex& index)
         return;
     const auto row = core::RowId(index.data(HistoryModel::RowIdRole).toLongLong());
     if (const auto gone = session->goTo(row); !gone)
-        m_workspace.say(errorText(gone.error()));
+        m_workspace.fail(gone.error());
 }
 
 } // namespace ui

@@ -12,7 +12,6 @@ namespace ui {
 
 namespace {
 
-constexpr int height = 40;
 constexpr int nameLeft = 66;
 constexpr int lockWidth = 22;
 constexpr int volumeWidth = 74;
@@ -42,7 +41,7 @@ QRect SegmentDelegate::codeRect(const QRect& row)
 
 QSize SegmentDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
 {
-    return {160, height};
+    return {160, rowHeight};
 }
 
 void SegmentDelegate::paint(

@@ -11,6 +11,8 @@ class SegmentDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
+    static constexpr int rowHeight = 40;
+
     using QStyledItemDelegate::QStyledItemDelegate;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,

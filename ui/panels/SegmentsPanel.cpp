@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/SegmentsPanel.h"
 
-#include "ui/ErrorText.h"
 #include "ui/Icons.h"
 #include "ui/SegmentActions.h"
 #include "ui/Theme.h"
@@ -17,7 +16,15 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
+
+namespace {
+
+constexpr int mostRows = 6;
+
+} // namespace
 
 SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
@@ -38,9 +45,9 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
     m_view->setMouseTracking(true);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_view->setMinimumHeight(2 * theme::rowHeight);
     m_empty->setProperty("role", QStringLiteral("secondary"));
-    m_empty->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, 0);
+    m_empty->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
     m_empty->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -50,7 +57,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
 
     connect(m_add, &QAction::triggered, this, [this] {
         if (const auto added = addSegment(m_workspace); !added)
-            m_workspace.say(errorText(added.error()));
+            m_workspace.fail(added.error());
     });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
         [this](const QModelIndex& current) {
@@ -84,6 +91,9 @@ void SegmentsPanel::refresh()
     m_add->setEnabled(m_workspace.session() != nullptr);
     m_empty->setVisible(!any && m_workspace.session());
     m_view->setVisible(any);
+    // As high as its rows, so that the history has what is left; many segments scroll.
+    m_view->setFixedHeight(
+        std::clamp(m_model->rowCount(), 1, mostRows) * SegmentDelegate::rowHeight);
     const int active = m_model->rowOf(m_workspace.activeSegment());
     if (active >= 0 && m_view->currentIndex().row() != active)
         m_view->setCurrentIndex(m_model->index(active));

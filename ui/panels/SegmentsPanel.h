@@ -20,7 +20,6 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString summary() const override;
-    [[nodiscard]] bool stretches() const override { return true; }
 
 private:
     void chooseColour(const QModelIndex& index);

@@ -44,8 +44,8 @@ DrillOptions::DrillOptions(Workspace& workspace, QWidget* parent)
     layout->addWidget(new QLabel(tr("Radius"), this));
     layout->addWidget(m_radius);
     layout->addSpacing(theme::smallPadding);
-    auto* depthLabel = new QLabel(tr("Depth at full pressure"), this);
-    layout->addWidget(depthLabel);
+    layout->addWidget(new QLabel(tr("Depth"), this));
+    m_depth->setToolTip(tr("At full pressure; half the pressure cuts a quarter of it"));
     layout->addWidget(m_depth);
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_throughGaps);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/DrillTool.h"
 
-#include "ui/ErrorText.h"
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillOptions.h"
@@ -57,7 +56,7 @@ QString DrillTool::target() const
 
 QString DrillTool::keys() const
 {
-    return tr("[ ] or Shift+wheel radius · Alt+wheel depth · Esc takes the stroke back");
+    return tr("[ ] radius · Alt+wheel depth · Esc cancels");
 }
 
 QWidget* DrillTool::createOptions(QWidget* parent)
@@ -103,7 +102,7 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
         return;
     }
     if (const auto begun = session->begin(strokeIn(view)); !begun) {
-        m_workspace.say(errorText(begun.error()));
+        m_workspace.fail(begun.error());
         return;
     }
     m_strokeView = view;

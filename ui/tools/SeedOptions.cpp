@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/SeedOptions.h"
 
-#include "ui/ErrorText.h"
 #include "ui/SegmentActions.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
@@ -62,7 +61,7 @@ void SeedOptions::takeSegment(int row)
     if (label != 0) {
         m_workspace.setActiveSegment(label);
     } else if (const auto added = addSegment(m_workspace); !added) {
-        m_workspace.say(errorText(added.error()));
+        m_workspace.fail(added.error());
         showSegments();
     }
 }

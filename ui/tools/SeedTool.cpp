@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/SeedTool.h"
 
-#include "ui/ErrorText.h"
 #include "ui/SegmentActions.h"
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
@@ -194,7 +193,7 @@ void SeedTool::askWhatIsSeen()
             if (!tool)
                 return;
             if (result.error) {
-                tool->m_workspace.say(errorText(*result.error));
+                tool->m_workspace.fail(*result.error);
                 return;
             }
             std::vector<glm::ivec3> voxels;
@@ -213,7 +212,7 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
 {
     const core::Result<int> label = ensureActiveSegment(m_workspace);
     if (!label) {
-        m_workspace.say(errorText(label.error()));
+        m_workspace.fail(label.error());
         return;
     }
     core::SeedStroke stroke;
@@ -221,7 +220,7 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
     for (const glm::ivec3& voxel : voxels)
         stroke.pointsLps.push_back(m_workspace.volume()->geometry.toWorld(glm::dvec3(voxel)));
     if (const auto applied = m_workspace.session()->apply(stroke); !applied) {
-        m_workspace.say(errorText(applied.error()));
+        m_workspace.fail(applied.error());
         return;
     }
     const QString name = m_workspace.session()->document().segment(*label)->name;

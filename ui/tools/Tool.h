@@ -48,7 +48,8 @@ public:
     /// Alt + wheel.
     virtual void changeDepth(int /*steps*/) { }
 
-    /// What the tool will do, drawn over the view the pointer is in.
+    /// What the tool will do, drawn over every view it works in; the cursor's part only where the
+    /// pointer is.
     virtual void paintOverlay(QPainter&, const ViewContext&) const { }
 
 Q_SIGNALS:

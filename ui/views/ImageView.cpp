@@ -365,8 +365,7 @@ void ImageView::paintEvent(QPaintEvent*)
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     if (const core::Volume* volume = m_workspace.volume()) {
         const ViewContext shown = shownContext();
-        if (m_tool && (m_pointer || m_gesture == Gesture::Tool) && !m_navigateKey
-            && m_tool->worksIn(shown)) {
+        if (m_tool && !m_navigateKey && m_tool->worksIn(shown)) {
             painter.save();
             m_tool->paintOverlay(painter, shown);
             painter.restore();

@@ -14,6 +14,7 @@ namespace ui {
 FrontSizeCurve::FrontSizeCurve(QWidget* parent)
     : QWidget(parent)
 {
+    setFixedHeight(36);
     setToolTip(tr("Voxels added in each generation"));
     setAccessibleName(tr("Size of the growing front"));
 }

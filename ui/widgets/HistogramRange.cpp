@@ -6,7 +6,6 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -44,18 +43,15 @@ HistogramRange::HistogramRange(QWidget* parent)
     , m_plot(new HistogramRangePlot(this))
     , m_lowerBox(numberBox(this, QStringLiteral("rangeLower"), tr("Lower bound")))
     , m_upperBox(numberBox(this, QStringLiteral("rangeUpper"), tr("Upper bound")))
-    , m_caption(new QLabel(this))
+    , m_layout(new QGridLayout(this))
 {
-    m_caption->setFont(theme::smallFont());
-    m_caption->setAlignment(Qt::AlignCenter);
-    auto* layout = new QGridLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(m_plot, 0, 0, 1, 3);
-    layout->addWidget(m_lowerBox, 1, 0);
-    layout->addWidget(m_caption, 1, 1);
-    layout->addWidget(m_upperBox, 1, 2);
-    layout->setColumnStretch(1, 1);
+    m_plot->setFixedHeight(60);
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(4);
+    m_layout->addWidget(m_plot, 0, 0, 1, 3);
+    m_layout->addWidget(m_lowerBox, 1, 0);
+    m_layout->addWidget(m_upperBox, 1, 2);
+    m_layout->setColumnStretch(1, 1);
 
     connect(m_plot, &HistogramRangePlot::rangeDragged, this, &HistogramRange::take);
     connect(m_lowerBox, &QDoubleSpinBox::valueChanged, this,
@@ -99,9 +95,9 @@ void HistogramRange::setMarkers(const std::vector<double>& values)
     m_plot->setMarkers(values);
 }
 
-void HistogramRange::setCaption(const QString& caption)
+void HistogramRange::setMiddleWidget(QWidget* widget)
 {
-    m_caption->setText(caption);
+    m_layout->addWidget(widget, 1, 1, Qt::AlignCenter);
 }
 
 void HistogramRange::zoomToRange()

@@ -9,7 +9,7 @@
 #include <vector>
 
 class QDoubleSpinBox;
-class QLabel;
+class QGridLayout;
 
 namespace ui {
 
@@ -30,8 +30,8 @@ public:
     [[nodiscard]] double upper() const { return m_upper; }
     /// Values of seeds, as ticks on the histogram's foot.
     void setMarkers(const std::vector<double>& values);
-    /// Between the numbers: "mean ± 2 σ of seeds".
-    void setCaption(const QString& caption);
+    /// Stands between the two numbers; taken over.
+    void setMiddleWidget(QWidget* widget);
     /// The part of the histogram around the interval fills the width.
     void zoomToRange();
 
@@ -49,7 +49,7 @@ private:
     HistogramRangePlot* m_plot = nullptr;
     QDoubleSpinBox* m_lowerBox = nullptr;
     QDoubleSpinBox* m_upperBox = nullptr;
-    QLabel* m_caption = nullptr;
+    QGridLayout* m_layout = nullptr;
 };
 
 } // namespace ui

@@ -25,6 +25,7 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
     : HistogramPlot(parent)
 {
     setAccessibleName(tr("Colour and opacity over values"));
+    setFixedHeight(84);
     setToolTip(tr("Drag points · double click adds one, or chooses a point's colour · Delete "
                   "removes · wheel zooms"));
 }

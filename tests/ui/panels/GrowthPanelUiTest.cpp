@@ -5,8 +5,8 @@
 #include "ui/SegmentActions.h"
 #include "ui/widgets/HistogramRange.h"
 
+#include <QAbstractButton>
 #include <QLabel>
-#include <QPushButton>
 #include <QtTest>
 
 using test::WorkspaceFixture;
@@ -14,15 +14,15 @@ using ui::GrowthPanel;
 
 namespace {
 
-QPushButton& button(const GrowthPanel& panel, const char* name)
+QAbstractButton& button(const GrowthPanel& panel, const char* name)
 {
-    auto* found = panel.findChild<QPushButton*>(QLatin1String(name));
+    auto* found = panel.findChild<QAbstractButton*>(QLatin1String(name));
     if (!found)
         qFatal("no button %s", name);
     return *found;
 }
 
-void click(QPushButton& target)
+void click(QAbstractButton& target)
 {
     QTest::mouseClick(&target, Qt::LeftButton);
 }
