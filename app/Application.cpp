@@ -9,6 +9,7 @@
 #include "ui/MessageBar.h"
 #include "ui/RecentStudies.h"
 #include "ui/Theme.h"
+#include "ui/dialogs/ExportDialog.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/SegmentsPanel.h"
@@ -62,8 +63,32 @@ void Application::makeWindow()
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::VolumePanel(*m_workspace));
 
+    addExport();
+
     connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
     connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openSession);
+}
+
+void Application::addExport()
+{
+    QAction& action = m_window->actionTable().add({.id = QStringLiteral("file.export"),
+        .text = QStringLiteral("Export segments …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
+        .icon = QStringLiteral("export"),
+        .run =
+            [this] {
+                auto* dialog = new ui::ExportDialog(*m_workspace, m_window.get());
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+            },
+        .possible =
+            [this] {
+                return m_workspace->session()
+                    && !m_workspace->session()->document().segments.empty();
+            }});
+    QMenu& menu = m_window->fileMenu();
+    menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], &action);
+    m_window->actionTable().refresh();
 }
 
 void Application::openDemonstration()

@@ -39,6 +39,7 @@ public:
 private:
     explicit Application(std::unique_ptr<gpu::GpuEngine> engine);
     void makeWindow();
+    void addExport();
     void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
     void wake(); ///< any thread
     void poll();
