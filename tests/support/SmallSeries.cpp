@@ -3,6 +3,7 @@
 
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomText.h"
+#include "tests/support/SyntheticSeries.h"
 
 #include <QDir>
 #include <QFile>
@@ -50,67 +51,47 @@ core::Volume SmallSeries::write(const QString& folder) const
     volume.identity.patientId = QString::fromStdString(patientId);
     volume.identity.birthDate = core::dicomDate(QString::fromStdString(birthDate));
     volume.identity.modality = QStringLiteral("CT");
-    const std::string study = uid(), series = uid(), frame = uid();
-    volume.identity.studyUid = QString::fromStdString(study);
-    volume.identity.seriesUid = QString::fromStdString(series);
-    volume.identity.seriesNumber = QStringLiteral("4");
+    const std::string frame = uid();
     if (frameOfReference)
         volume.identity.frameOfReferenceUid = QString::fromStdString(frame);
 
-    const std::vector<Uint16> pixels(std::size_t(size.x) * std::size_t(size.y), 0);
-    QDir().mkpath(folder);
-    for (int k = 0; k < size.z; ++k) {
-        DcmFileFormat format;
-        DcmDataset& dataset = *format.getDataset();
-        const std::string instance = uid();
+    SyntheticSeries series;
+    series.size = size;
+    series.spacing = spacing;
+    series.plane = {.row = rowDirection, .column = columnDirection};
+    series.positions = positions;
+    series.stored = [](const glm::ivec3&) { return 0; };
+    series.studyUid = QString::fromStdString(uid());
+    series.seriesUid = QString::fromStdString(uid());
+    std::vector<std::string> instances(std::size_t(size.z));
+    series.adjust = [&](DcmDataset& set, int k) {
+        instances[std::size_t(k)] = uid();
         const auto put = [&](const DcmTagKey& tag, const std::string& value) {
-            if (dataset.putAndInsertString(tag, value.c_str()).bad())
+            if (set.putAndInsertString(tag, value.c_str()).bad())
                 throw std::runtime_error("SmallSeries: " + value);
         };
-        const glm::dvec3& p = positions[std::size_t(k)];
+        put(DCM_SOPInstanceUID, instances[std::size_t(k)]);
         put(DCM_SpecificCharacterSet, characterSet);
-        put(DCM_SOPClassUID, UID_CTImageStorage);
-        put(DCM_SOPInstanceUID, instance);
         put(DCM_PatientName, patientName);
         put(DCM_PatientID, patientId);
         put(DCM_PatientBirthDate, birthDate);
         put(DCM_PatientSex, sex);
         put(DCM_StudyDate, studyDate);
         put(DCM_StudyTime, "101112");
-        put(DCM_StudyInstanceUID, study);
-        put(DCM_SeriesInstanceUID, series);
-        put(DCM_SeriesNumber, "4");
-        put(DCM_InstanceNumber, std::to_string((k * 7) % size.z + 1));
-        put(DCM_Modality, "CT");
-        if (frameOfReference)
-            put(DCM_FrameOfReferenceUID, frame);
-        put(DCM_ImagePositionPatient, decimals({p.x, p.y, p.z}));
-        put(DCM_ImageOrientationPatient,
-            decimals({rowDirection.x, rowDirection.y, rowDirection.z, columnDirection.x,
-                columnDirection.y, columnDirection.z}));
-        put(DCM_PixelSpacing, decimals({spacing.y, spacing.x}));
-        put(DCM_SliceThickness, "2.5");
-        put(DCM_PhotometricInterpretation, "MONOCHROME2");
-        dataset.putAndInsertUint16(DCM_SamplesPerPixel, 1);
-        dataset.putAndInsertUint16(DCM_Rows, Uint16(size.y));
-        dataset.putAndInsertUint16(DCM_Columns, Uint16(size.x));
-        dataset.putAndInsertUint16(DCM_BitsAllocated, 16);
-        dataset.putAndInsertUint16(DCM_BitsStored, 12);
-        dataset.putAndInsertUint16(DCM_HighBit, 11);
-        dataset.putAndInsertUint16(DCM_PixelRepresentation, 0);
-        dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
-
-        const QString file = QDir(folder).filePath(
-            QStringLiteral("im%1.dcm").arg((k * 5 + 3) % 997, 3, 10, QLatin1Char('0')));
-        if (format.saveFile(QFile::encodeName(file).constData(), EXS_LittleEndianExplicit).bad())
-            throw std::runtime_error("SmallSeries: cannot write");
-        volume.sources.push_back({.file = file,
-            .sopInstanceUid = QString::fromStdString(instance),
+        put(DCM_FrameOfReferenceUID, frame);
+        if (!frameOfReference)
+            set.findAndDeleteElement(DCM_FrameOfReferenceUID);
+    };
+    volume.identity.studyUid = series.studyUid;
+    volume.identity.seriesUid = series.seriesUid;
+    const QStringList files = writeSeries(series, folder);
+    for (int k = 0; k < size.z; ++k) {
+        volume.sources.push_back({.file = files[k],
+            .sopInstanceUid = QString::fromStdString(instances[std::size_t(k)]),
             .sopClassUid = QStringLiteral(UID_CTImageStorage),
             .frame = 0,
             .instanceNumber = k + 1});
     }
-
     volume.geometry = geometry();
     return volume;
 }
