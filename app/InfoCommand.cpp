@@ -2,6 +2,8 @@
 #include "app/InfoCommand.h"
 
 #include "core/study/StudyLoader.h"
+#include "gpu/GpuEngine.h"
+#include "gpu/MemoryFormula.h"
 #include "ui/ErrorText.h"
 
 #include <QFileInfo>
@@ -184,14 +186,38 @@ int printText(const core::Study& source)
     return sound ? 0 : 1;
 }
 
+int printGraphics()
+{
+    const auto engine = gpu::GpuEngine::create();
+    if (!engine) {
+        print(stderr, QStringLiteral("burin: ") + ui::errorText(engine.error()));
+        return 1;
+    }
+    print(stdout, QStringLiteral("GL_RENDERER  ") + (*engine)->rendererName());
+    print(stdout, QStringLiteral("GL_VERSION   ") + (*engine)->versionText());
+    print(stdout, QStringLiteral("memory       ") + gpu::MemoryFormula::text());
+    for (const glm::ivec3& size : {glm::ivec3(256, 256, 200), glm::ivec3(512, 512, 512)}) {
+        print(stdout,
+            QStringLiteral("             %1 × %2 × %3: %4 MiB dense")
+                .arg(size.x)
+                .arg(size.y)
+                .arg(size.z)
+                .arg(double(gpu::MemoryFormula::denseBytes(size)) / (1024.0 * 1024.0), 0, 'f', 1));
+    }
+    return 0;
+}
+
 } // namespace
 
 int runInfo(const QStringList& arguments)
 {
     bool asJson = false;
+    bool graphics = false;
     QString path;
     for (const QString& argument : arguments) {
-        if (argument == QLatin1String("--json")) {
+        if (argument == QLatin1String("--gl")) {
+            graphics = true;
+        } else if (argument == QLatin1String("--json")) {
             asJson = true;
         } else if (argument.startsWith(QLatin1String("--")) || !path.isEmpty()) {
             print(stderr, QStringLiteral("burin info: unexpected argument '%1'").arg(argument));
@@ -200,6 +226,12 @@ int runInfo(const QStringList& arguments)
             path = argument;
         }
     }
+    if (graphics && (asJson || !path.isEmpty())) {
+        print(stderr, QStringLiteral("burin info: --gl stands alone"));
+        return 2;
+    }
+    if (graphics)
+        return printGraphics();
     if (path.isEmpty()) {
         print(stderr, QStringLiteral("burin info: PATH is missing"));
         return 2;

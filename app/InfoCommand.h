@@ -5,6 +5,7 @@
 
 namespace app {
 
+/// `burin info --gl`: the renderer, and the memory that a volume takes on it.
 /// `burin info PATH [--json]`: what a folder or file holds; decodes every volume for its value
 /// range and checksum.
 int runInfo(const QStringList& arguments);

@@ -150,9 +150,6 @@ void FrameScheduler::begin(View& view, FrameRequest request)
 void FrameScheduler::takeChanges()
 {
     if (m_volume.takeReplaced()) {
-        for (const VolumeField field :
-            {VolumeField::Labels, VolumeField::Radiation, VolumeField::Segmentation})
-            (void)m_volume.takeDirty(field);
         for (auto& [id, view] : m_views)
             restart(view);
     }
@@ -330,8 +327,26 @@ void FrameScheduler::finishPicture(View& view)
     }
     view.milliseconds += since(start);
     readBack(view, quality);
+    if (quality == Frame::Quality::Refined)
+        warmUp(view);
     if (view.stale)
         restart(view);
+}
+
+void FrameScheduler::warmUp(View& view)
+{
+    const auto* scene = std::get_if<VolumeScene>(&view.request.scene);
+    if (scene == nullptr || !m_volume.isDrawable())
+        return;
+    const PassTarget target{.frameSize = view.request.sizePixels};
+    if (!m_raycast.prepareWarmUp(m_volume, *scene, m_palette, target))
+        return;
+    // One pixel of the sum, which the next picture begins anew.
+    view.targets.sumFrame.bind();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 1, 1);
+    m_noVertices.drawFullScreenTriangle();
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void FrameScheduler::readBack(View& view, Frame::Quality quality)

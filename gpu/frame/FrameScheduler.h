@@ -89,6 +89,7 @@ private:
     void drawSlice(View& view, bool editing);
     void preparePass(View& view, const PassTarget& target);
     void finishPicture(View& view);
+    void warmUp(View& view);
     void readBack(View& view, Frame::Quality quality);
     bool deliver();
     [[nodiscard]] double& costOf(const Scene& scene);

@@ -47,8 +47,26 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
 void RaycastPass::prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target)
 {
-    Program& active =
-        m_programs[2 * std::size_t(scene.mode) + (volume.cells().isSculpted() ? 1 : 0)];
+    const auto mode = std::size_t(scene.mode);
+    const bool sculpted = volume.cells().isSculpted();
+    m_warm[mode] = m_warm[mode] || sculpted;
+    prepare(m_programs[2 * mode + (sculpted ? 1 : 0)], volume, scene, palette, target);
+}
+
+bool RaycastPass::prepareWarmUp(VolumeTextures& volume, const VolumeScene& scene,
+    const Palette& palette, const PassTarget& target)
+{
+    const auto mode = std::size_t(scene.mode);
+    if (m_warm[mode])
+        return false;
+    m_warm[mode] = true;
+    prepare(m_programs[2 * mode + 1], volume, scene, palette, target);
+    return true;
+}
+
+void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeScene& scene,
+    const Palette& palette, const PassTarget& target)
+{
     setRays(active, volume, scene, ViewFrame::of(scene, target.frameSize), target);
     const VisibleCodes visible = setMode(active, volume, scene);
     volume.intensity().bindUnit(0);

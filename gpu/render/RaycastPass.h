@@ -26,14 +26,22 @@ public:
     /// transfer function changed (then the skip map is computed anew, linear in the cells).
     void prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target);
+    /// The same for the program that the first carving or the first shown segment will need:
+    /// drivers compile a program only when it first draws, and that should not be while a pen
+    /// waits. @return false where that program has drawn already
+    bool prepareWarmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+        const PassTarget& target);
 
 private:
+    void prepare(Program& program, VolumeTextures& volume, const VolumeScene& scene,
+        const Palette& palette, const PassTarget& target);
     void setRays(Program& program, const VolumeTextures& volume, const VolumeScene& scene,
         const ViewFrame& view, const PassTarget& target);
     /// @return codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
     std::array<Program, 6> m_programs; ///< by mode, each plain and sculpted
+    std::array<bool, 3> m_warm{}; ///< by mode: the sculpted program has drawn
     TransferLookup m_transfer;
 };
 

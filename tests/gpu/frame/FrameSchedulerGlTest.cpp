@@ -179,6 +179,18 @@ private Q_SLOTS:
         QCOMPARE(m_fixture->settle().back().quality, Frame::Quality::Refined);
     }
 
+    void changesBeforeTheFirstFrameCount()
+    {
+        const glm::ivec3 whole =
+            test::pixel(m_fixture->draw(volumeRequest(1).scene, {60, 60}), 30, 30);
+        QVERIFY(whole.r > 50);
+        m_fixture.emplace();
+        openBall();
+        m_fixture->fill(VolumeField::Radiation, {{0, 0, 0}, {48, 48, 48}}, 255);
+        const Frame carved = m_fixture->draw(volumeRequest(1).scene, {60, 60});
+        QCOMPARE(test::pixel(carved, 30, 30), glm::ivec3(0));
+    }
+
     void forgottenViewsAreSilent()
     {
         m_fixture->scheduler.request(volumeRequest(1));
