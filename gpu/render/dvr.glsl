@@ -37,7 +37,7 @@ vec3 seenAlong(Ray ray)
         float changeAt = 0.0;
         float most = 1e-4;
 #if SCULPTED
-        float segmentAt = -1.0;
+        float segmentAt = nowhere;
 #endif
         while (t < end && through * groupThrough > enough) {
             const vec3 at = ray.origin + ray.direction * t;
@@ -81,8 +81,8 @@ vec3 seenAlong(Ray ray)
         const vec3 inward = centralDifferences(segmentation, place, 1.0);
         const vec3 outward = normalize(gradientToWorld * -inward + 1e-9 * toViewer);
         const vec3 segment = lit(segmentColour(place), lightOn(outward, toViewer, 1.0, 0.22));
-        seen += segmentAt >= 0.0 ? through * segment : vec3(0.0);
-        through = segmentAt >= 0.0 ? 0.0 : through;
+        seen += segmentAt != nowhere ? through * segment : vec3(0.0);
+        through = segmentAt != nowhere ? 0.0 : through;
 #endif
         const bool skipped = t == start;
         t = skipped ? gridAfter(ray, t, stretch.end) : t;

@@ -9,7 +9,7 @@ vec3 seenAlong(Ray ray)
     float t = ray.gridZero + stepMm;
     float greatest = -1.0;
 #if SCULPTED
-    float segmentAt = -1.0;
+    float segmentAt = nowhere;
 #endif
     while (t < ray.last) {
         const float start = t;
@@ -18,13 +18,13 @@ vec3 seenAlong(Ray ray)
             && texelFetch(cellRanges, stretch.cell, 0).g > greatest;
 #if SCULPTED
         const bool plain = (stretch.flags & (carvedFlag | segmentFlag)) == 0u;
-        const bool segments = (stretch.flags & segmentFlag) != 0u && segmentAt < 0.0;
+        const bool segments = (stretch.flags & segmentFlag) != 0u && segmentAt == nowhere;
         float end = !plain && (wanted || segments) ? stretch.end : t;
         while (t < end) {
             const vec3 at = ray.origin + ray.direction * t;
             const bool kept = texture(radiation, at).r < 0.5;
             greatest = max(greatest, kept ? texture(intensity, at).r : -1.0);
-            segmentAt = segmentAt < 0.0 && texture(segmentation, at).r >= 0.5 ? t : segmentAt;
+            segmentAt = segmentAt == nowhere && texture(segmentation, at).r >= 0.5 ? t : segmentAt;
             t += stepMm;
         }
         end = wanted && plain ? stretch.end : t;
@@ -43,7 +43,7 @@ vec3 seenAlong(Ray ray)
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
-    result = segmentAt >= 0.0 ? mix(result, segment, 0.7) : result;
+    result = segmentAt != nowhere ? mix(result, segment, 0.7) : result;
 #endif
     return result;
 }

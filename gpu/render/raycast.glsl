@@ -1,7 +1,8 @@
 // What all ray-cast pictures share: the ray of a pixel, the skip map, shading, segments.
 //
 // Spaces. Texture: 0 … 1 over the volume's voxel cells (voxel centres at (index + 0.5) / size).
-// World: patient millimetres, only directions occur. t: millimetres along the ray.
+// World: patient millimetres, only directions occur. t: millimetres along the ray; from the target's plane where the view is orthographic, so
+// it may be negative.
 //
 // llvmpipe computes both sides of an `if` and every loop's body at least once, for all pixels of a
 // group: what is not needed at all must not be compiled. Hence the variants by SCULPTED (something
@@ -44,6 +45,8 @@ layout(location = 0) out vec4 colour;
 const float cellSide = 8.0;
 const uint carvedFlag = 2u;
 const uint segmentFlag = 4u;
+
+const float nowhere = 1e30; // no t
 
 struct Ray {
     vec3 origin;    // texture

@@ -81,7 +81,8 @@ private Q_SLOTS:
             const core::VoxelBox second{{46, 22, 36}, {54, 32, 42}};
             fixture.fill(VolumeField::Labels, first, 1);
             fixture.fill(VolumeField::Labels, second, 2);
-            fixture.fill(VolumeField::Segmentation, first.united(second), 255);
+            fixture.fill(VolumeField::Segmentation, first, 255);
+            fixture.fill(VolumeField::Segmentation, second, 255);
         }
         Scene scene = view(name == QLatin1String("dvr") ? RenderMode::Dvr
                 : name == QLatin1String("mip")          ? RenderMode::Mip

@@ -196,17 +196,23 @@ private Q_SLOTS:
     void carvingUncoversAndSegmentsStayWhole_data()
     {
         QTest::addColumn<int>("mode");
-        QTest::newRow("surface") << int(RenderMode::Surface);
-        QTest::newRow("DVR") << int(RenderMode::Dvr);
-        QTest::newRow("MIP") << int(RenderMode::Mip);
+        QTest::addColumn<double>("target"); // y; before and behind what is seen
+        for (const double target : {-60.0, 60.0}) {
+            const char* where = target < 0.0 ? "before" : "behind";
+            QTest::addRow("surface, target %s", where) << int(RenderMode::Surface) << target;
+            QTest::addRow("DVR, target %s", where) << int(RenderMode::Dvr) << target;
+            QTest::addRow("MIP, target %s", where) << int(RenderMode::Mip) << target;
+        }
     }
 
     void carvingUncoversAndSegmentsStayWhole()
     {
         QFETCH(int, mode);
+        QFETCH(double, target);
         m_fixture->open(test::centredGeometry({64, 64, 64}), sphere);
         VolumeScene view = scene(RenderMode(mode));
         view.eyeLps = {0, -300, 0};
+        view.targetLps = {0, target, 0};
         view.heightMm = 64.0;
         view.mipWindow = {2400.0, 1000.0};
         view.transferFunction.points = {{990.0, 0xFFFFFF, 0.0}, {1000.0, 0xFFFFFF, 0.9}};
