@@ -120,5 +120,9 @@ startDisplay() {
     exec {descriptor}<&-
     rm -rf "$folder"
     export DISPLAY=:$number QT_QPA_PLATFORM=xcb
+    if [ -z "${XDG_RUNTIME_DIR-}" ]; then
+        export XDG_RUNTIME_DIR=$burinBuild/runtime
+        mkdir -p -m 700 "$XDG_RUNTIME_DIR"
+    fi
     unset WAYLAND_DISPLAY XAUTHORITY
 }

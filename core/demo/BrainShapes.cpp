@@ -112,9 +112,10 @@ BrainSample brainAt(const vec3& p, float cavity)
     // Cerebrum: the cavity less the fluid's coat, the cisterns, the cerebellum's room and the
     // cleft.
     float cerebrum = 2.3F + 0.9F * noise(p / 12.0F, 61).value - depth;
-    if (p.y > 6.0F)
-        cerebrum =
-            std::max(cerebrum, std::min(1.6F - tent, 0.32F * (3.0F * (p.y - 6.0F) + q.x - 34.0F)));
+    // Under the tentorium, which ends at the petrous ridges and in the middle at its notch.
+    const float notch = std::max(4.0F + 0.53F * (q.x - 15.0F), 17.0F - 0.6F * q.x);
+    if (p.y > 2.0F)
+        cerebrum = std::max(cerebrum, std::min(1.6F - tent, p.y - notch));
     cerebrum = std::max(cerebrum, std::min(3.2F - stem, 2.0F - p.z));
     cerebrum = carve(cerebrum, ellipsoid(p, {0, -15, -5}, {14, 11, 8}), 5);
     cerebrum = carve(cerebrum, ellipsoid(p, {0, 24, 4}, {12, 8, 6}), 4);
@@ -153,7 +154,7 @@ BrainSample brainAt(const vec3& p, float cavity)
     // Cerebellum with its leaves: shells around the fourth ventricle.
     if (p.y > 4.0F && tent < 4.0F && p.z < 14.0F) {
         float cerebellum = std::max(
-            {2.4F - depth, tent + 1.4F, 2.0F - stem, ellipsoid(q, {16, 40, -18}, {37, 34, 27})});
+            {2.4F - depth, tent + 1.4F, 2.0F - stem, ellipsoid(q, {16, 40, -16}, {39, 36, 30})});
         const float bend = 2.2F * noise(p / 9.0F, 64).value;
         const float radius = glm::length((p - vec3(0, 16, -14)) * vec3(0.55F, 1.0F, 1.1F)) + bend;
         const float leaf = std::abs(radius / 4.6F - std::round(radius / 4.6F)) * 4.6F;

@@ -91,7 +91,7 @@ void paintSoftTissue(HeadPhantom::Sample& sample, const vec3& p, float body, flo
     // Muscles are bundles with a little fat between them.
     const NoiseSample bundles = noise(vec3(p.x / 17.0F, p.y / 17.0F, p.z / 40.0F), 82);
     const float septum = std::abs(bundles.value) * 17.0F / (glm::length(bundles.slope) + 0.5F);
-    paint(sample, 0.45F * coverage(std::max(septum - 0.9F, body + 4.0F + fat)), -95.0F,
+    paint(sample, 0.22F * coverage(std::max(septum - 0.9F, body + 4.0F + fat)), -95.0F,
         HeadPart::Fat);
     // The tongue, and a film of air over it.
     paint(sample, coverage(ellipsoid(p, {0, -54, -68}, {22, 28, 18})), 58.0F, HeadPart::Muscle);
