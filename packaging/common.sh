@@ -122,7 +122,8 @@ startDisplay() {
     export DISPLAY=:$number QT_QPA_PLATFORM=xcb
     if [ -z "${XDG_RUNTIME_DIR-}" ]; then
         export XDG_RUNTIME_DIR=$burinBuild/runtime
-        mkdir -p -m 700 "$XDG_RUNTIME_DIR"
+        mkdir -p "$XDG_RUNTIME_DIR"
+        chmod 700 "$XDG_RUNTIME_DIR"
     fi
     unset WAYLAND_DISPLAY XAUTHORITY
 }
