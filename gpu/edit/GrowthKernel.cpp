@@ -240,7 +240,7 @@ GrowthKernel::State GrowthKernel::takeBatch()
     m_touched.read(std::span<std::uint32_t>(bits));
     m_frontBricks.clear();
     for (std::uint32_t word = 0; word < bits.size(); ++word) {
-        for (std::uint32_t bit = 0; bits[word] >> bit != 0 && bit < 32; ++bit) {
+        for (std::uint32_t bit = 0; bit < 32 && bits[word] >> bit != 0; ++bit) {
             if ((bits[word] >> bit & 1u) != 0)
                 m_frontBricks.push_back(word * 32 + bit);
         }
