@@ -117,7 +117,12 @@ vec3 seenAlong(Ray ray)
 #if SCULPTED
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     normal = segmentHit ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
-    albedo = segmentHit ? segmentColour(at) : albedo;
+    // Where a segment's surface and the tissue's are one surface but for a fraction of a voxel, the
+    // segment's colour shows: without this the two would speckle.
+    const vec3 behind = at + ray.direction * 2.0 * stepMm;
+    const float near = max(texture(segmentation, at).r, texture(segmentation, behind).r);
+    const float tinted = segmentHit ? 1.0 : smoothstep(0.25, 0.5, near);
+    albedo = mix(albedo, segmentColour(segmentHit ? at : behind), tinted);
     gloss = segmentHit ? 0.22 : gloss;
 #endif
     // A gradient that looks away is noise: bend it back into sight instead of a black speck.
