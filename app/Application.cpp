@@ -102,11 +102,10 @@ void Application::openSession(
 {
     // One volume at a time on the engine: the old session closes its file first.
     m_workspace->setSession(nullptr);
-    const core::VolumeGeometry geometry = loaded->volume.geometry;
-    const core::VoxelEncoding encoding = loaded->volume.encoding;
     const QString file = sessionFile(loaded->volume);
     const bool continues = QFileInfo::exists(file);
     const auto wakeUp = [this] { wake(); };
+    m_engine->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
     auto session = continues
         ? core::EditSession::open(m_engine->edits(), std::move(*loaded), file, wakeUp)
         : core::EditSession::create(
@@ -115,7 +114,6 @@ void Application::openSession(
         m_workspace->fail(session.error());
         return;
     }
-    m_engine->setVolumeGeometry(geometry, encoding);
     ui::RecentStudies::add(path);
     m_workspace->setSession(std::move(*session));
     const std::size_t steps = m_workspace->session()->history().rows().size();

@@ -29,12 +29,12 @@ core::Result<core::LoadedVolume> loadDemonstration(const core::Progress& progres
             return tl::unexpected(written.error());
     }
     // Its truth lies beside it; the series is what is opened.
-    const auto listing = core::scanStudies(folder, progress);
-    if (!listing)
-        return tl::unexpected(listing.error());
-    for (const core::SeriesEntry* entry : listing->candidates()) {
+    const auto study = core::Study::scan(folder, progress);
+    if (!study)
+        return tl::unexpected(study.error());
+    for (const core::SeriesEntry* entry : study->listing().candidates()) {
         if (entry->identity.modality == QLatin1String("CT"))
-            return core::loadVolume(folder, entry->key, progress);
+            return study->load(entry->key, progress);
     }
     return core::failure(core::ErrorCode::NoImages, folder);
 }

@@ -98,8 +98,9 @@ public:
     void saveSoon() { QTimer::singleShot(200, this, &Screenshot::save); }
 
 private:
-    static void refuseToGuess(const core::StudyListing& listing)
+    static void refuseToGuess(const std::shared_ptr<const core::Study>& study)
     {
+        const core::StudyListing& listing = study->listing();
         core::Error error{core::ErrorCode::SeriesAmbiguous, {listing.path}};
         for (const core::SeriesEntry* entry : listing.candidates())
             error.arguments += entry->line();

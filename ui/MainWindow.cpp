@@ -6,7 +6,7 @@
 #include "ui/LoadingBar.h"
 #include "ui/MessageBar.h"
 #include "ui/OptionBar.h"
-#include "ui/PanelDock.h"
+#include "ui/PanelColumn.h"
 #include "ui/RecentStudies.h"
 #include "ui/StartPage.h"
 #include "ui/StatusLine.h"
@@ -30,14 +30,11 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTimer>
 #include <QVBoxLayout>
 
 namespace ui {
 
 namespace {
-
-constexpr int lowestList = 120; ///< header included
 
 QString droppedPath(const QMimeData& data)
 {
@@ -63,11 +60,10 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_start(new StartPage(this))
     , m_views(new ViewGrid(workspace, this))
     , m_status(new StatusLine(workspace, this))
+    , m_panels(new PanelColumn(this))
 {
     setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
     setAcceptDrops(true);
-    setDockNestingEnabled(true);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     addWindowActions(*this);
     buildMenus();
     buildCentre();
@@ -158,6 +154,7 @@ void MainWindow::buildCentre()
     auto* column = new QVBoxLayout;
     column->setSpacing(0);
     row->addLayout(column, 1);
+    row->addWidget(m_panels);
     column->addWidget(new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
         m_actions[QStringLiteral("edit.redo")], this));
     column->addWidget(m_loading);
@@ -221,34 +218,7 @@ void MainWindow::addToolGroup()
 
 void MainWindow::addPanel(Panel* panel)
 {
-    auto* dock = new PanelDock(*panel, this);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    m_docks.push_back(dock);
-    showPanels(m_panelsWanted);
-}
-
-void MainWindow::sharePanelHeight()
-{
-    QList<QDockWidget*> docks;
-    int room = 0;
-    int lists = 0;
-    for (PanelDock* dock : m_docks) {
-        if (dock->isFloating() || !dock->isVisible())
-            continue;
-        docks += dock;
-        room += dock->height();
-        if (dock->panel().stretches())
-            ++lists;
-        else
-            room -= dock->sizeHint().height();
-    }
-    QList<int> heights;
-    for (QDockWidget* dock : docks) {
-        const bool list = static_cast<PanelDock*>(dock)->panel().stretches();
-        heights +=
-            list ? std::max(room / std::max(lists, 1), lowestList) : dock->sizeHint().height();
-    }
-    resizeDocks(docks, heights, Qt::Vertical);
+    m_panels->add(panel);
 }
 
 bool MainWindow::panelsShown() const
@@ -259,8 +229,7 @@ bool MainWindow::panelsShown() const
 void MainWindow::showPanels(bool shown)
 {
     m_panelsWanted = shown;
-    for (PanelDock* dock : m_docks)
-        dock->setVisible(shown && m_workspace.volume());
+    m_panels->setVisible(shown && m_workspace.volume());
     m_actions.refresh();
 }
 
@@ -276,10 +245,8 @@ void MainWindow::showSession()
     showPanels(m_panelsWanted);
     showIdentity();
     showCaution();
-    if (open) {
+    if (open)
         m_views->current().setFocus();
-        QTimer::singleShot(0, this, &MainWindow::sharePanelHeight);
-    }
     m_actions.refresh();
 }
 
@@ -314,11 +281,11 @@ void MainWindow::showCaution()
         QStringLiteral("Accept"), [this] { m_workspace.acceptCaution(); });
 }
 
-void MainWindow::choose(const core::StudyListing& listing)
+void MainWindow::choose(const std::shared_ptr<const core::Study>& study)
 {
-    OpenStudyDialog dialog(listing, this);
+    OpenStudyDialog dialog(study->listing(), this);
     if (dialog.exec() == QDialog::Accepted && !dialog.chosenKey().isEmpty())
-        m_opener.open(listing.path, dialog.chosenKey());
+        m_opener.open(study, dialog.chosenKey());
 }
 
 void MainWindow::askForFolder()
@@ -366,8 +333,6 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
     showIdentity();
-    // Once the docks have taken their places in the new window.
-    QTimer::singleShot(0, this, &MainWindow::sharePanelHeight);
 }
 
 } // namespace ui

@@ -17,7 +17,7 @@ class LoadingBar;
 class MessageBar;
 class OptionBar;
 class Panel;
-class PanelDock;
+class PanelColumn;
 class StartPage;
 class StatusLine;
 class ToolColumn;
@@ -69,11 +69,10 @@ private:
     void buildMenus();
     void buildCentre();
     void connectOpener();
-    void sharePanelHeight(); ///< lists share what the other panels leave
     void showSession();
     void showIdentity();
     void showCaution();
-    void choose(const core::StudyListing& listing);
+    void choose(const std::shared_ptr<const core::Study>& study);
 
     Workspace& m_workspace;
     QString m_graphics;
@@ -92,7 +91,7 @@ private:
     StartPage* m_start;
     ViewGrid* m_views;
     StatusLine* m_status;
-    std::vector<PanelDock*> m_docks;
+    PanelColumn* m_panels;
     bool m_panelsWanted = true;
 };
 

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/StudyOpener.h"
 
-#include "core/study/StudyLoader.h"
-
 #include <utility>
 
 namespace ui {
 
 namespace {
 
-/// What the worker found: a volume, a list to choose from, or why neither.
+using Volume = core::Result<std::shared_ptr<core::LoadedVolume>>;
+
+/// What the worker found: a volume, a study to choose from, or why neither.
 struct Found {
-    core::Result<std::shared_ptr<core::LoadedVolume>> volume;
-    std::shared_ptr<core::StudyListing> choice;
+    Volume volume;
+    std::shared_ptr<const core::Study> choice;
 };
+
+Volume load(const core::Study& study, const QString& series, const core::Progress& progress)
+{
+    auto volume = study.load(series, progress);
+    if (!volume)
+        return tl::unexpected(volume.error());
+    return std::make_shared<core::LoadedVolume>(std::move(*volume));
+}
 
 Found find(const QString& path, const QString& series, const core::Progress& progress)
 {
-    QString key = series;
-    if (key.isEmpty()) {
-        auto listing = core::scanStudies(path, progress);
-        if (!listing)
-            return {tl::unexpected(listing.error()), nullptr};
-        const auto candidates = listing->candidates();
-        if (candidates.size() != 1)
-            return {nullptr, std::make_shared<core::StudyListing>(std::move(*listing))};
-        key = candidates.front()->key;
-    }
-    auto volume = core::loadVolume(path, key, progress);
-    if (!volume)
-        return {tl::unexpected(volume.error()), nullptr};
-    return {std::make_shared<core::LoadedVolume>(std::move(*volume)), nullptr};
+    auto study = core::Study::scan(path, progress);
+    if (!study)
+        return {tl::unexpected(study.error()), nullptr};
+    if (series.isEmpty() && study->listing().candidates().size() > 1)
+        return {nullptr, std::make_shared<const core::Study>(std::move(*study))};
+    return {load(*study, series, progress), nullptr};
 }
 
 } // namespace
@@ -52,13 +52,25 @@ void StudyOpener::open(const QString& path, const QString& series)
         Found found = find(path, series, progress);
         return [this, path, found = std::move(found)] {
             if (found.choice)
-                Q_EMIT choiceNeeded(*found.choice);
+                Q_EMIT choiceNeeded(found.choice);
             else if (found.volume)
                 Q_EMIT loaded(*found.volume, path);
             else
                 Q_EMIT failed(found.volume.error());
         };
     });
+}
+
+void StudyOpener::open(const std::shared_ptr<const core::Study>& study, const QString& series)
+{
+    const QString path = study->listing().path;
+    start(
+        path, [this, study, series, path](const core::Progress& progress) -> std::function<void()> {
+            Volume volume = load(*study, series, progress);
+            if (!volume)
+                return [this, error = volume.error()] { Q_EMIT failed(error); };
+            return [this, path, volume = *volume] { Q_EMIT loaded(volume, path); };
+        });
 }
 
 void StudyOpener::run(

@@ -3,7 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
-#include "core/study/StudyListing.h"
+#include "core/study/StudyLoader.h"
 #include "core/volume/Volume.h"
 
 #include <QObject>
@@ -23,8 +23,11 @@ public:
     explicit StudyOpener(QObject* parent = nullptr);
     ~StudyOpener() override; ///< cancels and waits
 
-    /// @param series a key of StudyListing or a SeriesInstanceUID; empty: the only one there is
+    /// @param series a key of StudyListing or a SeriesInstanceUID; empty: the only one there is,
+    /// else choiceNeeded() with the study as it was read
     void open(const QString& path, const QString& series = QString());
+    /// Opens one volume of a study that was read for a choice.
+    void open(const std::shared_ptr<const core::Study>& study, const QString& series);
     /// Runs any other job that ends in a volume (the demonstration study), with the same progress.
     void run(const QString& path,
         std::function<core::Result<core::LoadedVolume>(const core::Progress&)> job);
@@ -34,7 +37,7 @@ public:
 Q_SIGNALS:
     void started(const QString& path);
     void progressed(const QString& step, int done, int total);
-    void choiceNeeded(const core::StudyListing& listing);
+    void choiceNeeded(const std::shared_ptr<const core::Study>& study);
     void loaded(const std::shared_ptr<core::LoadedVolume>& volume, const QString& path);
     void failed(const core::Error& error); ///< not told when cancelled
     void finished(); ///< after any of the above, or cancelled

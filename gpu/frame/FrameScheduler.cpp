@@ -149,6 +149,7 @@ void FrameScheduler::begin(View& view, FrameRequest request)
 
 void FrameScheduler::takeChanges()
 {
+    // What changed since the volume was opened (a session that continues) stays to be taken in.
     if (m_volume.takeReplaced()) {
         for (auto& [id, view] : m_views)
             restart(view);

@@ -6,6 +6,8 @@
 #include "ui/views/OrientationLetters.h"
 #include "ui/views/ViewGrid.h"
 
+#include <QFileInfo>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
@@ -56,18 +58,19 @@ core::LoadedVolume patient(const glm::dmat4& indexToWorld)
 
 class RealWindow {
 public:
-    explicit RealWindow(core::LoadedVolume loaded)
+    /// @param file the session is kept there and continued from there; empty: in memory
+    explicit RealWindow(core::LoadedVolume loaded, const QString& file = QString())
         : engine(std::move(*gpu::GpuEngine::create()))
         , workspace(engine->frames())
         , window(workspace, engine->rendererName())
     {
         ui::theme::apply(*qApp);
-        const core::VolumeGeometry geometry = loaded.volume.geometry;
-        const core::VoxelEncoding encoding = loaded.volume.encoding;
-        auto session = core::EditSession::create(engine->edits(), std::move(loaded), {});
+        engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
+        auto session = QFileInfo::exists(file)
+            ? core::EditSession::open(engine->edits(), std::move(loaded), file)
+            : core::EditSession::create(engine->edits(), std::move(loaded), {.file = file});
         if (!session)
             qFatal("no session");
-        engine->setVolumeGeometry(geometry, encoding);
         workspace.setSession(std::move(*session));
         poll.setInterval(5);
         QObject::connect(&poll, &QTimer::timeout, [this] { workspace.session()->poll(); });
@@ -117,6 +120,7 @@ private Q_SLOTS:
     void markersLieWhereTheLettersSay();
     void crosshairIsOneVoxelInEveryView_data();
     void crosshairIsOneVoxelInEveryView();
+    void continuedSessionLooksAsItWasLeft();
 };
 
 void PicturesUiTest::initTestCase()
@@ -220,6 +224,57 @@ void PicturesUiTest::crosshairIsOneVoxelInEveryView()
                                      .arg(marker.value);
         QTRY_VERIFY2(status->readout().contains(expected), qPrintable(status->readout()));
     }
+}
+
+void PicturesUiTest::continuedSessionLooksAsItWasLeft()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("session.burin"));
+    const auto pictures = [](const RealWindow& real) {
+        std::vector<QImage> all;
+        for (const ui::ImageView* view : real.window.views().views())
+            all.push_back(view->picture().copy());
+        return all;
+    };
+    std::vector<QImage> untouched;
+    std::vector<QImage> left;
+    {
+        RealWindow real(patient(test::headFirstSupine()), file);
+        QVERIFY(real.waitUntilRefined());
+        untouched = pictures(real);
+        core::EditSession& session = *real.workspace.session();
+        core::DrillStroke drill;
+        drill.view = {.eyeLps = {0.0, -500.0, 0.0}, .targetLps = {}, .up = {0.0, 0.0, 1.0}};
+        drill.radiusMm = 12.0;
+        drill.depthMm = 15.0;
+        drill.surfaceThreshold = -350.0;
+        drill.samples = {{10.0, 10.0, 1.0, 0.0}, {-20.0, 10.0, 1.0, 0.4}};
+        QVERIFY(session.apply(drill));
+        QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("S"), .rgb = 0x3388ff}));
+        QVERIFY(session.apply(core::SeedStroke{1, {front.centreLps}}));
+        QVERIFY(session.apply(core::GrowSteps{.lower = 400.0, .upper = 600.0}));
+        QVERIFY(session.settle());
+        // Elsewhere and back: what comes then was drawn after the last edit.
+        const dvec3 place = real.workspace.crosshairLps();
+        real.workspace.setCrosshairLps(place + 6.0);
+        real.window.views().volume().lookFrom({0.0, 1.0, 0.0});
+        QVERIFY(real.waitUntilRefined());
+        real.workspace.setCrosshairLps(place);
+        real.window.views().volume().resetView();
+        QVERIFY(real.waitUntilRefined());
+        left = pictures(real);
+    }
+    QVERIFY(left[0] != untouched[0]);
+    QVERIFY(left[1] != untouched[1]);
+    RealWindow real(patient(test::headFirstSupine()), file);
+    QVERIFY(real.waitUntilRefined());
+    const auto continued = pictures(real);
+    for (std::size_t v = 0; v < 4; ++v) {
+        left[v].save(QStringLiteral("/tmp/L%1.png").arg(v));
+        continued[v].save(QStringLiteral("/tmp/C%1.png").arg(v));
+    }
+    for (std::size_t view = 0; view < left.size(); ++view)
+        QVERIFY2(continued[view] == left[view], qPrintable(QString::number(view)));
 }
 
 QTEST_MAIN(PicturesUiTest)
