@@ -28,6 +28,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -57,7 +58,8 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_loading(new LoadingBar(this))
     , m_messages(new MessageBar(this))
     , m_pages(new QStackedWidget(this))
-    , m_start(new StartPage(this))
+    , m_startPage(new QScrollArea(this))
+    , m_start(new StartPage)
     , m_views(new ViewGrid(workspace, this))
     , m_status(new StatusLine(workspace, this))
     , m_panels(new PanelColumn(this))
@@ -160,7 +162,11 @@ void MainWindow::buildCentre()
     column->addWidget(m_loading);
     column->addWidget(m_messages);
     column->addWidget(m_pages, 1);
-    m_pages->addWidget(m_start);
+    // A low window scrolls the start page instead of growing to it.
+    m_startPage->setWidget(m_start);
+    m_startPage->setWidgetResizable(true);
+    m_startPage->setFrameShape(QFrame::NoFrame);
+    m_pages->addWidget(m_startPage);
     m_pages->addWidget(m_views);
     setCentralWidget(centre);
 
@@ -240,7 +246,7 @@ void MainWindow::showSession()
         m_workspace.setActiveTool(nullptr);
         m_start->showRecent(RecentStudies::paths());
     }
-    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_start);
+    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_startPage);
     m_tools->setVisible(open);
     showPanels(m_panelsWanted);
     showIdentity();

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QMenuBar;
+class QScrollArea;
 class QStackedWidget;
 
 namespace ui {
@@ -88,6 +89,7 @@ private:
     LoadingBar* m_loading;
     MessageBar* m_messages;
     QStackedWidget* m_pages;
+    QScrollArea* m_startPage; ///< holds m_start
     StartPage* m_start;
     ViewGrid* m_views;
     StatusLine* m_status;
