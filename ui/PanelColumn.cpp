@@ -60,20 +60,30 @@ PanelSection::PanelSection(Panel& panel, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(m_header);
     layout->addWidget(&panel, 1);
-    if (panel.stretches())
-        panel.setMinimumHeight(lowestList);
-    else
-        panel.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    if (!panel.stretches())
+        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 
     connect(&panel, &Panel::summaryChanged, summary, &QLabel::setText);
     connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });
     setFolded(false);
 }
 
+QSize PanelSection::sizeHint() const
+{
+    int height = headerHeight;
+    if (!m_folded && m_panel.stretches())
+        height += lowestList;
+    else if (!m_folded)
+        height += m_panel.hasHeightForWidth() ? m_panel.heightForWidth(columnWidth)
+                                              : m_panel.sizeHint().height();
+    return {columnWidth, height};
+}
+
 void PanelSection::setFolded(bool foldedNow)
 {
     m_folded = foldedNow;
     m_panel.setVisible(!m_folded);
+    updateGeometry();
     m_fold->setIcon(
         stateIcon(m_folded ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down")));
     Q_EMIT folded(m_folded);

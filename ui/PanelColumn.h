@@ -20,6 +20,12 @@ public:
 
     void setFolded(bool folded);
 
+    // The column asks for one height: as much as the panel needs in the column's width, or for a
+    // list the least that is of use. (A height that depends on the width would end shrinking.)
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    [[nodiscard]] bool hasHeightForWidth() const override { return false; }
+
 Q_SIGNALS:
     void folded(bool folded);
 
