@@ -124,6 +124,8 @@ public:
         advance();
         tellNews();
     }
+    [[nodiscard]] std::optional<Document> foreseen() const;
+    [[nodiscard]] Document foreseenAsFarAsKnown() const;
     Result<void> check(const Edit& edit) const;
     [[nodiscard]] VoxelOperation* interactive() const;
     void closeGrowth();
@@ -214,17 +216,32 @@ Result<void> EditSession::Implementation::restore()
     return settle();
 }
 
+/// The document after what waits in line; none if that cannot be told.
+std::optional<Document> EditSession::Implementation::foreseen() const
+{
+    Document expected = m_state.document;
+    for (const std::unique_ptr<Operation>& operation : m_queue) {
+        if (!operation->foresee(expected))
+            return std::nullopt;
+    }
+    return expected;
+}
+
+Document EditSession::Implementation::foreseenAsFarAsKnown() const
+{
+    Document expected = m_state.document;
+    for (const std::unique_ptr<Operation>& operation : m_queue)
+        static_cast<void>(operation->foresee(expected));
+    return expected;
+}
+
 /// Whether an edit can be carried out after what waits in line; what cannot be told is let through.
 Result<void> EditSession::Implementation::check(const Edit& edit) const
 {
     if (m_queue.empty())
         return checkAgainst(m_state.document, edit);
-    Document expected = m_state.document;
-    for (const std::unique_ptr<Operation>& operation : m_queue) {
-        if (!operation->foresee(expected))
-            return {};
-    }
-    return checkAgainst(expected, edit);
+    const std::optional<Document> expected = foreseen();
+    return expected ? checkAgainst(*expected, edit) : Result<void>();
 }
 
 VoxelOperation* EditSession::Implementation::interactive() const
@@ -466,6 +483,11 @@ Result<std::unique_ptr<EditSession>> EditSession::open(
     if (const Result<void> restored = implementation->restore(); !restored)
         return tl::unexpected(restored.error());
     return std::unique_ptr<EditSession>(new EditSession(std::move(implementation)));
+}
+
+Document EditSession::foreseenDocument() const
+{
+    return m_implementation->foreseenAsFarAsKnown();
 }
 
 const Document& EditSession::document() const

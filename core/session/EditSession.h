@@ -44,6 +44,9 @@ public:
     ~EditSession();
 
     [[nodiscard]] const Document& document() const;
+    /// The document as it will be once the edits that wait for the engine are carried out (undo and
+    /// redo that wait are not foreseen).
+    [[nodiscard]] Document foreseenDocument() const;
     [[nodiscard]] const History& history() const;
     [[nodiscard]] EditEngine& engine();
 
