@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QToolButton>
 
 namespace ui {
@@ -24,6 +25,21 @@ QFrame* verticalLine(QWidget* parent)
     return line;
 }
 
+/// As much of its text as fits, at the right; all of it in the tool tip.
+class FittingLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter,
+            fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
 } // namespace
 
 OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget* parent)
@@ -31,7 +47,7 @@ OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget
     , m_workspace(workspace)
     , m_layout(new QHBoxLayout(this))
     , m_tool(new QLabel(this))
-    , m_keys(new QLabel(this))
+    , m_keys(new FittingLabel(this))
 {
     setProperty("role", QStringLiteral("bar"));
     setFixedHeight(barHeight);
@@ -77,9 +93,13 @@ QToolButton* OptionBar::addAction(QAction& action)
 
 void OptionBar::showTool()
 {
-    // A combo box of the old tool may be in the middle of its own signal.
-    if (m_options)
+    if (m_options) {
+        // Out of the way at once, so that both tools' options never add up to the bar's least
+        // width; deleted later, since a combo box of it may be in the middle of its own signal.
+        m_options->hide();
+        m_layout->removeWidget(m_options);
         m_options->deleteLater();
+    }
     m_options = nullptr;
     Tool* tool = m_workspace.activeTool();
     if (!m_workspace.volume())
@@ -90,6 +110,7 @@ void OptionBar::showTool()
             : m_workspace.volume() ? QStringLiteral("left grey scale · middle pan · right "
                                                     "zoom · wheel slices · Shift crosshair")
                                    : QString());
+    m_keys->setToolTip(m_keys->text());
     if (!tool)
         return;
     m_options = tool->createOptions(this);

@@ -31,12 +31,14 @@ core::Result<int> addSegment(Workspace& workspace)
     core::EditSession* session = workspace.session();
     if (!session)
         return core::failure(core::ErrorCode::Internal, QStringLiteral("no study is open"));
+    // While the engine is busy the new segment waits in line; its label is known all the same.
+    const core::Document before = session->foreseenDocument();
     core::AddSegment edit;
-    edit.name = nextSegmentName(session->document());
-    edit.rgb = nextSegmentColour(session->document());
+    edit.name = nextSegmentName(before);
+    edit.rgb = nextSegmentColour(before);
     if (const auto added = session->apply(edit); !added)
         return tl::unexpected(added.error());
-    const int label = session->document().segments.back().label;
+    const int label = session->foreseenDocument().segments.back().label;
     workspace.setActiveSegment(label);
     return label;
 }
@@ -44,13 +46,15 @@ core::Result<int> addSegment(Workspace& workspace)
 core::Result<int> ensureActiveSegment(Workspace& workspace)
 {
     core::EditSession* session = workspace.session();
-    if (session && session->document().segment(workspace.activeSegment()))
+    if (!session)
+        return addSegment(workspace);
+    const core::Document document = session->foreseenDocument();
+    if (document.segment(workspace.activeSegment()))
         return workspace.activeSegment();
-    if (session && !session->document().segments.empty()) {
-        workspace.setActiveSegment(session->document().segments.front().label);
-        return workspace.activeSegment();
-    }
-    return addSegment(workspace);
+    if (document.segments.empty())
+        return addSegment(workspace);
+    workspace.setActiveSegment(document.segments.front().label);
+    return workspace.activeSegment();
 }
 
 } // namespace ui

@@ -50,7 +50,6 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
-    connect(m_fromSeeds, &QToolButton::clicked, this, &GrowthPanel::takeIntervalFromSeeds);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
     connect(m_play, &QPushButton::clicked, this, &GrowthPanel::playOrPause);
     connect(m_toClosure, &QPushButton::clicked, this, &GrowthPanel::runToClosure);
@@ -132,22 +131,15 @@ void GrowthPanel::makeSeedButton()
     m_fromSeeds = new QToolButton(this);
     m_fromSeeds->setObjectName(QStringLiteral("intervalFromSeeds"));
     m_fromSeeds->setFont(theme::smallFont());
+    m_fromSeeds->setText(tr("From seeds …"));
     m_fromSeeds->setToolTip(tr("Set the interval around the mean of the values under the seeds"));
-    m_fromSeeds->setPopupMode(QToolButton::MenuButtonPopup);
+    m_fromSeeds->setPopupMode(QToolButton::InstantPopup);
+    m_fromSeeds->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     auto* menu = new QMenu(m_fromSeeds);
-    const auto show = [this] {
-        m_fromSeeds->setText(tr("seeds ± %1 σ").arg(QLocale().toString(m_deviations)));
-    };
-    for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0}) {
-        menu->addAction(
-            tr("± %1 σ").arg(QLocale().toString(deviations)), this, [this, deviations, show] {
-                m_deviations = deviations;
-                show();
-                takeIntervalFromSeeds();
-            });
-    }
+    for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
+        menu->addAction(tr("mean ± %1 σ").arg(QLocale().toString(deviations)), this,
+            [this, deviations] { takeIntervalFromSeeds(deviations); });
     m_fromSeeds->setMenu(menu);
-    show();
 }
 
 QString GrowthPanel::title() const
@@ -320,14 +312,14 @@ void GrowthPanel::askSeedValues()
         });
 }
 
-void GrowthPanel::takeIntervalFromSeeds()
+void GrowthPanel::takeIntervalFromSeeds(double deviations)
 {
     const core::Volume* volume = m_workspace.volume();
     if (!volume || m_seedValues.empty())
         return;
     const SeedStatistics seeds = seedStatistics(m_seedValues);
     // One seed, or seeds of one value, have no spread to go by: take a hundredth of the range.
-    const double spread = seeds.deviation > 0.0 ? m_deviations * seeds.deviation
+    const double spread = seeds.deviation > 0.0 ? deviations * seeds.deviation
                                                 : 0.01 * (volume->maximum - volume->minimum);
     Workspace::GrowSettings settings = m_workspace.growSettings();
     settings.lower = std::max(seeds.mean - spread, volume->minimum);

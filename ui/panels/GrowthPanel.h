@@ -54,7 +54,7 @@ private:
     void finish();
     void askSeedValues();
     void makeSeedButton();
-    void takeIntervalFromSeeds();
+    void takeIntervalFromSeeds(double deviations);
 
     Workspace& m_workspace;
     HistogramRange* m_range = nullptr;
@@ -71,7 +71,6 @@ private:
     std::vector<double> m_seedValues; ///< of m_seedLabel, modality units
     int m_seedLabel = 0;
     std::vector<std::uint32_t> m_fronts; ///< of the last burst that was watched
-    double m_deviations = 2.0; ///< half the interval from seeds, in standard deviations
     bool m_running = false;
 };
 

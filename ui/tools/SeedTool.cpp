@@ -223,7 +223,7 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
         m_workspace.fail(applied.error());
         return;
     }
-    const QString name = m_workspace.session()->document().segment(*label)->name;
+    const QString name = m_workspace.session()->foreseenDocument().segment(*label)->name;
     m_workspace.say(voxels.size() == 1 ? tr("One seed voxel for %1").arg(name)
                                        : tr("%1 seed voxels for %2").arg(voxels.size()).arg(name));
 }

@@ -32,7 +32,7 @@ QDoubleSpinBox* numberBox(QWidget* parent, const QString& name, const QString& a
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFixedHeight(theme::controlHeight);
     box->setKeyboardTracking(false);
-    box->setMinimumWidth(76);
+    box->setMinimumWidth(92);
     return box;
 }
 

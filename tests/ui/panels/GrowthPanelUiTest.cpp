@@ -7,6 +7,8 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QMenu>
+#include <QToolButton>
 #include <QtTest>
 
 using test::WorkspaceFixture;
@@ -142,7 +144,11 @@ private Q_SLOTS:
         // Two more seeds, in brain: the mean lies between, the spread reaches both.
         fixture.apply(core::SeedStroke{1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}});
         QTRY_VERIFY(button(fixture.panel, "intervalFromSeeds").isEnabled());
-        click(button(fixture.panel, "intervalFromSeeds"));
+        auto& fromSeeds = static_cast<QToolButton&>(button(fixture.panel, "intervalFromSeeds"));
+        for (QAction* action : fromSeeds.menu()->actions()) {
+            if (action->text().contains(QLocale().toString(2.0) + QStringLiteral(" σ")))
+                action->trigger();
+        }
         const auto& settings = fixture.workspace.growSettings();
         const double mean = (8.0 + 40.0 + 40.0) / 3.0;
         QCOMPARE(0.5 * (settings.lower + settings.upper), mean);
