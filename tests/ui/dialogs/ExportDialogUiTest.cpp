@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/ExportDialog.h"
+
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/SmallSeries.h"
+#include "tests/support/WorkspaceFixture.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QtTest>
+
+namespace {
+
+QString text(const char* latin)
+{
+    return QLatin1String(latin);
+}
+
+const core::CodedConcept skull{
+    QStringLiteral("SCT"), QStringLiteral("89546000"), QStringLiteral("Skull")};
+
+/// A DICOM series on disk with three segments: "Grown" has voxels, "Hidden" too, "Empty" has none.
+class ExportFixture {
+public:
+    ExportFixture()
+        : workspace(frames)
+    {
+        test::SmallSeries series;
+        series.placeEvenly({-4.0, -4.0, 10.0}, {0.0, 0.0, 2.0});
+        core::LoadedVolume loaded;
+        loaded.volume = series.write(folder.filePath(text("series")));
+        loaded.codes.resize(loaded.volume.geometry.voxelCount());
+        auto made = core::EditSession::create(engine, std::move(loaded), {});
+        if (!made)
+            qFatal("no session");
+        workspace.setSession(std::move(*made));
+        apply(core::AddSegment{text("Grown"), 0x4a9bff, {}});
+        apply(core::AddSegment{text("Hidden"), 0x5bc07c, skull});
+        apply(core::AddSegment{text("Empty"), 0xf0b04a, skull});
+        seed(1, {2, 2, 2});
+        seed(2, {9, 7, 4});
+        core::GrowSteps grow;
+        const core::Volume& volume = *workspace.volume();
+        grow.lower = volume.encoding.value(0) - 1.0;
+        grow.upper = volume.encoding.value(0) + 1.0;
+        grow.steps = 2;
+        apply(grow);
+        session().setSegmentVisible(2, false);
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        if (!session().apply(edit) || !session().settle())
+            qFatal("an edit of the fixture failed");
+    }
+    void seed(int segment, const glm::dvec3& index)
+    {
+        apply(core::SeedStroke{segment, {workspace.volume()->geometry.toWorld(index)}});
+    }
+    [[nodiscard]] QString path(const char* name) const { return folder.filePath(text(name)); }
+
+    QTemporaryDir folder;
+    reference::ReferenceEngine engine;
+    test::NoFrames frames;
+    ui::Workspace workspace;
+};
+
+QTreeWidgetItem& row(const ui::ExportDialog& dialog, const char* name)
+{
+    auto* tree = dialog.findChild<QTreeWidget*>(text("exportSegments"));
+    const auto found = tree->findItems(text(name), Qt::MatchExactly, 0);
+    if (found.size() != 1)
+        qFatal("no row %s", name);
+    return *found.front();
+}
+
+QAbstractButton& button(const ui::ExportDialog& dialog, const char* name)
+{
+    return *dialog.findChild<QAbstractButton*>(text(name));
+}
+
+void answer(QMessageBox::StandardButton with)
+{
+    QTimer::singleShot(0, qApp, [with] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box)
+            qFatal("nothing is asked");
+        box->button(with)->click();
+    });
+}
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class ExportDialogUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_settings.isValid());
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+    }
+
+    void saysWhoseStudyAndWhatIsInIt()
+    {
+        ExportFixture fixture;
+        ui::ExportDialog dialog(fixture.workspace);
+        const QString patient = dialog.findChild<QLabel*>(text("exportPatient"))->text();
+        QVERIFY2(patient.contains(text("P-0815")), qPrintable(patient));
+        QVERIFY2(patient.contains(text("1950-01-02")), qPrintable(patient));
+
+        QCOMPARE(row(dialog, "Grown").checkState(0), Qt::Checked);
+        QCOMPARE(row(dialog, "Hidden").checkState(0), Qt::Unchecked);
+        QCOMPARE(row(dialog, "Empty").checkState(0), Qt::Unchecked);
+        QVERIFY(row(dialog, "Grown").text(1).endsWith(text("mL")));
+        QVERIFY(row(dialog, "Grown").text(3).contains(text("not coded yet")));
+        QVERIFY(row(dialog, "Grown").text(3).contains(text("growth not finished")));
+        QVERIFY(row(dialog, "Hidden").text(3).contains(text("hidden")));
+        QVERIFY(row(dialog, "Empty").text(3).contains(text("empty")));
+        QCOMPARE(row(dialog, "Hidden").text(2), text("Skull"));
+    }
+
+    void segRefusesWhatIsNotCoded()
+    {
+        ExportFixture fixture;
+        ui::ExportDialog dialog(fixture.workspace);
+        QVERIFY(button(dialog, "exportSeg").isEnabled());
+        QVERIFY(!button(dialog, "exportStart").isEnabled());
+        QVERIFY(dialog.findChild<QLabel*>(text("exportState"))->text().contains(text("Grown")));
+        button(dialog, "exportNifti").click();
+        QVERIFY(button(dialog, "exportStart").isEnabled());
+        QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".nii.gz")));
+        button(dialog, "exportSeg").click();
+        QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".dcm")));
+        // Coding it, by whatever way, is seen at once; the ticks stay.
+        row(dialog, "Hidden").setCheckState(0, Qt::Checked);
+        fixture.apply(core::ChangeSegment{1, {}, {}, skull});
+        QVERIFY(button(dialog, "exportStart").isEnabled());
+        QCOMPARE(row(dialog, "Hidden").checkState(0), Qt::Checked);
+        QCOMPARE(row(dialog, "Grown").text(2), text("Skull"));
+        for (const char* name : {"Grown", "Hidden"})
+            row(dialog, name).setCheckState(0, Qt::Unchecked);
+        QVERIFY(!button(dialog, "exportStart").isEnabled());
+    }
+
+    void writesChecksAndReports_data()
+    {
+        QTest::addColumn<QByteArray>("format");
+        QTest::addColumn<QByteArray>("name");
+        QTest::newRow("SEG") << QByteArray("exportSeg") << QByteArray("out.dcm");
+        QTest::newRow("NIfTI") << QByteArray("exportNifti") << QByteArray("out.nii.gz");
+    }
+    void writesChecksAndReports()
+    {
+        QFETCH(QByteArray, format);
+        QFETCH(QByteArray, name);
+        ExportFixture fixture;
+        fixture.apply(core::ChangeSegment{1, {}, {}, skull});
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        button(dialog, format.constData()).click();
+        const QString file = fixture.path(name.constData());
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
+        QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
+        button(dialog, "exportStart").click();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
+        QVERIFY(QFile::exists(file));
+        const QString report = dialog.findChild<QLabel*>(text("exportReport"))->text();
+        QVERIFY2(report.contains(QStringLiteral("✓")), qPrintable(report));
+        QVERIFY(!dialog.job().running());
+    }
+
+    void asksBeforeItReplaces()
+    {
+        ExportFixture fixture;
+        const QString path = fixture.path("there.nii.gz");
+        QFile there(path);
+        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
+        there.close();
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        button(dialog, "exportNifti").click();
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(path);
+        QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
+        answer(QMessageBox::No);
+        button(dialog, "exportStart").click();
+        QVERIFY(!dialog.job().running());
+        QCOMPARE(contents(path), QByteArray("mine"));
+        answer(QMessageBox::Yes);
+        button(dialog, "exportStart").click();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
+        QVERIFY(contents(path) != QByteArray("mine"));
+    }
+
+    void aFailureIsOneSentence()
+    {
+        ExportFixture fixture;
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        button(dialog, "exportNifti").click();
+        const QString file = fixture.path("no such folder/out.nii.gz");
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
+        button(dialog, "exportStart").click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().running(), 60000);
+        QVERIFY(dialog.findChild<QLabel*>(text("exportState"))
+                    ->text()
+                    .contains(text("no such folder")));
+        QVERIFY(button(dialog, "exportStart").isEnabled());
+    }
+
+private:
+    QTemporaryDir m_settings;
+};
+
+QTEST_MAIN(ExportDialogUiTest)
+#include "ExportDialogUiTest.moc"
