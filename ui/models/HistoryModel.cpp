@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
 
+#include "ui/CountText.h"
 #include "ui/Workspace.h"
 
 #include <QLocale>
@@ -13,7 +14,7 @@ namespace {
 
 QString counted(qlonglong count, const QString& one, const QString& many)
 {
-    return count == 1 ? one : many.arg(QLocale().toString(count));
+    return count == 1 ? one : many.arg(countText(count));
 }
 
 /// Names of strokes and growths end in what they changed ("Drill 6.2 mm, 214 bricks"); a row shows

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/GrowthPanel.h"
 
+#include "ui/CountText.h"
 #include "ui/Icons.h"
 #include "ui/SeedStatistics.h"
 #include "ui/Theme.h"
@@ -363,23 +364,22 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
     const core::EditSession* session = m_workspace.session();
     if (!session)
         return {};
-    const auto number = [](qlonglong value) { return QLocale().toString(value); };
     const core::Document& document = session->document();
     const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
     if (progress.open)
         return tr("Generation %1 · front %2 · added %3 (%4)")
-            .arg(number(progress.generation),
-                number(m_fronts.empty() ? 0 : qlonglong(m_fronts.back())), number(progress.members),
-                millilitreText(progress.members, voxelMm3));
+            .arg(countText(progress.generation),
+                countText(m_fronts.empty() ? 0 : qlonglong(m_fronts.back())),
+                countText(progress.members), millilitreText(progress.members, voxelMm3));
     const std::uint32_t generation =
         document.growths.empty() ? 0 : document.growths.front().generation;
     const core::History& history = session->history();
     if (history.position() == 0
         || !std::holds_alternative<core::GrowSteps>(history.row(history.position()).edit))
-        return tr("Generation %1").arg(number(generation));
+        return tr("Generation %1").arg(countText(generation));
     const auto added = history.row(history.position()).statistics.voxelsChanged;
     return tr("Generation %1 · last added %2 (%3)")
-        .arg(number(generation), number(added), millilitreText(added, voxelMm3));
+        .arg(countText(generation), countText(added), millilitreText(added, voxelMm3));
 }
 
 QString GrowthPanel::seedText(int seeds) const

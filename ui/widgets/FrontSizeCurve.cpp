@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/FrontSizeCurve.h"
 
+#include "ui/CountText.h"
 #include "ui/Theme.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -56,8 +56,8 @@ void FrontSizeCurve::paintEvent(QPaintEvent*)
     painter.drawLine(QPointF(now.x(), area.top() - 4.0), QPointF(now.x(), area.bottom() + 2.0));
     painter.setFont(theme::smallFont());
     painter.setPen(theme::secondary);
-    painter.drawText(area.adjusted(2.0, -4.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
-        tr("at most %1").arg(QLocale().toString(qlonglong(peak))));
+    painter.drawText(area.adjusted(0.0, 0.0, 0.0, 3.0), Qt::AlignHCenter | Qt::AlignBottom,
+        tr("front at most %1 voxels").arg(countText(qlonglong(peak))));
 }
 
 } // namespace ui
