@@ -47,13 +47,11 @@ public:
 
 private:
     explicit EditTransaction(VoxelFields& fields)
-        : m_fields(fields)
-        , m_before(fields)
+        : m_before(fields)
     {
     }
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
 
-    VoxelFields& m_fields;
     BeforeImages m_before;
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
