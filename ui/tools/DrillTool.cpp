@@ -29,6 +29,8 @@ DrillTool::DrillTool(Workspace& workspace, QObject* parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::drillSettingsChanged, this, &Tool::overlayChanged);
+    // A stroke ends with the session it was begun in.
+    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_strokeView.reset(); });
 }
 
 QString DrillTool::name() const
@@ -200,7 +202,14 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         depth = tr("%1 of %2 mm").arg(QLocale().toString(now, 'f', 1), full);
     }
     const QString size = tr("radius %1 mm").arg(QLocale().toString(settings.radiusMm, 'f', 1));
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, {depth, size, target()});
+    QStringList lines{depth, size, target()};
+    // A cut starts at the surface also where another mode shows something else.
+    if (std::get<gpu::VolumeScene>(view.scene).mode != gpu::RenderMode::Surface) {
+        const QString threshold =
+            QLocale().toString(m_workspace.volumeDisplay().surfaceThreshold, 'f', 0);
+        lines += tr("from the surface at %1 %2").arg(threshold, m_workspace.volume()->unit);
+    }
+    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
 }
 
 } // namespace ui

@@ -184,6 +184,18 @@ private Q_SLOTS:
         QVERIFY(fixture.session().history().rows().empty());
     }
 
+    void aStrokeEndsWithItsSession()
+    {
+        DrillFixture fixture;
+        test::Pen pen(fixture.view);
+        pen.press(fixture.middle(), 1.0, 10);
+        fixture.workspace.setSession(nullptr);
+        pen.move(fixture.middle() + QPointF(5, 0), 1.0, 20);
+        pen.release(fixture.middle() + QPointF(5, 0), 30);
+        fixture.tool.cancel();
+        QVERIFY(!fixture.workspace.session());
+    }
+
     void theEraserEndDoesNotCut()
     {
         DrillFixture fixture;
