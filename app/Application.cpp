@@ -18,6 +18,8 @@
 #include "ui/tools/SeedTool.h"
 
 #include <QApplication>
+#include <QDateTime>
+#include <QFile>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -65,6 +67,11 @@ void Application::makeWindow()
 
     addExport();
 
+    connect(
+        m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);
+    connect(m_workspace.get(), &ui::Workspace::documentChanged, this, [this] {
+        m_sessionUsed = m_sessionUsed || !m_workspace->session()->history().rows().empty();
+    });
     connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
     connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openSession);
 }
@@ -103,6 +110,7 @@ void Application::openSession(
     // One volume at a time on the engine: the old session closes its file first.
     m_workspace->setSession(nullptr);
     const QString file = sessionFile(loaded->volume);
+    const QString series = loaded->volume.identity.seriesUid;
     const bool continues = QFileInfo::exists(file);
     const auto wakeUp = [this] { wake(); };
     m_engine->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
@@ -111,16 +119,47 @@ void Application::openSession(
         : core::EditSession::create(
             m_engine->edits(), std::move(*loaded), {.file = file, .wakeUp = wakeUp});
     if (!session) {
-        m_workspace->fail(session.error());
+        tellWhyNot(session.error(), file, path, series);
         return;
     }
     ui::RecentStudies::add(path);
+    m_sessionFile = file;
+    m_sessionUsed = continues;
     m_workspace->setSession(std::move(*session));
     const std::size_t steps = m_workspace->session()->history().rows().size();
     if (steps > 0) {
         m_workspace->say(
             QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
     }
+}
+
+void Application::tellWhyNot(
+    const core::Error& error, const QString& file, const QString& path, const QString& series)
+{
+    m_workspace->fail(error);
+    const bool beyondUse = error.code == core::ErrorCode::SessionDamaged
+        || error.code == core::ErrorCode::SessionMismatch;
+    if (!beyondUse)
+        return;
+    // The study is not to be lost with its session; what is left of that stays beside the new one.
+    m_window->messages().show(ui::MessageBar::Kind::Error, ui::errorText(error),
+        QStringLiteral("Put it aside and start a new session"), [this, file, path, series] {
+            const QString time =
+                QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
+            if (QFile::rename(file, file + QStringLiteral(".aside-") + time))
+                m_window->opener().open(path, series);
+            else
+                m_workspace->fail({core::ErrorCode::FileUnwritable, {file}});
+        });
+}
+
+void Application::forgetUnusedSession()
+{
+    if (m_workspace->session() || m_sessionFile.isEmpty())
+        return;
+    if (!m_sessionUsed)
+        QFile::remove(m_sessionFile);
+    m_sessionFile.clear();
 }
 
 void Application::wake()

@@ -41,12 +41,18 @@ private:
     void makeWindow();
     void addExport();
     void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
+    void tellWhyNot(
+        const core::Error& error, const QString& file, const QString& path, const QString& series);
+    /// A session that was opened and closed without an edit leaves no file.
+    void forgetUnusedSession();
     void wake(); ///< any thread
     void poll();
 
     // The engine outlives whoever borrows it: members go in reverse order.
     std::unique_ptr<gpu::GpuEngine> m_engine;
     std::atomic<bool> m_pollQueued = false;
+    QString m_sessionFile;
+    bool m_sessionUsed = false;
     std::unique_ptr<ui::Workspace> m_workspace;
     std::unique_ptr<ui::MainWindow> m_window;
 };

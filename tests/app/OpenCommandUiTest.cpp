@@ -99,6 +99,10 @@ void OpenCommandUiTest::screenshotOfTheDemonstration()
     QVERIFY2(outcome.status == 0, qPrintable(outcome.output));
     const QImage picture(file);
     QCOMPARE(picture.size(), QSize(1100, 700));
+    // Nothing was edited: no session stays behind.
+    const QDir sessions(m_folder.filePath(QStringLiteral("XDG_STATE_HOME/burin/sessions")));
+    QVERIFY(sessions.exists());
+    QCOMPARE(sessions.entryList(QDir::Files), QStringList());
     // The middle of each quarter of the views is inside the head.
     const int right = picture.width() - 340;
     for (const double x : {0.28, 0.76}) {
