@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/InitialDisplay.h"
 
+#include "ui/TransferPresets.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -23,6 +25,14 @@ gpu::TransferFunction rampTransferFunction(double from, double to)
     const double span = std::max(to - from, 1e-6);
     return {{{from, 0x3a2a20, 0.0}, {from + 0.3 * span, 0xa8694c, 0.01},
         {from + 0.6 * span, 0xd9ab7c, 0.05}, {to, 0xffffff, 0.35}}};
+}
+
+/// From where tissue begins to what nearly nothing exceeds.
+core::WindowLevel mipWindow(const core::Volume& volume)
+{
+    const double low = volume.unit == QLatin1String("HU") ? 0.0 : otsuThreshold(volume.histogram);
+    const double high = std::max(quantile(volume.histogram, 0.9995), low + 1e-3);
+    return {0.5 * (low + high), high - low};
 }
 
 } // namespace
@@ -61,6 +71,7 @@ double otsuThreshold(const core::Histogram& histogram)
 Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
 {
     Workspace::VolumeDisplay display;
+    display.mipWindow = mipWindow(volume);
     if (volume.unit == QLatin1String("HU")) {
         display.surfaceThreshold = skinOverAirHu;
         display.transferFunction = ctTransferFunction();

@@ -40,6 +40,8 @@ public:
         gpu::RenderMode mode = gpu::RenderMode::Surface;
         double surfaceThreshold = 300.0;
         gpu::TransferFunction transferFunction;
+        /// Its own: what shows soft tissue on a slice drowns every bone along a ray.
+        core::WindowLevel mipWindow;
         bool operator==(const VolumeDisplay&) const = default;
     };
 

@@ -143,14 +143,13 @@ void ImageView::requestMovingFrame()
     requestFrame(true);
 }
 
-void ImageView::changeWindow(const QPointF& from, const QPointF& to)
+core::WindowLevel ImageView::windowAfterDrag(core::WindowLevel window, const QPointF& moved)
 {
     // The width moves in proportion to itself, so that narrow windows can be set finely.
-    core::WindowLevel window = m_workspace.windowLevel();
     const double step = std::max(window.width, 1.0) / 250.0;
-    window.width = std::max(window.width + (to.x() - from.x()) * step, 1e-3);
-    window.centre += (to.y() - from.y()) * step;
-    m_workspace.setWindowLevel(window);
+    window.width = std::max(window.width + moved.x() * step, 1e-3);
+    window.centre += moved.y() * step;
+    return window;
 }
 
 bool ImageView::event(QEvent* event)

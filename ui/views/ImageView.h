@@ -68,7 +68,9 @@ protected:
     void requestFrame(bool interacting = false);
     /// The same while something turns or moves; full quality follows when it rests.
     void requestMovingFrame();
-    void changeWindow(const QPointF& from, const QPointF& to);
+    /// Rightwards is wider, downwards is higher.
+    [[nodiscard]] static core::WindowLevel windowAfterDrag(
+        core::WindowLevel window, const QPointF& moved);
 
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

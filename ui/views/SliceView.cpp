@@ -146,7 +146,7 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
     const QPointF moved = to - from;
     switch (gesture) {
     case Gesture::Window:
-        changeWindow(from, to);
+        workspace().setWindowLevel(windowAfterDrag(workspace().windowLevel(), moved));
         break;
     case Gesture::Pan:
         m_fitted = false;

@@ -104,9 +104,7 @@ gpu::Scene VolumeView::scene() const
     scene.mode = display.mode;
     scene.surfaceThreshold = display.surfaceThreshold;
     scene.transferFunction = display.transferFunction;
-    // Grey values matter to one mode only; the others are not drawn again when they change.
-    if (display.mode == gpu::RenderMode::Mip)
-        scene.mipWindow = workspace().windowLevel();
+    scene.mipWindow = display.mipWindow;
     return scene;
 }
 
@@ -140,12 +138,19 @@ void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to
         m_camera.heightMm = std::clamp(m_camera.heightMm * std::exp(moved.y() * 0.008), 1.0, 1e4);
         break;
     case Gesture::Window:
-        return changeWindow(from, to);
+        return changeMipWindow(moved);
     default:
         return;
     }
     m_fitted = m_fitted && gesture == Gesture::Rotate;
     requestMovingFrame();
+}
+
+void VolumeView::changeMipWindow(const QPointF& moved)
+{
+    Workspace::VolumeDisplay display = workspace().volumeDisplay();
+    display.mipWindow = windowAfterDrag(display.mipWindow, moved);
+    workspace().setVolumeDisplay(display);
 }
 
 void VolumeView::clicked(const QPointF& at)
@@ -194,7 +199,9 @@ QString VolumeView::modeText() const
     case gpu::RenderMode::Mip:
         break;
     }
-    return QStringLiteral("maximum intensity");
+    const core::WindowLevel& window = workspace().volumeDisplay().mipWindow;
+    return QStringLiteral("maximum intensity · W %1  L %2")
+        .arg(valueText(window.width, QString(), span), valueText(window.centre, volume.unit, span));
 }
 
 QString VolumeView::qualityText() const

@@ -35,6 +35,7 @@ protected:
 private:
     void openVolume();
     void fit();
+    void changeMipWindow(const QPointF& moved);
     [[nodiscard]] OrientationCube cube(const Camera& camera) const;
     [[nodiscard]] QString modeText() const;
     [[nodiscard]] QString qualityText() const;

@@ -94,6 +94,7 @@ private Q_SLOTS:
     void doubleClickMaximises();
     void spaceNavigatesWithAToolInHand();
     void volumeViewTurnsAndZooms();
+    void maximumIntensityHasItsOwnWindow();
     void nothingIsDrawnWhileNothingChanges();
 };
 
@@ -330,6 +331,24 @@ void ViewsUiTest::volumeViewTurnsAndZooms()
     view.resetView();
     QCOMPARE(view.camera().heightMm, before.heightMm);
     QCOMPARE(view.camera().towardsViewer, before.towardsViewer);
+}
+
+void ViewsUiTest::maximumIntensityHasItsOwnWindow()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    fixture.window.actionTable()[QStringLiteral("view.mip")].trigger();
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    const core::WindowLevel slices = fixture.workspace.windowLevel();
+    const core::WindowLevel before = fixture.workspace.volumeDisplay().mipWindow;
+    ui::VolumeView& view = fixture.window.views().volume();
+    drag(view, Qt::RightButton, view.rect().center(), {60, 30});
+    const core::WindowLevel after = fixture.workspace.volumeDisplay().mipWindow;
+    QVERIFY(after.width > before.width && after.centre > before.centre);
+    QCOMPARE(fixture.workspace.windowLevel(), slices);
+    const auto& scene = std::get<gpu::VolumeScene>(fixture.frames.lastRequest(view.viewId()).scene);
+    QCOMPARE(scene.mipWindow, after);
+    fixture.workspace.setActiveTool(nullptr);
 }
 
 void ViewsUiTest::nothingIsDrawnWhileNothingChanges()
