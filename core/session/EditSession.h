@@ -15,6 +15,8 @@
 
 namespace core {
 
+class OperationQueue;
+
 /// The controller (DESIGN §2): stroke → command → engine → history → session file.
 ///
 /// Owns the document and the history of one open volume; the engine is lent. Nothing here waits for
@@ -93,9 +95,8 @@ public:
     void setErrorListener(std::function<void(const Error&)> listener);
 
 private:
-    class Implementation;
-    explicit EditSession(std::unique_ptr<Implementation> implementation);
-    std::unique_ptr<Implementation> m_implementation;
+    explicit EditSession(std::unique_ptr<OperationQueue> queue);
+    std::unique_ptr<OperationQueue> m_queue;
 };
 
 } // namespace core

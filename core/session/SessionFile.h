@@ -2,26 +2,18 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/TaskThread.h"
 #include "core/brick/BrickDelta.h"
-#include "core/history/History.h"
-#include "core/session/SessionSource.h"
+#include "core/session/SessionContents.h"
 
 #include <QString>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace core {
 
-/// Everything of a session file but the differences, which are read one by one.
-struct SessionContents {
-    SessionSource source;
-    std::vector<HistoryRow> rows; ///< those without second half have an empty stateHash
-    std::vector<std::pair<RowId, RowId>> visited; ///< parent, child
-    RowId position = 0;
-    std::vector<int> hiddenSegments;
-};
+class SessionTables;
 
 /// The history on disk (README.md beside this file): an SQLite database behind one writer thread
 /// that owns the connection. Writing calls return at once and are carried out in order; the first
@@ -43,8 +35,8 @@ public:
     ~SessionFile();
 
     /// As it was when the file was opened.
-    [[nodiscard]] const SessionContents& contents() const;
-    [[nodiscard]] QString path() const;
+    [[nodiscard]] const SessionContents& contents() const { return m_contents; }
+    [[nodiscard]] QString path() const { return m_path; }
 
     /// First half of a row: it becomes the position, and the child that redo goes to.
     void addRow(const HistoryRow& row);
@@ -60,9 +52,12 @@ public:
     [[nodiscard]] Result<void> flush();
 
 private:
-    class Writer;
-    explicit SessionFile(std::unique_ptr<Writer> writer);
-    std::unique_ptr<Writer> m_writer;
+    explicit SessionFile(const QString& path);
+
+    QString m_path;
+    SessionContents m_contents;
+    std::unique_ptr<SessionTables> m_tables; ///< the writer's thread only
+    TaskThread m_writer; ///< last: it uses all of the above
 };
 
 } // namespace core

@@ -190,33 +190,4 @@ Edit VoxelOperation::carriedOut(const EngineResult& result) const
     return grow;
 }
 
-DocumentOperation::DocumentOperation(Edit edit, RowId again)
-    : m_edit(std::move(edit))
-    , m_again(again)
-{
-}
-
-void DocumentOperation::start(SessionState& state)
-{
-    m_done = true;
-    if (m_again != 0) {
-        state.complete(m_again, {});
-        return;
-    }
-    const Result<bool> changed = applyToDocument(m_edit, state.document);
-    if (!changed) {
-        state.fail(changed.error());
-        return;
-    }
-    if (*changed) {
-        state.commit(m_edit, {}, {}, {});
-        state.tell(DocumentChange::What::Segments);
-    }
-}
-
-bool DocumentOperation::foresee(Document& document) const
-{
-    return bool(applyToDocument(m_edit, document));
-}
-
 } // namespace core

@@ -48,18 +48,4 @@ private:
     bool m_finished = false;
 };
 
-/// An edit of the document alone.
-class DocumentOperation final : public Operation {
-public:
-    explicit DocumentOperation(Edit edit, RowId again = 0);
-    void start(SessionState& state) override;
-    [[nodiscard]] bool done() const override { return m_done; }
-    [[nodiscard]] bool foresee(Document& document) const override;
-
-private:
-    Edit m_edit;
-    RowId m_again = 0;
-    bool m_done = false;
-};
-
 } // namespace core

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/DocumentOperation.h"
+
+#include "core/edits/DocumentEdits.h"
+
+#include <utility>
+
+namespace core {
+
+DocumentOperation::DocumentOperation(Edit edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+void DocumentOperation::start(SessionState& state)
+{
+    m_done = true;
+    if (m_again != 0) {
+        state.complete(m_again, {});
+        return;
+    }
+    const Result<bool> changed = applyToDocument(m_edit, state.document);
+    if (!changed) {
+        state.fail(changed.error());
+        return;
+    }
+    if (*changed) {
+        state.commit(m_edit, {}, {}, {});
+        state.tell(DocumentChange::What::Segments);
+    }
+}
+
+bool DocumentOperation::foresee(Document& document) const
+{
+    return bool(applyToDocument(m_edit, document));
+}
+
+} // namespace core

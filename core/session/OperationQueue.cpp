@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/OperationQueue.h"
+
+#include "core/edits/DocumentEdits.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// A question to the engine in its place in line.
+class Question final : public Operation {
+public:
+    explicit Question(std::function<void()> submit)
+        : m_submit(std::move(submit))
+    {
+    }
+    void start(SessionState&) override
+    {
+        m_submit();
+        m_done = true;
+    }
+    [[nodiscard]] bool done() const override { return m_done; }
+
+private:
+    std::function<void()> m_submit;
+    bool m_done = false;
+};
+
+} // namespace
+
+OperationQueue::OperationQueue(EditEngine& engine, Volume volume, std::unique_ptr<SessionFile> file,
+    std::function<void()> wakeUp)
+    : m_state(engine, std::move(volume))
+    , m_wakeUp(std::move(wakeUp))
+{
+    m_state.file = std::move(file);
+    m_state.worker = std::make_unique<CommitWorker>(m_state.file.get(), m_wakeUp);
+    if (m_wakeUp)
+        engine.setWakeUp(m_wakeUp);
+}
+
+OperationQueue::~OperationQueue()
+{
+    m_listener = {};
+    m_errorListener = {};
+    m_answers.clear();
+    if (VoxelOperation* open = interactive())
+        open->end(m_state, open->isGrowth() ? Ending::Commit : Ending::Rollback);
+    static_cast<void>(settle());
+    if (m_wakeUp)
+        m_state.engine.setWakeUp({});
+}
+
+void OperationQueue::submit(std::unique_ptr<Operation> operation)
+{
+    m_operations.push_back(std::move(operation));
+    advance();
+    tellNews();
+}
+
+void OperationQueue::ask(EngineCommand question, Answer answer)
+{
+    auto submitQuestion = [this, question = std::move(question), answer = std::move(answer)] {
+        m_answers.emplace(m_state.engine.submit(question), answer);
+    };
+    // Behind edits that have not reached the engine a question waits like they do.
+    if (nothingAhead())
+        return submitQuestion();
+    m_operations.push_back(std::make_unique<Question>(std::move(submitQuestion)));
+}
+
+VoxelOperation* OperationQueue::interactive() const
+{
+    for (const std::unique_ptr<Operation>& operation : m_operations) {
+        auto* stroke = dynamic_cast<VoxelOperation*>(operation.get());
+        if (stroke && stroke->open())
+            return stroke;
+    }
+    return nullptr;
+}
+
+void OperationQueue::end(VoxelOperation& stroke, Ending ending)
+{
+    stroke.end(m_state, ending);
+    advance();
+    tellNews();
+}
+
+void OperationQueue::closeGrowth()
+{
+    VoxelOperation* open = interactive();
+    if (!open || !open->isGrowth())
+        return;
+    open->extendGrowth(m_state, GrowPause{});
+    open->end(m_state, Ending::Commit);
+    advance();
+}
+
+void OperationQueue::poll()
+{
+    if (m_polling)
+        return;
+    m_polling = true;
+    do
+        advance();
+    while (collect());
+    m_polling = false;
+    tellNews();
+}
+
+bool OperationQueue::collect()
+{
+    std::vector<EngineResult> results = m_state.engine.collect();
+    std::vector<CommitWorker::Report> reports = m_state.worker->collect();
+    for (EngineResult& result : results) {
+        take(std::move(result));
+        advance();
+    }
+    for (CommitWorker::Report& report : reports)
+        take(std::move(report));
+    return !results.empty() || !reports.empty();
+}
+
+void OperationQueue::take(EngineResult&& result)
+{
+    if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
+        const Answer answer = std::move(asked->second);
+        m_answers.erase(asked);
+        answer(result);
+    } else if (m_started) {
+        m_operations.front()->takeResult(m_state, std::move(result));
+    }
+}
+
+void OperationQueue::take(CommitWorker::Report&& report)
+{
+    if (report.differences) {
+        if (m_started)
+            m_operations.front()->takeDifferences(m_state, *std::move(report.differences));
+        return;
+    }
+    HistoryRow& row = m_state.history.row(report.row);
+    row.deltaBytes = report.deltaBytes;
+    row.stateHash = std::move(report.stateHash);
+    m_state.tell(DocumentChange::What::History);
+}
+
+void OperationQueue::advance()
+{
+    if (m_advancing)
+        return;
+    m_advancing = true;
+    while (!m_operations.empty()) {
+        if (!m_started) {
+            m_started = true;
+            m_operations.front()->start(m_state);
+        }
+        if (!m_operations.front()->done())
+            break;
+        m_operations.pop_front();
+        m_started = false;
+    }
+    m_advancing = false;
+}
+
+bool OperationQueue::nothingAhead() const
+{
+    if (m_operations.empty())
+        return true;
+    // A stroke under the pen is ended by whoever began it.
+    const VoxelOperation* open = interactive();
+    return open && open == m_operations.front().get();
+}
+
+Result<void> OperationQueue::settle()
+{
+    closeGrowth();
+    m_state.engine.finish();
+    poll();
+    while (!settled()) {
+        m_state.engine.finish();
+        m_state.worker->finish();
+        poll();
+        if (!settled())
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    m_state.worker->finish();
+    poll();
+    if (m_state.file) {
+        if (const Result<void> flushed = m_state.file->flush(); !flushed && !m_state.firstError)
+            m_state.fail(flushed.error());
+    }
+    tellNews();
+    if (const std::optional<Error> error = std::exchange(m_state.firstError, std::nullopt))
+        return tl::unexpected(*error);
+    return {};
+}
+
+Result<void> OperationQueue::check(const Edit& edit) const
+{
+    if (idle())
+        return checkAgainst(m_state.document, edit);
+    Document expected = m_state.document;
+    for (const std::unique_ptr<Operation>& operation : m_operations) {
+        if (!operation->foresee(expected))
+            return {};
+    }
+    return checkAgainst(expected, edit);
+}
+
+Document OperationQueue::foreseen() const
+{
+    Document expected = m_state.document;
+    for (const std::unique_ptr<Operation>& operation : m_operations)
+        static_cast<void>(operation->foresee(expected));
+    return expected;
+}
+
+void OperationQueue::setListener(std::function<void(const DocumentChange&)> listener)
+{
+    m_listener = std::move(listener);
+}
+
+void OperationQueue::setErrorListener(std::function<void(const Error&)> listener)
+{
+    m_errorListener = std::move(listener);
+}
+
+void OperationQueue::tellNews()
+{
+    // Listeners may well ask for more, which makes more news.
+    while (!m_state.news.empty() || !m_state.errors.empty()) {
+        for (const DocumentChange& change : std::exchange(m_state.news, {})) {
+            if (m_listener)
+                m_listener(change);
+        }
+        for (const Error& error : std::exchange(m_state.errors, {})) {
+            if (m_errorListener)
+                m_errorListener(error);
+        }
+    }
+}
+
+} // namespace core

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/OperationQueue.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// Labels of a plane as one array, x fastest, behind what waits in @p queue. Waits for the engine.
+[[nodiscard]] Result<std::vector<std::uint8_t>> readLabels(
+    OperationQueue& queue, std::uint8_t plane);
+
+} // namespace core

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/RestoreSession.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/session/DocumentOperation.h"
+#include "core/session/VoxelOperation.h"
+#include "core/session/WalkOperation.h"
+
+#include <map>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// The bricks that are not empty at a row: all differences on the way there, one over the other.
+Result<std::vector<BrickImage>> bricksAt(SessionFile& file, const History& history, RowId row)
+{
+    std::map<BrickKey, BrickImage> bricks;
+    for (const RowId id : history.pathTo(row)) {
+        const Result<BrickDelta> delta = file.readDelta(id);
+        if (!delta)
+            return tl::unexpected(delta.error());
+        Result<std::vector<BrickImage>> differences = expandDelta(*delta);
+        if (!differences)
+            return failure(ErrorCode::SessionDamaged, file.path(),
+                QStringLiteral("row %1: %2").arg(id).arg(differences.error().arguments.value(0)));
+        for (BrickImage& difference : *differences) {
+            BrickImage& brick = bricks[difference.key];
+            brick.key = difference.key;
+            brick = exclusiveOr(brick, difference);
+        }
+    }
+    std::vector<BrickImage> images;
+    for (auto& [key, brick] : bricks) {
+        if (!brick.bytes.empty())
+            images.push_back(std::move(brick));
+    }
+    return images;
+}
+
+/// The farthest row on the way to @p row that has its second half, as all before it have.
+RowId lastComplete(const History& history, RowId row)
+{
+    RowId complete = 0;
+    for (const RowId id : history.pathTo(row)) {
+        if (history.row(id).stateHash.isEmpty())
+            break;
+        complete = id;
+    }
+    return complete;
+}
+
+Result<void> fitsGrid(
+    const std::vector<BrickImage>& images, const Volume& volume, const QString& path)
+{
+    const BrickGrid grid{volume.geometry.size};
+    for (const BrickImage& image : images) {
+        if (image.key.brick >= std::uint32_t(grid.brickCount()))
+            return failure(ErrorCode::SessionDamaged, path,
+                QStringLiteral("it names a brick that the volume does not have"));
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> restoreSession(SessionState& state)
+{
+    SessionFile& file = *state.file;
+    const SessionContents& contents = file.contents();
+    state.history = History::restored(contents.rows, contents.visited, contents.position);
+    const RowId base = lastComplete(state.history, contents.position);
+    Result<std::vector<BrickImage>> images = bricksAt(file, state.history, base);
+    if (!images)
+        return tl::unexpected(images.error());
+    if (const Result<void> fits = fitsGrid(*images, state.document.volumes.front(), file.path());
+        !fits)
+        return fits;
+    if (!images->empty()) {
+        state.engine.submit(SwapBricks{*images});
+        state.engine.finish();
+    }
+    state.history.moveTo(base);
+    state.hide(contents.hiddenSegments);
+    state.begin(*std::move(images));
+    if (base != 0
+        && state.worker->stateHash(state.documentJson()) != state.history.row(base).stateHash)
+        return failure(ErrorCode::SessionDamaged, file.path(),
+            QStringLiteral("row %1: its voxels do not have its hash").arg(base));
+    return {};
+}
+
+std::vector<std::unique_ptr<Operation>> unfinishedRows(const SessionState& state)
+{
+    const SessionContents& contents = state.file->contents();
+    std::vector<std::unique_ptr<Operation>> operations;
+    const auto walkTo = [&operations](RowId row) {
+        operations.push_back(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
+    };
+    for (const HistoryRow& row : contents.rows) {
+        if (!row.stateHash.isEmpty())
+            continue;
+        walkTo(row.parent);
+        if (changesDocumentOnly(row.edit))
+            operations.push_back(std::make_unique<DocumentOperation>(row.edit, row.id));
+        else
+            operations.push_back(
+                std::make_unique<VoxelOperation>(row.edit, VoxelOperation::Kind::Whole, row.id));
+    }
+    if (!operations.empty() || contents.position != state.history.position())
+        walkTo(contents.position);
+    return operations;
+}
+
+} // namespace core

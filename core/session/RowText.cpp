@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/RowText.h"
+
+#include "core/edits/EditJson.h"
+
+#include <QCryptographicHash>
+#include <QJsonDocument>
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+QString sha256(const QStringList& lines)
+{
+    const QByteArray message = lines.join(QLatin1Char('\n')).toUtf8();
+    return QString::fromLatin1(
+        QCryptographicHash::hash(message, QCryptographicHash::Sha256).toHex());
+}
+
+QString toText(const EditStatistics& statistics)
+{
+    return compact({
+        {QStringLiteral("voxelsChanged"), qint64(statistics.voxelsChanged)},
+        {QStringLiteral("bricks"), statistics.bricks},
+        {QStringLiteral("generations"), statistics.generations},
+        {QStringLiteral("milliseconds"), statistics.milliseconds},
+    });
+}
+
+EditStatistics statisticsFrom(const QString& text)
+{
+    const QJsonObject json = parsed(text);
+    return {.voxelsChanged = json.value(QStringLiteral("voxelsChanged")).toInteger(),
+        .bricks = json.value(QStringLiteral("bricks")).toInt(),
+        .generations = json.value(QStringLiteral("generations")).toInt(),
+        .milliseconds = json.value(QStringLiteral("milliseconds")).toDouble()};
+}
+
+} // namespace
+
+RowText RowText::of(const HistoryRow& row)
+{
+    return {.id = row.id,
+        .parent = row.parent,
+        .name = row.name,
+        .edit = compact(editToJson(row.edit)),
+        .statistics = toText(row.statistics),
+        .growthGeneration = row.growthGeneration};
+}
+
+Result<HistoryRow> RowText::row() const
+{
+    Result<Edit> known = editFromJson(parsed(edit));
+    if (!known)
+        return tl::unexpected(known.error());
+    HistoryRow row;
+    row.id = id;
+    row.parent = parent;
+    row.name = name;
+    row.edit = *std::move(known);
+    row.statistics = statisticsFrom(statistics);
+    row.growthGeneration = std::uint32_t(growthGeneration);
+    return row;
+}
+
+QString RowText::chain(const QString& previous) const
+{
+    return sha256({previous, QString::number(id), QString::number(parent), name, edit, statistics,
+        QString::number(growthGeneration)});
+}
+
+QString firstChain(const QString& source)
+{
+    return sha256({QStringLiteral("BurinSession1"), source});
+}
+
+QString seal(const QString& chain, const QString& stateHash, const QString& deltaSha256)
+{
+    return sha256({chain, stateHash, deltaSha256});
+}
+
+QString sha256(const BrickDelta& delta)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    for (const QByteArray& piece : delta.pieces)
+        hash.addData(piece);
+    return QString::fromLatin1(hash.result().toHex());
+}
+
+QString compact(const QJsonObject& object)
+{
+    return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+QJsonObject parsed(const QString& text)
+{
+    return QJsonDocument::fromJson(text.toUtf8()).object();
+}
+
+} // namespace core

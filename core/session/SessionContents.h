@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/history/History.h"
+#include "core/session/SessionSource.h"
+
+#include <utility>
+#include <vector>
+
+namespace core {
+
+/// Everything of a session file but the differences, which are read one by one.
+struct SessionContents {
+    SessionSource source;
+    std::vector<HistoryRow> rows; ///< those without second half have an empty stateHash
+    std::vector<std::pair<RowId, RowId>> visited; ///< parent, child
+    RowId position = 0;
+    std::vector<int> hiddenSegments;
+};
+
+} // namespace core

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionTables.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSqlQuery>
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+QVariant sqlId(RowId id)
+{
+    return qint64(id);
+}
+
+void takeState(const QString& key, const QString& value, SessionContents& contents)
+{
+    if (key == QLatin1String("position"))
+        contents.position = value.toLongLong();
+    if (key == QLatin1String("hiddenSegments")) {
+        const QJsonArray labels = QJsonDocument::fromJson(value.toUtf8()).array();
+        for (const QJsonValue& label : labels)
+            contents.hiddenSegments.push_back(label.toInt());
+    }
+}
+
+} // namespace
+
+SessionTables::SessionTables(QString path)
+    : m_path(std::move(path))
+{
+}
+
+Result<void> SessionTables::create(const SessionSource& source)
+{
+    Result<std::unique_ptr<SessionDatabase>> made = SessionDatabase::create(m_path);
+    if (!made)
+        return tl::unexpected(made.error());
+    m_database = *std::move(made);
+    const QString json = compact(source.toJson());
+    m_chains = {firstChain(json)};
+    write([&] {
+        return m_database->run(QStringLiteral("INSERT INTO source VALUES (1, ?)"), {json});
+    });
+    return written();
+}
+
+Result<SessionContents> SessionTables::open(bool readOnly)
+{
+    Result<std::unique_ptr<SessionDatabase>> opened = SessionDatabase::open(m_path, readOnly);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    m_database = *std::move(opened);
+    SessionContents contents;
+    Result<SessionSource> source = readSource();
+    if (!source)
+        return tl::unexpected(source.error());
+    contents.source = *std::move(source);
+    Result<std::vector<HistoryRow>> rows = readRows();
+    if (!rows)
+        return tl::unexpected(rows.error());
+    contents.rows = *std::move(rows);
+    if (const Result<void> read = readState(contents); !read)
+        return tl::unexpected(read.error());
+    return contents;
+}
+
+// --- Writing -------------------------------------------------------------------------------------
+
+void SessionTables::addRow(const RowText& row)
+{
+    const QString chain = row.chain(m_chains.back());
+    const bool stands = write([&] {
+        return m_database->run(
+                   QStringLiteral("INSERT INTO row (id, parent, name, edit, statistics,"
+                                  " growthGeneration, chain) VALUES (?, ?, ?, ?, ?, ?, ?)"),
+                   {sqlId(row.id), sqlId(row.parent), row.name, row.edit, row.statistics,
+                       row.growthGeneration, chain})
+            && writePosition(row.id);
+    });
+    if (stands)
+        m_chains.push_back(chain);
+}
+
+void SessionTables::completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta)
+{
+    write([&] {
+        for (std::size_t piece = 0; piece < delta.pieces.size(); ++piece) {
+            if (!m_database->run(QStringLiteral("INSERT INTO delta VALUES (?, ?, ?)"),
+                    {sqlId(row), int(piece), delta.pieces[piece]}))
+                return false;
+        }
+        const QString hash = QString::fromLatin1(stateHash);
+        const QString deltaHash = sha256(delta);
+        return m_database->run(
+            QStringLiteral("UPDATE row SET stateHash=?, deltaSha256=?, seal=? WHERE id=?"),
+            {hash, deltaHash, seal(m_chains[std::size_t(row)], hash, deltaHash), sqlId(row)});
+    });
+}
+
+void SessionTables::setPosition(RowId position)
+{
+    write([&] { return writePosition(position); });
+}
+
+void SessionTables::setHiddenSegments(const std::vector<int>& labels)
+{
+    QJsonArray list;
+    for (const int label : labels)
+        list.append(label);
+    const QString text = QString::fromUtf8(QJsonDocument(list).toJson(QJsonDocument::Compact));
+    write([&] { return writeState(QStringLiteral("hiddenSegments"), text); });
+}
+
+Result<void> SessionTables::written() const
+{
+    if (m_error)
+        return tl::unexpected(*m_error);
+    return {};
+}
+
+bool SessionTables::write(const std::function<bool()>& work)
+{
+    if (m_error)
+        return false;
+    if (m_database->transaction(work))
+        return true;
+    m_error = Error{ErrorCode::FileUnwritable, {m_path, m_database->reason()}};
+    return false;
+}
+
+bool SessionTables::writePosition(RowId position)
+{
+    return writeState(QStringLiteral("position"), QString::number(position))
+        && m_database->run(
+            QStringLiteral("INSERT OR REPLACE INTO visited SELECT parent, id FROM row WHERE id=?"),
+            {sqlId(position)});
+}
+
+bool SessionTables::writeState(const QString& key, const QString& value)
+{
+    return m_database->run(
+        QStringLiteral("INSERT OR REPLACE INTO state VALUES (?, ?)"), {key, value});
+}
+
+// --- Reading -------------------------------------------------------------------------------------
+
+Result<BrickDelta> SessionTables::readDelta(RowId row)
+{
+    BrickDelta delta;
+    QString expected;
+    const bool read =
+        m_database->query(QStringLiteral("SELECT deltaSha256 FROM row WHERE id=?"), {sqlId(row)},
+            [&expected](const QSqlQuery& answer) {
+                expected = answer.value(0).toString();
+                return true;
+            })
+        && m_database->query(QStringLiteral("SELECT bytes FROM delta WHERE row=? ORDER BY piece"),
+            {sqlId(row)}, [&delta](const QSqlQuery& answer) {
+                delta.pieces.push_back(answer.value(0).toByteArray());
+                return true;
+            });
+    if (!read)
+        return damaged(row, m_database->reason());
+    if (sha256(delta) != expected)
+        return damaged(row, QStringLiteral("its difference was changed"));
+    return delta;
+}
+
+Result<SessionSource> SessionTables::readSource()
+{
+    QString json;
+    const bool read = m_database->query(
+        QStringLiteral("SELECT json FROM source"), {}, [&json](const QSqlQuery& answer) {
+            json = answer.value(0).toString();
+            return true;
+        });
+    std::optional<SessionSource> source = SessionSource::fromJson(parsed(json));
+    if (!read || !source)
+        return damaged(0, QStringLiteral("it does not say what it was made on"));
+    m_chains = {firstChain(json)};
+    return *std::move(source);
+}
+
+Result<std::vector<HistoryRow>> SessionTables::readRows()
+{
+    std::vector<HistoryRow> rows;
+    Result<void> result;
+    const bool read = m_database->query(
+        QStringLiteral("SELECT row.id, parent, name, edit, statistics, growthGeneration, chain,"
+                       " stateHash, deltaSha256, seal, SUM(LENGTH(bytes)) FROM row"
+                       " LEFT JOIN delta ON delta.row = row.id GROUP BY row.id ORDER BY row.id"),
+        {}, [this, &rows, &result](const QSqlQuery& answer) {
+            Result<HistoryRow> row = readRow(answer, RowId(rows.size()) + 1);
+            if (!row) {
+                result = tl::unexpected(row.error());
+                return false;
+            }
+            rows.push_back(*std::move(row));
+            return true;
+        });
+    if (!result)
+        return tl::unexpected(result.error());
+    if (!read)
+        return damaged(0, m_database->reason());
+    return rows;
+}
+
+Result<HistoryRow> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
+{
+    const RowText text{.id = answer.value(0).toLongLong(),
+        .parent = answer.value(1).toLongLong(),
+        .name = answer.value(2).toString(),
+        .edit = answer.value(3).toString(),
+        .statistics = answer.value(4).toString(),
+        .growthGeneration = answer.value(5).toLongLong()};
+    if (text.id != expectedId || text.parent < 0 || text.parent >= text.id)
+        return damaged(expectedId, QStringLiteral("it is missing or out of order"));
+    const QString chain = text.chain(m_chains.back());
+    if (chain != answer.value(6).toString())
+        return damaged(text.id, QStringLiteral("it was changed after it was written"));
+    m_chains.push_back(chain);
+
+    Result<HistoryRow> row = text.row();
+    if (!row)
+        return damaged(text.id,
+            QStringLiteral("its edit is not known here: ")
+                + row.error().arguments.join(QStringLiteral(", ")));
+    if (!answer.value(9).isNull()) {
+        const QString stateHash = answer.value(7).toString();
+        if (answer.value(9).toString() != seal(chain, stateHash, answer.value(8).toString()))
+            return damaged(text.id, QStringLiteral("its hash was changed after it was written"));
+        row->stateHash = stateHash.toLatin1();
+        row->deltaBytes = std::size_t(answer.value(10).toLongLong());
+    }
+    return row;
+}
+
+Result<void> SessionTables::readState(SessionContents& contents)
+{
+    const auto isRow = [&contents](
+                           RowId id) { return id >= 0 && id <= RowId(contents.rows.size()); };
+    bool sound = true;
+    const bool read =
+        m_database->query(QStringLiteral("SELECT key, value FROM state"), {},
+            [&contents](const QSqlQuery& answer) {
+                takeState(answer.value(0).toString(), answer.value(1).toString(), contents);
+                return true;
+            })
+        && m_database->query(
+            QStringLiteral("SELECT parent, child FROM visited"), {}, [&](const QSqlQuery& answer) {
+                const RowId parent = answer.value(0).toLongLong();
+                const RowId child = answer.value(1).toLongLong();
+                sound = sound && child > 0 && isRow(child)
+                    && contents.rows[std::size_t(child - 1)].parent == parent;
+                contents.visited.emplace_back(parent, child);
+                return sound;
+            });
+    if (!read)
+        return damaged(0, m_database->reason());
+    if (!sound || !isRow(contents.position))
+        return damaged(0, QStringLiteral("its position is no row"));
+    return {};
+}
+
+tl::unexpected<Error> SessionTables::damaged(RowId row, const QString& reason) const
+{
+    return failure(ErrorCode::SessionDamaged, m_path,
+        row == 0 ? reason : QStringLiteral("row %1: %2").arg(row).arg(reason));
+}
+
+} // namespace core
