@@ -356,4 +356,11 @@ void appendWhole(std::vector<EngineStep>& steps, core::EngineEdit edit,
     steps.push_back(core::EngineCommand(core::EndEdit{ending}));
 }
 
+core::EngineResult lastResult(core::EditEngine& engine)
+{
+    engine.finish();
+    std::vector<core::EngineResult> results = engine.collect();
+    return results.empty() ? core::EngineResult{} : std::move(results.back());
+}
+
 } // namespace test

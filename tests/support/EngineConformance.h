@@ -48,6 +48,9 @@ struct EngineOutcome {
 /// Where two outcomes part, in words; empty if they are equal in all but milliseconds.
 [[nodiscard]] QString difference(const EngineOutcome& expected, const EngineOutcome& actual);
 
+/// Waits. @return the result that came last; an empty one if there is none
+[[nodiscard]] core::EngineResult lastResult(core::EditEngine& engine);
+
 /// Steps for an edit in one go.
 void appendWhole(std::vector<EngineStep>& steps, core::EngineEdit edit,
     std::vector<core::EngineExtension> extensions = {}, core::Ending ending = core::Ending::Commit);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <atomic>
+#include <numeric>
 
 using namespace core;
 
@@ -31,9 +34,12 @@ class DelayedEngineTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
     void resultsComeLateAndInBursts();
     void finishBringsAll();
     void wakesUntilNothingIsHeld();
+    void delayChangesNothing();
 };
 
 void DelayedEngineTest::resultsComeLateAndInBursts()
@@ -85,6 +91,23 @@ void DelayedEngineTest::wakesUntilNothingIsHeld()
         got += engine.collect().size();
     }
     QCOMPARE(got, std::size_t(5));
+}
+
+void DelayedEngineTest::delayChangesNothing()
+{
+    const int random = test::longRun() ? 100 : 15;
+    std::vector<test::EngineCase> cases = test::growthCases(random);
+    for (auto more : {test::drillCases(random), test::pickCases(random), test::refusalCases()})
+        cases.insert(cases.end(), more.begin(), more.end());
+    std::uint32_t seed = 0;
+    for (const test::EngineCase& engineCase : cases) {
+        reference::ReferenceEngine direct;
+        reference::ReferenceEngine inner;
+        reference::DelayedEngine delayed(inner, ++seed);
+        const QString text =
+            test::difference(test::runCase(direct, engineCase), test::runCase(delayed, engineCase));
+        QVERIFY2(text.isEmpty(), qPrintable(QString::fromUtf8(engineCase.name + ": ") + text));
+    }
 }
 
 QTEST_GUILESS_MAIN(DelayedEngineTest)

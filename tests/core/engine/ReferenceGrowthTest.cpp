@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/growth/SeedWord.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <deque>
+
+using namespace core;
+using reference::ReferenceEngine;
+using test::Codes;
+using test::lastResult;
+
+namespace {
+
+constexpr int far = 1 << 30;
+
+/// Distances from sources over faces within `allowed`: breadth first, as in any textbook.
+std::vector<int> distances(const glm::ivec3& size, const std::vector<char>& allowed,
+    const std::vector<glm::ivec3>& sources)
+{
+    const reference::DenseArray<char> field{size, allowed};
+    std::vector<int> distance(allowed.size(), far);
+    std::deque<glm::ivec3> queue;
+    for (const glm::ivec3& source : sources) {
+        if (field.at(source) && distance[field.offset(source)] == far) {
+            distance[field.offset(source)] = 0;
+            queue.push_back(source);
+        }
+    }
+    while (!queue.empty()) {
+        const glm::ivec3 voxel = queue.front();
+        queue.pop_front();
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int way : {-1, 1}) {
+                glm::ivec3 next = voxel;
+                next[axis] += way;
+                if (!field.contains(next) || !field.at(next) || distance[field.offset(next)] != far)
+                    continue;
+                distance[field.offset(next)] = distance[field.offset(voxel)] + 1;
+                queue.push_back(next);
+            }
+        }
+    }
+    return distance;
+}
+
+/// A rule as it is written, with nothing remembered between steps: every voxel asks its neighbours.
+std::vector<std::uint32_t> grownLiterally(const Codes& codes, const std::vector<std::uint8_t>& held,
+    std::vector<std::uint32_t> words, const GrowBurst& burst, int steps)
+{
+    const auto accepts = [&](std::uint32_t label, std::size_t at) {
+        return burst.lowCode <= codes.values[at] && codes.values[at] <= burst.highCode
+            && (held[at] == 0 || held[at] == label || burst.overwritable[held[at]]);
+    };
+    std::uint32_t generation = burst.generation;
+    bool admitted = false;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        const std::uint32_t label = seedWord::label(words[at]);
+        if (seedWord::isPendingSeed(words[at]) && accepts(label, at)) {
+            words[at] = seedWord::member(generation + 1, label, seedWord::seedDirection);
+            admitted = true;
+        }
+    }
+    generation += admitted ? 1 : 0;
+    for (int step = 0; steps < 0 || step < steps; ++step) {
+        const std::vector<std::uint32_t> old = words;
+        bool added = false;
+        for (int z = 0; z < codes.size.z; ++z) {
+            for (int y = 0; y < codes.size.y; ++y) {
+                for (int x = 0; x < codes.size.x; ++x) {
+                    const glm::ivec3 child(x, y, z);
+                    const std::size_t at = codes.offset(child);
+                    if (seedWord::isMember(old[at]))
+                        continue;
+                    for (std::uint32_t direction = 0; direction < 6; ++direction) {
+                        glm::ivec3 parent = child;
+                        parent[int(direction / 2)] += direction % 2 ? 1 : -1;
+                        if (!codes.contains(parent))
+                            continue;
+                        const std::uint32_t word = old[codes.offset(parent)];
+                        if (!seedWord::isMember(word) || !accepts(seedWord::label(word), at))
+                            continue;
+                        words[at] = std::min(words[at],
+                            seedWord::member(generation + 1, seedWord::label(word), direction));
+                        added = true;
+                    }
+                }
+            }
+        }
+        if (!added)
+            break;
+        ++generation;
+    }
+    return words;
+}
+
+} // namespace
+
+class ReferenceGrowthTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void isBreadthFirst_data();
+    void isBreadthFirst();
+    void followsTheRuleLiterally();
+    void corridorIsAsLongAsItIs();
+    void portionsMakeNoDifference();
+    void competingLabelsMeetHalfWay();
+};
+
+void ReferenceGrowthTest::isBreadthFirst_data()
+{
+    QTest::addColumn<int>("seed");
+    const int count = test::longRun() ? 200 : 25;
+    for (int seed = 0; seed < count; ++seed)
+        QTest::addRow("%d", seed) << seed;
+}
+
+void ReferenceGrowthTest::isBreadthFirst()
+{
+    QFETCH(int, seed);
+    test::Random random(std::uint32_t(300 + seed));
+    const glm::ivec3 size(test::randomInt(random, 1, 30), test::randomInt(random, 1, 30),
+        test::randomInt(random, 1, 30));
+    const Codes codes =
+        seed % 2 ? test::balls(size, 5, random) : test::noiseVolume(size, test::tissueCode, random);
+    const int low = test::randomInt(random, 0, 500);
+    const int high = test::randomInt(random, low, test::tissueCode);
+    std::vector<glm::ivec3> seeds;
+    for (int i = test::randomInt(random, 1, 4); i > 0; --i)
+        seeds.push_back(test::randomVoxel(random, size));
+
+    ReferenceEngine engine;
+    QVERIFY(engine.openVolume(size, codes.values));
+    submitWhole(engine, SeedPlacement{.label = 7, .voxels = seeds});
+    submitWhole(engine, GrowBurst{.lowCode = low, .highCode = high}, {GrowAdvance{}});
+    const EngineResult result = lastResult(engine);
+    QVERIFY(!result.error);
+    QVERIFY(result.atClosure);
+
+    std::vector<char> allowed;
+    for (const std::uint16_t code : codes.values)
+        allowed.push_back(low <= code && code <= high);
+    const std::vector<int> expected = distances(size, allowed, seeds);
+    reference::DenseFields fields = engine.fields();
+    int greatest = -1;
+    std::int64_t members = 0;
+    for (std::size_t at = 0; at < expected.size(); ++at) {
+        const std::uint32_t word = fields.seedWords(0).values[at];
+        const bool member = expected[at] != far;
+        QCOMPARE(seedWord::isMember(word), member);
+        QCOMPARE(int(fields.labels(0).values[at]), member ? 7 : 0);
+        if (!member)
+            continue;
+        QCOMPARE(int(seedWord::generation(word)), expected[at] + 1);
+        QCOMPARE(seedWord::direction(word) == seedWord::seedDirection, expected[at] == 0);
+        greatest = std::max(greatest, expected[at]);
+        ++members;
+    }
+    QCOMPARE(int(result.generation), greatest + 1);
+    QCOMPARE(result.statistics.generations, greatest + 1);
+    QCOMPARE(result.statistics.voxelsChanged, members);
+}
+
+void ReferenceGrowthTest::followsTheRuleLiterally()
+{
+    for (int seed = 0; seed < (test::longRun() ? 200 : 30); ++seed) {
+        test::Random random(std::uint32_t(40 + seed));
+        const glm::ivec3 size(test::randomInt(random, 1, 20), test::randomInt(random, 1, 20),
+            test::randomInt(random, 1, 20));
+        const Codes codes = test::noiseVolume(size, 9, random);
+        test::Bytes labels{size, {}};
+        for (std::size_t i = 0; i < codes.values.size(); ++i)
+            labels.values.push_back(
+                random() % 4 ? std::uint8_t(0) : std::uint8_t(test::randomInt(random, 1, 4)));
+        ReferenceEngine engine;
+        QVERIFY(engine.openVolume(size, codes.values));
+        engine.submit(SwapBricks{test::bricksOf(labels, Field::Labels, 0)});
+        std::uint32_t generation = 0;
+        for (int burst = 0; burst < 3; ++burst) {
+            for (int i = 0; i < 3; ++i)
+                submitWhole(engine,
+                    SeedPlacement{.label = std::uint8_t(test::randomInt(random, 1, 4)),
+                        .voxels = {test::randomVoxel(random, size)}});
+            reference::DenseFields before = engine.fields();
+            GrowBurst grow{.lowCode = test::randomInt(random, 0, 4),
+                .highCode = test::randomInt(random, 4, 9),
+                .generation = generation};
+            grow.overwritable[2] = random() % 2;
+            grow.overwritable[3] = random() % 2;
+            const int steps = test::randomInt(random, -1, 5);
+            submitWhole(engine, grow, {GrowAdvance{steps}});
+            generation = lastResult(engine).generation;
+            reference::DenseFields after = engine.fields();
+            QVERIFY(after.seedWords(0).values
+                == grownLiterally(
+                    codes, before.labels(0).values, before.seedWords(0).values, grow, steps));
+        }
+    }
+}
+
+void ReferenceGrowthTest::corridorIsAsLongAsItIs()
+{
+    const Codes codes = test::spiralCorridor({17, 33, 5});
+    const auto voxels = std::count(codes.values.begin(), codes.values.end(), test::tissueCode);
+    ReferenceEngine engine;
+    QVERIFY(engine.openVolume(codes.size, codes.values));
+    submitWhole(engine, SeedPlacement{.label = 1, .voxels = {{0, 0, 0}}});
+    submitWhole(engine, GrowBurst{.lowCode = 1, .highCode = 65535}, {GrowAdvance{}});
+    const EngineResult result = lastResult(engine);
+    QCOMPARE(result.statistics.voxelsChanged, std::int64_t(voxels));
+    // One voxel a generation: it branches nowhere.
+    QCOMPARE(std::int64_t(result.generation), std::int64_t(voxels));
+}
+
+void ReferenceGrowthTest::portionsMakeNoDifference()
+{
+    test::Random random(1);
+    const Codes codes = test::balls({40, 33, 20}, 6, random);
+    const auto grow = [&](std::vector<EngineExtension> portions) {
+        ReferenceEngine engine;
+        (void)engine.openVolume(codes.size, codes.values);
+        submitWhole(engine, SeedPlacement{.label = 1, .voxels = {{3, 3, 3}, {39, 32, 19}}});
+        submitWhole(engine, GrowBurst{.lowCode = 0, .highCode = 240}, std::move(portions));
+        return lastResult(engine);
+    };
+    const EngineResult whole = grow({GrowAdvance{}});
+    const EngineResult parts = grow({GrowAdvance{1}, GrowPause{}, GrowAdvance{2},
+        GrowAdvance{GrowAdvance::toClosure, 3.0}, GrowAdvance{4}});
+    QVERIFY(whole.generation > 4);
+    QCOMPARE(parts.generation, whole.generation);
+    QVERIFY(std::equal(whole.changes.begin(), whole.changes.end(), parts.changes.begin(),
+        parts.changes.end(), [](const BrickChange& a, const BrickChange& b) {
+            return a.key == b.key && a.before == b.before && a.after == b.after;
+        }));
+}
+
+void ReferenceGrowthTest::competingLabelsMeetHalfWay()
+{
+    const glm::ivec3 size(21, 3, 3);
+    ReferenceEngine engine;
+    QVERIFY(engine.openVolume(size, test::constantVolume(size, 5).values));
+    submitWhole(engine, SeedPlacement{.label = 9, .voxels = {{0, 1, 1}}});
+    submitWhole(engine, SeedPlacement{.label = 4, .voxels = {{20, 1, 1}}});
+    submitWhole(engine, GrowBurst{.lowCode = 5, .highCode = 5}, {GrowAdvance{}});
+    reference::DenseFields fields = engine.fields();
+    for (int x = 0; x < size.x; ++x) // the tie in the middle goes to the lower label
+        QCOMPARE(int(fields.labels(0).at({x, 1, 1})), x < 10 ? 9 : 4);
+}
+
+QTEST_GUILESS_MAIN(ReferenceGrowthTest)
+#include "ReferenceGrowthTest.moc"
