@@ -2,14 +2,12 @@
 #include "core/dicom/SegSource.h"
 
 #include "core/dicom/PatientHeader.h"
-
-#include <QFile>
-#include <QFileInfo>
-#include <QHash>
+#include "core/dicom/SourceFiles.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -95,6 +93,33 @@ QString readSlice(DcmItem& dataset, int frame, SegSlice& slice)
     return {};
 }
 
+/// What the SEG takes from the first slice's header. @return why it cannot; empty if it can
+QString readCommon(DcmDataset& dataset, SegSource& source)
+{
+    auto header = cleanPatientHeader(dataset, source.notes);
+    if (!header)
+        return header.error();
+    source.header = std::move(*header);
+    source.bodyPart = plainText(dataset, DCM_BodyPartExamined);
+    if (DcmCodeString::checkStringValue(source.bodyPart, "1").bad())
+        source.bodyPart.clear();
+    return {};
+}
+
+void readLossyCompression(DcmDataset& dataset, SegSource& source)
+{
+    if (plainText(dataset, DCM_LossyImageCompression) != "01")
+        return;
+    source.lossyCompression = "01";
+    OFString values;
+    if (dataset.findAndGetOFStringArray(DCM_LossyImageCompressionRatio, values).good()
+        && DcmDecimalString::checkStringValue(values, "1-n").good())
+        source.lossyRatio = values;
+    if (dataset.findAndGetOFStringArray(DCM_LossyImageCompressionMethod, values).good()
+        && DcmCodeString::checkStringValue(values, "1-n").good())
+        source.lossyMethod = values;
+}
+
 } // namespace
 
 SegSource::SegSource() = default;
@@ -116,54 +141,28 @@ std::string decimalString(double value)
 
 Result<SegSource> readSegSource(const std::vector<SourceSlice>& sources, const Progress& progress)
 {
-    QHash<QString, std::vector<std::size_t>> slicesOfFile;
-    for (std::size_t k = 0; k < sources.size(); ++k)
-        slicesOfFile[sources[k].file].push_back(k);
-
     SegSource source;
     source.slices.resize(sources.size());
-    int done = 0;
-    for (auto it = slicesOfFile.cbegin(); it != slicesOfFile.cend(); ++it) {
-        if (progress.cancelled())
-            return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Reading source headers"), done++, int(slicesOfFile.size()));
-        const QString& file = it.key();
-        if (!QFileInfo::exists(file))
-            return failure(ErrorCode::FileNotFound, file);
-        DcmFileFormat format;
-        const OFCondition loaded = format.loadFileUntilTag(QFile::encodeName(file).constData(),
-            EXS_Unknown, EGL_noChange, 1024, ERM_autoDetect, DCM_PixelData);
-        if (loaded.bad())
-            return failure(ErrorCode::FileUnreadable, file, QString::fromLatin1(loaded.text()));
-        DcmDataset& dataset = *format.getDataset();
-        for (const std::size_t k : it.value()) {
-            const QString missing = readSlice(dataset, sources[k].frame, source.slices[k]);
-            if (!missing.isEmpty())
-                return failure(ErrorCode::UnsupportedFormat, file,
-                    missing
-                        + QStringLiteral("; a DICOM SEG cannot refer to it, NIfTI can be "
-                                         "exported instead"));
-            if (k == 0) {
-                auto header = cleanPatientHeader(dataset, source.notes);
-                if (!header)
-                    return failure(ErrorCode::UnsupportedFormat, file, header.error());
-                source.header = std::move(*header);
-                source.bodyPart = plainText(dataset, DCM_BodyPartExamined);
-                if (DcmCodeString::checkStringValue(source.bodyPart, "1").bad())
-                    source.bodyPart.clear();
+    const Result<void> visited = visitSourceFiles(sources, progress,
+        [&](const QString& file, DcmDataset& dataset,
+            const std::vector<std::size_t>& held) -> Result<void> {
+            for (const std::size_t k : held) {
+                const QString missing = readSlice(dataset, sources[k].frame, source.slices[k]);
+                if (!missing.isEmpty())
+                    return failure(ErrorCode::UnsupportedFormat, file,
+                        missing
+                            + QStringLiteral("; a DICOM SEG cannot refer to it, NIfTI can be "
+                                             "exported instead"));
             }
-        }
-        if (plainText(dataset, DCM_LossyImageCompression) == "01") {
-            source.lossyCompression = "01";
-            OFString values;
-            if (dataset.findAndGetOFStringArray(DCM_LossyImageCompressionRatio, values).good()
-                && DcmDecimalString::checkStringValue(values, "1-n").good())
-                source.lossyRatio = values;
-            if (dataset.findAndGetOFStringArray(DCM_LossyImageCompressionMethod, values).good()
-                && DcmCodeString::checkStringValue(values, "1-n").good())
-                source.lossyMethod = values;
-        }
-    }
+            if (std::find(held.begin(), held.end(), std::size_t(0)) != held.end()) {
+                if (const QString reason = readCommon(dataset, source); !reason.isEmpty())
+                    return failure(ErrorCode::UnsupportedFormat, file, reason);
+            }
+            readLossyCompression(dataset, source);
+            return {};
+        });
+    if (!visited)
+        return tl::unexpected(visited.error());
     return source;
 }
 

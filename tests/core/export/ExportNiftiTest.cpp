@@ -2,6 +2,7 @@
 #include "core/export/ExportChoices.h"
 #include "core/export/ExportMask.h"
 #include "core/nifti/NiftiWriter.h"
+#include "tests/support/Affine.h"
 #include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
 
@@ -37,27 +38,6 @@ std::vector<std::uint8_t> randomLabels(const glm::ivec3& size, unsigned seed)
     for (auto& label : labels)
         label = std::uint8_t(random() % 4);
     return labels;
-}
-
-glm::dmat4 matrixFrom(const QJsonValue& rows)
-{
-    glm::dmat4 matrix(1.0);
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column)
-            matrix[column][row] = rows.toArray()[row].toArray()[column].toDouble();
-    }
-    return matrix;
-}
-
-double cornerDistance(const glm::dmat4& a, const core::VolumeGeometry& b)
-{
-    core::VolumeGeometry geometry = b;
-    geometry.indexToWorld = a;
-    double worst = 0.0;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-        worst =
-            std::max(worst, glm::distance(geometry.cornersLps()[corner], b.cornersLps()[corner]));
-    return worst;
 }
 
 QString messageOf(const core::Error& error)
@@ -118,7 +98,7 @@ void ExportNiftiTest::nibabelSeesTheSame()
     const auto read = test::runScript(QStringLiteral("nifti_facts.py"), {file});
     QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
     const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
-    QVERIFY(cornerDistance(matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
+    QVERIFY(test::cornerDistance(test::matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
     const bool tilted = glm::length(shear) > 0.0;
     QCOMPARE(facts["qform"].isNull(), tilted);
     QCOMPARE(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("tilted")), tilted);
@@ -155,8 +135,8 @@ void ExportNiftiTest::aMaskOnANiftiVolume()
     const auto read = test::runScript(QStringLiteral("nifti_facts.py"), {request.file});
     QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
     const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
-    QVERIFY(cornerDistance(matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
-    QVERIFY(cornerDistance(matrixFrom(facts["qform"]), volume.geometry) < 1e-3);
+    QVERIFY(test::cornerDistance(test::matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
+    QVERIFY(test::cornerDistance(test::matrixFrom(facts["qform"]), volume.geometry) < 1e-3);
 
     auto seg = request;
     seg.format = core::ExportFormat::DicomSeg;

@@ -64,6 +64,56 @@ QString messageOf(const core::Error& error)
         + error.arguments.join(QStringLiteral(" | "));
 }
 
+test::SmallSeries evenSeries()
+{
+    test::SmallSeries series;
+    series.placeEvenly({0, 0, 0}, {0, 0, 1});
+    return series;
+}
+
+/// A series on disk, labels on its grid, and room beside it for what is exported.
+struct LabelledSeries {
+    using Write = core::Volume (test::SmallSeries::*)(const QString& folder) const;
+    explicit LabelledSeries(
+        const test::SmallSeries& series = evenSeries(), Write write = &test::SmallSeries::write)
+        : volume((series.*write)(images))
+        , labels(randomLabels(series.size, 1))
+    {
+    }
+
+    [[nodiscard]] core::ExportRequest request(
+        const std::vector<core::Segment>& segments = {segmentOf(1, skull)}) const
+    {
+        return {.file = file, .segments = segments, .planes = planes};
+    }
+    [[nodiscard]] core::Result<core::ExportReport> exported(
+        const core::ExportRequest& what, const core::Progress& progress = {}) const
+    {
+        return core::exportMask(volume, what, progress);
+    }
+    /// Files beside the series, hidden ones too.
+    [[nodiscard]] qsizetype fileCount() const
+    {
+        return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size();
+    }
+
+    QTemporaryDir folder;
+    QString images = folder.filePath(QStringLiteral("images"));
+    QString file = folder.filePath(QStringLiteral("seg.dcm"));
+    core::Volume volume;
+    std::vector<std::uint8_t> labels;
+    std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+};
+
+/// What pydicom sees in a SEG and the images that it refers to.
+QJsonObject factsOf(const LabelledSeries& on)
+{
+    const auto read = test::runScript(QStringLiteral("seg_facts.py"), {on.file, on.images});
+    if (read.exitCode != 0)
+        qWarning("%s", qPrintable(read.errors));
+    return QJsonDocument::fromJson(read.output).object();
+}
+
 } // namespace
 
 class ExportSegTest : public QObject {
@@ -128,7 +178,6 @@ void ExportSegTest::othersSeeTheSame()
     QFETCH(glm::dmat3, directions);
     QFETCH(glm::dvec3, shear);
     QFETCH(bool, even);
-    QTemporaryDir folder;
     test::SmallSeries series;
     series.size = size;
     series.rowDirection = directions[0];
@@ -136,32 +185,20 @@ void ExportSegTest::othersSeeTheSame()
     series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
     if (!even)
         series.positions.back() += 3.0 * directions[2];
-    const QString images = folder.filePath(QStringLiteral("images"));
-    const core::Volume volume = series.write(images);
-    const auto labels = randomLabels(size, 11);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const std::vector<core::Segment> segments{segmentOf(1, skull), segmentOf(5, liver)};
-    const auto report = core::exportMask(volume,
-        {.format = core::ExportFormat::DicomSeg,
-            .file = file,
-            .segments = segments,
-            .planes = planes},
-        {});
+    const LabelledSeries on(series);
+    const auto report = on.exported(on.request({segmentOf(1, skull), segmentOf(5, liver)}));
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     QVERIFY(!report->written.isEmpty() && !report->checked.isEmpty());
-    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+    QCOMPARE(on.fileCount(), 1);
 
-    const auto read = test::runScript(QStringLiteral("seg_facts.py"), {file, images});
-    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
-    const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
-    QCOMPARE(facts["sha256"].toArray(), (QJsonArray{sha256Of(labels, 1), sha256Of(labels, 5)}));
+    const QJsonObject facts = factsOf(on);
+    QCOMPARE(
+        facts["sha256"].toArray(), (QJsonArray{sha256Of(on.labels, 1), sha256Of(on.labels, 5)}));
     QCOMPARE(facts["emptyFrames"].toInt(), 0);
     QCOMPARE(facts["frames"].toInt(), size.z > 1 ? (size.z - 1) + (size.z - 2) : 2);
     QCOMPARE(facts["overlap"].toString(), QStringLiteral("NO"));
     QCOMPARE(facts["patientName"].toString(), QStringLiteral("Müller^Jörg"));
-    QCOMPARE(facts["frameOfReference"].toString(), volume.identity.frameOfReferenceUid);
+    QCOMPARE(facts["frameOfReference"].toString(), on.volume.identity.frameOfReferenceUid);
     QCOMPARE(facts["referenced"].toInt(), size.z);
     QCOMPARE(facts["labels"].toArray()[0].toString(), QStringLiteral("Schädel 1"));
     QCOMPARE(facts["algorithms"].toArray()[0].toArray(),
@@ -170,23 +207,18 @@ void ExportSegTest::othersSeeTheSame()
         (QJsonArray{QStringLiteral("SCT"), QStringLiteral("10200004"), QStringLiteral("Liver")}));
     // The published value of (0.2, 0.6, 1.0): DICOM.md, from DCMTK's own tool and by hand.
     QCOMPARE(facts["lab"].toArray()[0].toArray(), (QJsonArray{40801, 34472, 17791}));
-    validate(file);
+    validate(on.file);
 }
 
 void ExportSegTest::framesOfOneFile()
 {
-    QTemporaryDir folder;
     test::SmallSeries series;
     series.placeEvenly({3, 4, 5}, {0, 0, 1.5});
-    const core::Volume volume = series.writeMultiFrame(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const auto report = core::exportMask(
-        volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    const LabelledSeries on(series, &test::SmallSeries::writeMultiFrame);
+    const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    validate(file);
-    const auto seg = core::readSeg(file);
+    validate(on.file);
+    const auto seg = core::readSeg(on.file);
     QVERIFY(seg.has_value());
     QCOMPARE(seg->referencedSopUids.size(), 1);
     QCOMPARE(seg->frames.size(), std::size_t(series.size.z - 1));
@@ -198,44 +230,24 @@ void ExportSegTest::framesOfOneFile()
 
 void ExportSegTest::planesOverlap()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const QString images = folder.filePath(QStringLiteral("images"));
-    const core::Volume volume = series.write(images);
-    const auto first = randomLabels(series.size, 1);
-    const auto second = randomLabels(series.size, 2);
-    const std::vector<core::LabelPlaneView> planes{
-        {.plane = 0, .labels = first}, {.plane = 1, .labels = second}};
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const core::ExportRequest request{.format = core::ExportFormat::DicomSeg,
-        .file = file,
-        .segments = {segmentOf(1, skull, 0), segmentOf(1, liver, 1)},
-        .planes = planes};
-    const auto report = core::exportMask(volume, request, {});
+    LabelledSeries on;
+    const auto second = randomLabels(on.volume.geometry.size, 2);
+    on.planes.push_back({.plane = 1, .labels = second});
+    const auto report = on.exported(on.request({segmentOf(1, skull, 0), segmentOf(1, liver, 1)}));
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    const auto read = test::runScript(QStringLiteral("seg_facts.py"), {file, images});
-    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
-    const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
-    QCOMPARE(facts["sha256"].toArray(), (QJsonArray{sha256Of(first, 1), sha256Of(second, 1)}));
+    const QJsonObject facts = factsOf(on);
+    QCOMPARE(facts["sha256"].toArray(), (QJsonArray{sha256Of(on.labels, 1), sha256Of(second, 1)}));
     QCOMPARE(facts["overlap"].toString(), QStringLiteral("YES"));
-    validate(file);
+    validate(on.file);
 }
 
 void ExportSegTest::emptySegmentIsLeftOutAndNamed()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const auto report = core::exportMask(volume,
-        {.file = file, .segments = {segmentOf(7, {}), segmentOf(2, liver)}, .planes = planes}, {});
+    const LabelledSeries on;
+    const auto report = on.exported(on.request({segmentOf(7, {}), segmentOf(2, liver)}));
     QVERIFY(report.has_value());
     QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Schädel 7")));
-    const auto seg = core::readSeg(file);
+    const auto seg = core::readSeg(on.file);
     QVERIFY(seg.has_value());
     QCOMPARE(seg->segments.size(), std::size_t(1));
     QCOMPARE(seg->segments[0].number, 1);
@@ -244,65 +256,41 @@ void ExportSegTest::emptySegmentIsLeftOutAndNamed()
 
 void ExportSegTest::nothingToExport()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    const LabelledSeries on;
     for (const std::vector<core::Segment>& segments :
         {std::vector<core::Segment>{}, std::vector<core::Segment>{segmentOf(9, skull)}}) {
-        const auto report = core::exportMask(volume,
-            {.file = folder.filePath(QStringLiteral("seg.dcm")),
-                .segments = segments,
-                .planes = planes},
-            {});
+        const auto report = on.exported(on.request(segments));
         QVERIFY(!report);
         QCOMPARE(report.error().code, core::ErrorCode::NothingToExport);
     }
-    QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    QCOMPARE(on.fileCount(), 0);
 }
 
 void ExportSegTest::segmentWithoutCodeIsRefused()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    core::ExportRequest request{.file = folder.filePath(QStringLiteral("seg.dcm")),
-        .segments = {segmentOf(1, skull), segmentOf(2, {})},
-        .planes = planes};
-    auto report = core::exportMask(volume, request, {});
+    const LabelledSeries on;
+    core::ExportRequest request = on.request({segmentOf(1, skull), segmentOf(2, {})});
+    auto report = on.exported(request);
     QVERIFY(!report);
     QCOMPARE(report.error().code, core::ErrorCode::SegmentNotCoded);
     QCOMPARE(report.error().arguments.value(0), QStringLiteral("Schädel 2"));
     request.segments[1].code = {.scheme = QStringLiteral("SCT"),
         .value = QStringLiteral("12345678901234567"),
         .meaning = QStringLiteral("Too long")};
-    report = core::exportMask(volume, request, {});
+    report = on.exported(request);
     QVERIFY(!report);
     QCOMPARE(report.error().code, core::ErrorCode::InvalidField);
-    QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    QCOMPARE(on.fileCount(), 0);
 }
 
 void ExportSegTest::sourceWithoutUidsIsRefused()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
+    LabelledSeries on;
+    core::Volume& volume = on.volume;
     QVERIFY(core::dicomSegObstacle(volume).isEmpty());
     volume.sources[3].sopInstanceUid.clear();
     QVERIFY(core::dicomSegObstacle(volume).contains(QStringLiteral("NIfTI")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const auto report = core::exportMask(volume,
-        {.file = folder.filePath(QStringLiteral("seg.dcm")),
-            .segments = {segmentOf(1, skull)},
-            .planes = planes},
-        {});
+    const auto report = on.exported(on.request());
     QVERIFY(!report);
     QCOMPARE(report.error().code, core::ErrorCode::UnsupportedFormat);
     QVERIFY(report.error().arguments.value(1).contains(QStringLiteral("NIfTI")));
@@ -313,41 +301,26 @@ void ExportSegTest::sourceWithoutUidsIsRefused()
 
 void ExportSegTest::sourceWithoutFrameOfReference()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
+    test::SmallSeries series = evenSeries();
     series.frameOfReference = false;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const auto report = core::exportMask(
-        volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    const LabelledSeries on(series);
+    const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    validate(file);
+    validate(on.file);
 }
 
 void ExportSegTest::invalidSourceValuesAreNormalised()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
+    test::SmallSeries series = evenSeries();
     series.sex = "male";
     series.studyDate = "2020.03.04";
     series.birthDate = "unknown";
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const QString images = folder.filePath(QStringLiteral("images"));
-    const core::Volume volume = series.write(images);
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const auto report = core::exportMask(
-        volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    const LabelledSeries on(series);
+    const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Birth Date")));
-    const auto read = test::runScript(QStringLiteral("seg_facts.py"), {file, images});
-    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
-    QCOMPARE(QJsonDocument::fromJson(read.output)["patientSex"].toString(), QStringLiteral("M"));
-    validate(file);
+    QCOMPARE(factsOf(on)["patientSex"].toString(), QStringLiteral("M"));
+    validate(on.file);
 }
 
 void ExportSegTest::namesInOtherScripts_data()
@@ -376,98 +349,73 @@ void ExportSegTest::namesInOtherScripts()
     QFETCH(QByteArray, characterSet);
     QFETCH(QByteArray, stored);
     QFETCH(QString, name);
-    QTemporaryDir folder;
-    test::SmallSeries series;
+    test::SmallSeries series = evenSeries();
     series.characterSet = characterSet.toStdString();
     series.patientName = stored.toStdString();
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    const auto report = core::exportMask(
-        volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    const LabelledSeries on(series);
+    const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    const auto seg = core::readSeg(file);
+    const auto seg = core::readSeg(on.file);
     QVERIFY(seg.has_value());
     QCOMPARE(seg->patient.name, name);
-    validate(file);
+    validate(on.file);
 }
 
 void ExportSegTest::existingFileIsRefused()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    QFile old(folder.filePath(QStringLiteral("seg.dcm")));
+    const LabelledSeries on;
+    QFile old(on.file);
     QVERIFY(old.open(QIODevice::WriteOnly));
     old.write("kept");
     old.close();
-    core::ExportRequest request{
-        .file = old.fileName(), .segments = {segmentOf(1, skull)}, .planes = planes};
-    const auto refused = core::exportMask(volume, request, {});
+    core::ExportRequest request = on.request();
+    const auto refused = on.exported(request);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, core::ErrorCode::FileExists);
     QCOMPARE(QFileInfo(old).size(), 4);
     request.force = true;
-    QVERIFY(core::exportMask(volume, request, {}));
-    QVERIFY(core::readSeg(old.fileName()));
+    QVERIFY(on.exported(request));
+    QVERIFY(core::readSeg(on.file));
 }
 
 void ExportSegTest::aFileOfTheStudyIsNeverReplaced()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
-    const QString source = volume.sources[2].file;
-    const qint64 size = QFileInfo(source).size();
-    const auto refused = core::exportMask(volume,
-        {.file = source, .force = true, .segments = {segmentOf(1, skull)}, .planes = planes}, {});
+    const LabelledSeries on;
+    core::ExportRequest request = on.request();
+    request.file = on.volume.sources[2].file;
+    request.force = true;
+    const qint64 size = QFileInfo(request.file).size();
+    const auto refused = on.exported(request);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, core::ErrorCode::FileUnwritable);
-    QCOMPARE(QFileInfo(source).size(), size);
+    QCOMPARE(QFileInfo(request.file).size(), size);
 }
 
 void ExportSegTest::fullDiskLeavesNothing()
 {
-    QTemporaryDir folder;
     test::SmallSeries series;
     series.size = {64, 64, 8};
     series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    const LabelledSeries on(series);
     for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
-        const bool seg = format == core::ExportFormat::DicomSeg;
-        const QString file =
-            folder.filePath(seg ? QStringLiteral("seg.dcm") : QStringLiteral("seg.nii.gz"));
+        core::ExportRequest request = on.request();
+        request.format = format;
+        if (format == core::ExportFormat::Nifti)
+            request.file = on.folder.filePath(QStringLiteral("seg.nii.gz"));
         // A limit on the size of files is the full disk that a test can have.
         const test::FileSizeLimit limit(2048);
-        const auto refused = core::exportMask(volume,
-            {.format = format, .file = file, .segments = {segmentOf(1, skull)}, .planes = planes},
-            {});
+        const auto refused = on.exported(request);
         QVERIFY(!refused);
         QVERIFY2(refused.error().code == core::ErrorCode::FileUnwritable,
             qPrintable(messageOf(refused.error())));
-        QCOMPARE(refused.error().arguments.value(0), file);
+        QCOMPARE(refused.error().arguments.value(0), request.file);
     }
-    QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    QCOMPARE(on.fileCount(), 0);
 }
 
 void ExportSegTest::cancelledLeavesNothing()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    const LabelledSeries on;
     for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
         // Cancelled as soon as the writer, and then as soon as the check begins to read.
         for (int reports = 0; reports < 2; ++reports) {
@@ -479,35 +427,28 @@ void ExportSegTest::cancelledLeavesNothing()
                     running->cancel();
             });
             running = &progress;
-            const auto report = core::exportMask(volume,
-                {.format = format,
-                    .file = folder.filePath(QStringLiteral("seg.nii")),
-                    .segments = {segmentOf(1, skull)},
-                    .planes = planes},
-                progress);
+            core::ExportRequest request = on.request();
+            request.format = format;
+            request.file = on.folder.filePath(QStringLiteral("seg.nii"));
+            const auto report = on.exported(request, progress);
             if (format == core::ExportFormat::Nifti && reports == 1)
                 continue; // the sources are read once only
             QVERIFY(!report);
             QCOMPARE(report.error().code, core::ErrorCode::Cancelled);
-            QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+            QCOMPARE(on.fileCount(), 0);
         }
     }
 }
 
 void ExportSegTest::uidsAreNewEachTime()
 {
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 1);
-    const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    const LabelledSeries on;
     QStringList uids;
     for (int i = 0; i < 2; ++i) {
-        const QString file = folder.filePath(QStringLiteral("seg%1.dcm").arg(i));
-        QVERIFY(core::exportMask(
-            volume, {.file = file, .segments = {segmentOf(1, skull)}, .planes = planes}, {}));
-        const auto seg = core::readSeg(file);
+        core::ExportRequest request = on.request();
+        request.file = on.folder.filePath(QStringLiteral("seg%1.dcm").arg(i));
+        QVERIFY(on.exported(request));
+        const auto seg = core::readSeg(request.file);
         QVERIFY(seg.has_value());
         uids << seg->sopInstanceUid << seg->seriesUid;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nifti/NiftiWriter.h"
 
+#include "tests/support/Affine.h"
 #include "tests/support/Python.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,31 +16,6 @@
 #include <QTest>
 
 #include <random>
-
-namespace {
-
-glm::dmat4 matrixFrom(const QJsonValue& rows)
-{
-    glm::dmat4 matrix(1.0);
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column)
-            matrix[column][row] = rows.toArray()[row].toArray()[column].toDouble();
-    }
-    return matrix;
-}
-
-double cornerDistance(const glm::dmat4& a, const core::VolumeGeometry& b)
-{
-    core::VolumeGeometry geometry = b;
-    geometry.indexToWorld = a;
-    double worst = 0.0;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-        worst =
-            std::max(worst, glm::distance(geometry.cornersLps()[corner], b.cornersLps()[corner]));
-    return worst;
-}
-
-} // namespace
 
 class NiftiWriterTest : public QObject {
     Q_OBJECT
@@ -111,12 +87,12 @@ void NiftiWriterTest::nibabelSeesTheSame()
     QCOMPARE(facts["intent"].toInt(), 1002);
     QCOMPARE(facts["units"].toString(), QStringLiteral("mm"));
     QCOMPARE(facts["description"].toString(), QStringLiteral("Burin"));
-    QVERIFY(cornerDistance(matrixFrom(facts["sform"]), geometry) < 1e-3);
+    QVERIFY(test::cornerDistance(test::matrixFrom(facts["sform"]), geometry) < 1e-3);
     QCOMPARE(facts["qform"].isNull(), !written->qform);
     if (sheared)
         QVERIFY(!written->qform);
     if (written->qform)
-        QVERIFY(cornerDistance(matrixFrom(facts["qform"]), geometry) < 2e-3);
+        QVERIFY(test::cornerDistance(test::matrixFrom(facts["qform"]), geometry) < 2e-3);
     const QByteArray bytes(reinterpret_cast<const char*>(labels.data()), qsizetype(labels.size()));
     QCOMPARE(facts["sha256"].toString().toLatin1(),
         QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
