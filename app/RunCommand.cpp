@@ -3,8 +3,8 @@
 
 #include "app/Arguments.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/Recipe.h"
 #include "core/export/ExportChoices.h"
+#include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/GpuEngine.h"

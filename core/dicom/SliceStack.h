@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dicom/ImageHeader.h"
-#include "core/study/StudyListing.h"
+#include "core/volume/StudyListing.h"
 
 #include <vector>
 

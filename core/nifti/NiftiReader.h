@@ -3,7 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
-#include "core/study/StudyListing.h"
+#include "core/volume/StudyListing.h"
 
 namespace core {
 

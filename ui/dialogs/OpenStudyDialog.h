@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/study/StudyListing.h"
+#include "core/volume/StudyListing.h"
 
 #include <QDialog>
 

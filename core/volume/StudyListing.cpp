@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/study/StudyListing.h"
+#include "core/volume/StudyListing.h"
 
 namespace core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/Recipe.h"
+#include "core/recipe/Recipe.h"
 
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
