@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/OpenedVolume.h"
+#include "tests/support/SyntheticSeries.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QCryptographicHash>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using core::VolumeProblem;
+using test::SyntheticSeries;
+
+namespace {
+
+QByteArray sha256(const SyntheticSeries& series)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    for (int k = 0; k < series.size.z; ++k) {
+        for (int j = 0; j < series.size.y; ++j) {
+            for (int i = 0; i < series.size.x; ++i) {
+                const auto value = float(series.value({i, j, k}));
+                hash.addData(QByteArrayView(reinterpret_cast<const char*>(&value), sizeof(value)));
+            }
+        }
+    }
+    return hash.result().toHex();
+}
+
+} // namespace
+
+/// Series made to order: the numbers of the file, in every way that DICOM stores them.
+class StoredValuesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void opensWhatWasWritten_data();
+    void opensWhatWasWritten();
+    void rescalePerSliceIsOnACommonScale();
+    void negativeSlopeKeepsTheOrderOfValues();
+    void invertedDisplayLeavesValues();
+    void windowComesFromTheFileWhereValid();
+    void unitIsHounsfieldOnlyForCt();
+
+private:
+    [[nodiscard]] QString path(const QString& name = QStringLiteral("series")) const
+    {
+        return m_folder->filePath(name);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void StoredValuesTest::opensWhatWasWritten_data()
+{
+    QTest::addColumn<int>("allocated");
+    QTest::addColumn<int>("stored");
+    QTest::addColumn<int>("highBit");
+    QTest::addColumn<bool>("isSigned");
+    QTest::addColumn<bool>("dirty");
+    QTest::addColumn<QString>("syntax");
+    const char* implicitLe = "1.2.840.10008.1.2";
+    const char* explicitLe = "1.2.840.10008.1.2.1";
+    const char* deflated = "1.2.840.10008.1.2.1.99";
+    const char* explicitBe = "1.2.840.10008.1.2.2";
+    const char* rle = "1.2.840.10008.1.2.5";
+    const char* lossless = "1.2.840.10008.1.2.4.70";
+    const char* jpegLs = "1.2.840.10008.1.2.4.80";
+    const auto row = [](const char* name, int allocated, int stored, int highBit, bool isSigned,
+                         bool dirty, const char* syntax) {
+        QTest::newRow(name) << allocated << stored << highBit << isSigned << dirty
+                            << QString::fromLatin1(syntax);
+    };
+    row("12 of 16", 16, 12, 11, false, false, explicitLe);
+    row("12 of 16, implicit", 16, 12, 11, false, false, implicitLe);
+    row("12 of 16, big endian", 16, 12, 11, false, false, explicitBe);
+    row("12 of 16, deflated", 16, 12, 11, false, false, deflated);
+    row("signed 12, dirty", 16, 12, 11, true, true, explicitLe);
+    row("signed 12, dirty, big endian", 16, 12, 11, true, true, explicitBe);
+    row("unsigned 12 on top, dirty", 16, 12, 15, false, true, explicitLe);
+    row("signed 12 in the middle, dirty", 16, 12, 13, true, true, explicitLe);
+    row("signed 16", 16, 16, 15, true, false, explicitLe);
+    row("unsigned 16", 16, 16, 15, false, false, explicitLe);
+    row("8 bits", 8, 8, 7, false, false, explicitLe);
+    row("8 bits, big endian", 8, 8, 7, false, false, explicitBe);
+    row("signed 8 bits", 8, 8, 7, true, false, explicitLe);
+    row("6 of 8 bits, dirty", 8, 6, 5, false, true, explicitLe);
+    row("RLE", 16, 12, 11, false, false, rle);
+    row("RLE, dirty, signed", 16, 12, 11, true, true, rle);
+    row("RLE, 8 bits", 8, 8, 7, false, false, rle);
+    row("JPEG lossless", 16, 12, 11, false, false, lossless);
+    row("JPEG lossless, 16 bits", 16, 16, 15, false, false, lossless);
+    row("JPEG lossless, signed", 16, 16, 15, true, false, lossless);
+    row("JPEG-LS", 16, 12, 11, false, false, jpegLs);
+    row("JPEG-LS, 16 bits", 16, 16, 15, false, false, jpegLs);
+    row("JPEG-LS, signed", 16, 16, 15, true, false, jpegLs);
+    row("JPEG-LS, 8 bits", 8, 8, 7, false, false, jpegLs);
+}
+
+void StoredValuesTest::opensWhatWasWritten()
+{
+    QFETCH(int, allocated);
+    QFETCH(int, stored);
+    QFETCH(int, highBit);
+    QFETCH(bool, isSigned);
+    QFETCH(bool, dirty);
+    QFETCH(QString, syntax);
+    SyntheticSeries series;
+    series.layout.bitsAllocated = allocated;
+    series.layout.bitsStored = stored;
+    series.layout.highBit = highBit;
+    series.layout.isSigned = isSigned;
+    series.dirtySpareBits = dirty;
+    series.transferSyntaxUid = syntax;
+    const int range = 1 << stored;
+    series.stored = [=](const glm::ivec3& index) {
+        const int value = (index.x * 977 + index.y * 3931 + index.z * 211) % range;
+        return isSigned ? value - range / 2 : value;
+    };
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QCOMPARE(loaded.volume.geometry.size, series.size);
+    QCOMPARE(loaded.volume.encoding.maxError, 0.0);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+    QCOMPARE(loaded.volume.voxelsSha256, sha256(series));
+    QVERIFY(loaded.volume.problems.empty());
+}
+
+void StoredValuesTest::rescalePerSliceIsOnACommonScale()
+{
+    SyntheticSeries series;
+    series.modality = QStringLiteral("PT");
+    series.slope = [](int k) { return 0.25 + 0.37 * k; };
+    series.intercept = [](int) { return 0.0; };
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QVERIFY(loaded.volume.encoding.maxError > 0.0);
+    QVERIFY(test::worstError(loaded, series) <= loaded.volume.encoding.maxError);
+    QVERIFY(loaded.volume.encoding.maxError <= loaded.volume.maximum / 65535.0);
+    QVERIFY(test::hasProblem(loaded.volume.problems, VolumeProblem::Kind::InexactValues));
+    QCOMPARE(loaded.volume.voxelsSha256, sha256(series));
+    QCOMPARE(loaded.volume.unit, QString());
+}
+
+void StoredValuesTest::negativeSlopeKeepsTheOrderOfValues()
+{
+    SyntheticSeries series;
+    series.slope = [](int) { return -0.5; };
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QCOMPARE(loaded.volume.encoding.maxError, 0.0);
+    QVERIFY(loaded.volume.encoding.value(1) > loaded.volume.encoding.value(0));
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+    QCOMPARE(loaded.volume.voxelsSha256, sha256(series));
+}
+
+void StoredValuesTest::invertedDisplayLeavesValues()
+{
+    SyntheticSeries series;
+    series.layout.photometric = QStringLiteral("MONOCHROME1");
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QVERIFY(loaded.volume.displayInverted);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+}
+
+void StoredValuesTest::windowComesFromTheFileWhereValid()
+{
+    SyntheticSeries series;
+    series.adjust = [](DcmDataset& set, int) {
+        set.putAndInsertString(DCM_WindowCenter, "-0450\\40");
+        set.putAndInsertString(DCM_WindowWidth, "+1600\\400");
+    };
+    test::writeSeries(series, path());
+    QCOMPARE(test::openVolume(path()).volume.defaultWindow, (core::WindowLevel{-450.0, 1600.0}));
+
+    series.adjust = [](DcmDataset& set, int) {
+        set.putAndInsertString(DCM_WindowCenter, "40");
+        set.putAndInsertString(DCM_WindowWidth, "0");
+    };
+    test::writeSeries(series, path(QStringLiteral("invalid")));
+    const core::Volume volume = test::openVolume(path(QStringLiteral("invalid"))).volume;
+    QVERIFY(volume.defaultWindow.width > 1.0);
+    QVERIFY(volume.defaultWindow.centre > volume.minimum);
+    QVERIFY(volume.defaultWindow.centre < volume.maximum);
+    const std::vector<std::uint32_t>& counts = volume.histogram.counts;
+    QCOMPARE(counts.size(), std::size_t(256));
+    QCOMPARE(std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)),
+        std::uint64_t(volume.geometry.voxelCount()));
+}
+
+void StoredValuesTest::unitIsHounsfieldOnlyForCt()
+{
+    SyntheticSeries series;
+    test::writeSeries(series, path());
+    QCOMPARE(test::openVolume(path()).volume.unit, QStringLiteral("HU"));
+    series.modality = QStringLiteral("MR");
+    test::writeSeries(series, path(QStringLiteral("mr")));
+    QCOMPARE(test::openVolume(path(QStringLiteral("mr"))).volume.unit, QString());
+    series.modality = QStringLiteral("CT");
+    series.adjust = [](DcmDataset& set, int) { set.putAndInsertString(DCM_RescaleType, "US"); };
+    test::writeSeries(series, path(QStringLiteral("us")));
+    QCOMPARE(test::openVolume(path(QStringLiteral("us"))).volume.unit, QString());
+}
+
+QTEST_GUILESS_MAIN(StoredValuesTest)
+#include "StoredValuesTest.moc"
