@@ -73,7 +73,8 @@ void Application::makeWindow()
         m_sessionUsed = m_sessionUsed || !m_workspace->session()->history().rows().empty();
     });
     connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
-    connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openSession);
+    connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
+    connect(&window.opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
 }
 
 void Application::addExport()
@@ -104,25 +105,40 @@ void Application::openDemonstration()
         [](const core::Progress& progress) { return loadDemonstration(progress); });
 }
 
+void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path)
+{
+    const QString file = sessionFile(loaded->volume);
+    const QString series = loaded->volume.identity.seriesUid;
+    const auto begun = begin(std::move(*loaded), file, QFileInfo::exists(file));
+    if (begun)
+        ui::RecentStudies::add(path);
+    else
+        tellWhyNot(begun.error(), file, path, series);
+}
+
 void Application::openSession(
-    const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path)
+    const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file)
+{
+    const auto begun = begin(std::move(*loaded), file, true);
+    if (begun)
+        ui::RecentStudies::add(file);
+    else
+        m_workspace->fail(begun.error());
+}
+
+core::Result<void> Application::begin(
+    core::LoadedVolume loaded, const QString& file, bool continues)
 {
     // One volume at a time on the engine: the old session closes its file first.
     m_workspace->setSession(nullptr);
-    const QString file = sessionFile(loaded->volume);
-    const QString series = loaded->volume.identity.seriesUid;
-    const bool continues = QFileInfo::exists(file);
     const auto wakeUp = [this] { wake(); };
-    m_engine->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
+    m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
     auto session = continues
-        ? core::EditSession::open(m_engine->edits(), std::move(*loaded), file, wakeUp)
+        ? core::EditSession::open(m_engine->edits(), std::move(loaded), file, wakeUp)
         : core::EditSession::create(
-            m_engine->edits(), std::move(*loaded), {.file = file, .wakeUp = wakeUp});
-    if (!session) {
-        tellWhyNot(session.error(), file, path, series);
-        return;
-    }
-    ui::RecentStudies::add(path);
+            m_engine->edits(), std::move(loaded), {.file = file, .wakeUp = wakeUp});
+    if (!session)
+        return tl::unexpected(session.error());
     m_sessionFile = file;
     m_sessionUsed = continues;
     m_workspace->setSession(std::move(*session));
@@ -131,6 +147,7 @@ void Application::openSession(
         m_workspace->say(
             QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
     }
+    return {};
 }
 
 void Application::tellWhyNot(

@@ -40,7 +40,11 @@ private:
     explicit Application(std::unique_ptr<gpu::GpuEngine> engine);
     void makeWindow();
     void addExport();
-    void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
+    /// The study's own working session: continued, or begun.
+    void openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
+    /// A session file that somebody named.
+    void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file);
+    core::Result<void> begin(core::LoadedVolume loaded, const QString& file, bool continues);
     void tellWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// A session that was opened and closed without an edit leaves no file.

@@ -30,9 +30,12 @@ std::span<const Command> commands()
             runEdits},
         {"info", "PATH [--json] | --gl", "what a file or folder holds: studies, volumes, problems",
             false, runInfo},
-        {"open", "[PATH] [--series UID] [--demo] [--screenshot FILE.png] [--size WxH]",
-            "the workstation's window; --screenshot saves it, fully refined, and exits", true,
-            runOpen},
+        {"open",
+            "[PATH [--series UID] | FILE.burin [--study PATH] | --demo] [--screenshot FILE.png]"
+            " [--size WxH]",
+            "the workstation's window with a study, or with a session that goes on; --screenshot"
+            " saves it, fully refined, and exits",
+            true, runOpen},
         {"replay", "FILE.burin --verify [--study PATH] [--series UID]",
             "carries out a session's history again, from nothing, and compares every hash", false,
             runReplay},

@@ -2,6 +2,7 @@
 #include "app/OpenCommand.h"
 
 #include "app/Application.h"
+#include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "ui/ErrorText.h"
 #include "ui/MainWindow.h"
@@ -22,6 +23,7 @@ namespace {
 struct OpenArguments {
     QString path;
     QString series;
+    QString study; ///< of a session that says another place
     QString screenshot;
     QSize size;
     bool demonstration = false;
@@ -42,13 +44,16 @@ QString parse(const QStringList& arguments, OpenArguments& parsed)
     for (qsizetype i = 0; i < arguments.size(); ++i) {
         const QString& argument = arguments[i];
         const bool takesValue = argument == QLatin1String("--series")
-            || argument == QLatin1String("--screenshot") || argument == QLatin1String("--size");
+            || argument == QLatin1String("--study") || argument == QLatin1String("--screenshot")
+            || argument == QLatin1String("--size");
         if (takesValue && i + 1 == arguments.size())
             return QStringLiteral("%1 needs a value").arg(argument);
         if (argument == QLatin1String("--demo")) {
             parsed.demonstration = true;
         } else if (argument == QLatin1String("--series")) {
             parsed.series = arguments[++i];
+        } else if (argument == QLatin1String("--study")) {
+            parsed.study = arguments[++i];
         } else if (argument == QLatin1String("--screenshot")) {
             parsed.screenshot = arguments[++i];
         } else if (argument == QLatin1String("--size")) {
@@ -67,6 +72,11 @@ QString parse(const QStringList& arguments, OpenArguments& parsed)
     }
     if (parsed.demonstration && !parsed.path.isEmpty())
         return QStringLiteral("--demo opens no path");
+    const bool isSession = core::SessionFile::isNamedAt(parsed.path);
+    if (isSession && !parsed.series.isEmpty())
+        return QStringLiteral("--series is for studies; a session knows its own");
+    if (!isSession && !parsed.study.isEmpty())
+        return QStringLiteral("--study says where the study of a session is; name a session");
     return {};
 }
 
@@ -88,6 +98,11 @@ public:
         // In place of the dialog.
         QObject::disconnect(&opener, &ui::StudyOpener::choiceNeeded, &m_window, nullptr);
         connect(&opener, &ui::StudyOpener::choiceNeeded, this, &Screenshot::refuseToGuess);
+        QObject::disconnect(&opener, &ui::StudyOpener::sessionStudyNeeded, &m_window, nullptr);
+        connect(&opener, &ui::StudyOpener::sessionStudyNeeded, this,
+            [](const QString&, const QString&, const core::Error& why) {
+                QApplication::exit(complain(ui::errorText(why), 1));
+            });
         connect(&m_window.workspace(), &ui::Workspace::failed, this, [](const core::Error& error) {
             QApplication::exit(complain(ui::errorText(error), 1));
         });
@@ -156,6 +171,8 @@ int runOpen(const QStringList& arguments)
     window.show();
     if (parsed.demonstration)
         (*application)->openDemonstration();
+    else if (!parsed.study.isEmpty())
+        window.opener().openSession(parsed.path, parsed.study);
     else if (!parsed.path.isEmpty())
         window.opener().open(parsed.path, parsed.series);
     else if (screenshot)

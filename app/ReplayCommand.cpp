@@ -4,10 +4,9 @@
 #include "app/Arguments.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
-#include "core/study/StudyLoader.h"
+#include "core/session/SessionStudy.h"
 #include "gpu/GpuEngine.h"
 
-#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -18,23 +17,6 @@ namespace app {
 namespace {
 
 using core::Result;
-
-Result<core::LoadedVolume> loadSource(const core::SessionFile& file, const Arguments& arguments)
-{
-    const core::SessionSource& source = file.contents().source;
-    const QString path = arguments.has("study") ? arguments.value("study") : source.path;
-    const QString series = arguments.has("series") ? arguments.value("series") : source.seriesUid;
-    if (!arguments.has("study") && !QFileInfo::exists(path))
-        return core::failure(core::ErrorCode::FileUnreadable, file.path(),
-            QStringLiteral("its study is no longer at %1; name it with --study").arg(path));
-    Result<core::LoadedVolume> loaded = core::loadVolume(path, series);
-    if (!loaded)
-        return loaded;
-    const QString difference = source.differenceFrom(loaded->volume);
-    if (!difference.isEmpty())
-        return core::failure(core::ErrorCode::SessionMismatch, file.path(), difference);
-    return loaded;
-}
 
 tl::unexpected<core::Error> disagrees(
     const core::SessionFile& file, const core::HistoryRow& row, const QString& how)
@@ -120,7 +102,8 @@ int runReplay(const QStringList& words)
         core::SessionFile::open(arguments.rest().first(), core::SessionFile::Access::ReadOnly);
     if (!file)
         return tellFailure(file.error());
-    Result<core::LoadedVolume> volume = loadSource(**file, arguments);
+    Result<core::LoadedVolume> volume = core::loadSessionStudy((*file)->path(),
+        (*file)->contents().source, arguments.value("study"), arguments.value("series"));
     if (!volume)
         return tellFailure(volume.error());
     return replayAll(**file, *std::move(volume));

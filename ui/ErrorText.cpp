@@ -52,7 +52,10 @@ QString errorText(const core::Error& error)
     case ErrorCode::SessionDamaged:
         return QStringLiteral("%1: the session is damaged%2").arg(first, reason);
     case ErrorCode::SessionMismatch:
-        return QStringLiteral("%1: the session belongs to another volume%2").arg(first, reason);
+        return QStringLiteral("%1: the session was made on another volume%2").arg(first, reason);
+    case ErrorCode::StudyMissing:
+        return QStringLiteral("%1: its study is no longer at %2; name it with --study")
+            .arg(first, second);
     case ErrorCode::GraphicsUnavailable:
         return QStringLiteral("no OpenGL 4.5 available: %1").arg(first);
     case ErrorCode::OutOfMemory:

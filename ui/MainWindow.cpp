@@ -46,6 +46,11 @@ QString droppedPath(const QMimeData& data)
     return {};
 }
 
+QString volumeFilter()
+{
+    return QStringLiteral("Volumes (*.nii *.nii.gz *.dcm);;All files (*)");
+}
+
 } // namespace
 
 MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
@@ -98,8 +103,8 @@ void MainWindow::buildMenus()
     };
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     m_actions.fill(*m_fileMenu,
-        ids({"file.openFolder", "file.openFile", "file.demonstration", "", "file.close",
-            "file.quit"}));
+        ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
+            "file.close", "file.quit"}));
     QMenu* edit = m_menuBar->addMenu(QStringLiteral("&Edit"));
     m_actions.fill(*edit, ids({"edit.undo", "edit.redo"}));
 
@@ -197,6 +202,7 @@ void MainWindow::connectOpener()
     });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
     connect(&m_opener, &StudyOpener::choiceNeeded, this, &MainWindow::choose, Qt::QueuedConnection);
+    connect(&m_opener, &StudyOpener::sessionStudyNeeded, this, &MainWindow::askForStudyOf);
     connect(m_loading, &LoadingBar::aborted, &m_opener, &StudyOpener::cancel);
 }
 
@@ -294,6 +300,25 @@ void MainWindow::choose(const std::shared_ptr<const core::Study>& study)
         m_opener.open(study, dialog.chosenKey());
 }
 
+void MainWindow::askForStudyOf(
+    const QString& sessionFile, const QString& format, const core::Error& why)
+{
+    const QString name = QFileInfo(sessionFile).fileName();
+    const QString problem = why.code == core::ErrorCode::StudyMissing
+        ? QStringLiteral("%1: its study is no longer at %2.").arg(name, why.arguments.value(1))
+        : errorText(why) + QLatin1Char('.');
+    m_messages->show(MessageBar::Kind::Error,
+        problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),
+        QStringLiteral("Choose its study …"), [this, sessionFile, name, format] {
+            const QString title = QStringLiteral("The study of %1").arg(name);
+            const QString place = format == QLatin1String("NIfTI")
+                ? QFileDialog::getOpenFileName(this, title, QString(), volumeFilter())
+                : QFileDialog::getExistingDirectory(this, title);
+            if (!place.isEmpty())
+                m_opener.openSession(sessionFile, place);
+        });
+}
+
 void MainWindow::askForFolder()
 {
     const QString path =
@@ -304,10 +329,18 @@ void MainWindow::askForFolder()
 
 void MainWindow::askForFile()
 {
-    const QString path = QFileDialog::getOpenFileName(this, QStringLiteral("Open a volume"),
-        QString(), QStringLiteral("Volumes (*.nii *.nii.gz *.dcm);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, QStringLiteral("Open a volume"), QString(), volumeFilter());
     if (!path.isEmpty())
         m_opener.open(path);
+}
+
+void MainWindow::askForSession()
+{
+    const QString path = QFileDialog::getOpenFileName(this, QStringLiteral("Open a session"),
+        QString(), QStringLiteral("Sessions of Burin (*.burin);;All files (*)"));
+    if (!path.isEmpty())
+        m_opener.openSession(path);
 }
 
 void MainWindow::showAbout()

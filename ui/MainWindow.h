@@ -55,6 +55,7 @@ public:
 
     void askForFolder();
     void askForFile();
+    void askForSession();
     void showAbout();
     void closeStudy();
 
@@ -74,6 +75,7 @@ private:
     void showIdentity();
     void showCaution();
     void choose(const std::shared_ptr<const core::Study>& study);
+    void askForStudyOf(const QString& sessionFile, const QString& format, const core::Error& why);
 
     Workspace& m_workspace;
     QString m_graphics;

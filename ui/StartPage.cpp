@@ -83,7 +83,8 @@ StartPage::StartPage(QWidget* parent)
     auto* folder = choice(QStringLiteral("open"), QStringLiteral("Open a study"),
         QStringLiteral("A folder with DICOM images; everything below it is searched"), column);
     auto* file = choice(QStringLiteral("segments"), QStringLiteral("Open a file"),
-        QStringLiteral("A NIfTI volume (.nii, .nii.gz) or one DICOM file"), column);
+        QStringLiteral("A NIfTI volume (.nii, .nii.gz), a session (.burin) or one DICOM file"),
+        column);
     auto* demonstration = choice(QStringLiteral("demo"), QStringLiteral("Open the demonstration"),
         QStringLiteral("A head made by computation, to try every tool on"), column);
     for (QPushButton* button : {folder, file, demonstration})
@@ -92,9 +93,10 @@ StartPage::StartPage(QWidget* parent)
     m_recent->setSpacing(2);
     layout->addLayout(m_recent);
     layout->addSpacing(18);
-    layout->addWidget(text(QStringLiteral("A folder can also be dropped onto this window.\n"
-                                          "Research use; not a medical device."),
-        12.0, theme::secondary, column));
+    layout->addWidget(
+        text(QStringLiteral("Studies and sessions can also be dropped onto this window.\n"
+                            "Research use; not a medical device."),
+            12.0, theme::secondary, column));
 
     auto* centre = new QVBoxLayout(this);
     centre->setContentsMargins(24, 24, 24, 24);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/StudyOpener.h"
 
+#include "core/session/SessionFile.h"
+#include "core/session/SessionStudy.h"
+
 #include <utility>
 
 namespace ui {
@@ -33,6 +36,33 @@ Found find(const QString& path, const QString& series, const core::Progress& pro
     return {load(*study, series, progress), nullptr};
 }
 
+/// What a session file says about its study.
+core::Result<core::SessionSource> checkSession(
+    const QString& sessionFile, const core::Progress& progress)
+{
+    const auto file = core::SessionFile::open(sessionFile, core::SessionFile::Access::ReadOnly);
+    if (!file)
+        return tl::unexpected(file.error());
+    // All of it now: once the session is open for writing its file cannot be left untouched.
+    const std::vector<core::HistoryRow>& rows = (*file)->contents().rows;
+    for (const core::HistoryRow& row : rows) {
+        if (progress.cancelled())
+            return core::failure(core::ErrorCode::Cancelled);
+        if (row.stateHash.isEmpty())
+            continue;
+        if (const auto delta = (*file)->readDelta(row.id); !delta)
+            return tl::unexpected(delta.error());
+        progress.report(QStringLiteral("Checking the session"), int(row.id), int(rows.size()));
+    }
+    return (*file)->contents().source;
+}
+
+bool isAboutThePlace(const core::Error& error)
+{
+    return error.code == core::ErrorCode::StudyMissing
+        || error.code == core::ErrorCode::SessionMismatch;
+}
+
 } // namespace
 
 StudyOpener::StudyOpener(QObject* parent)
@@ -48,6 +78,8 @@ StudyOpener::~StudyOpener()
 
 void StudyOpener::open(const QString& path, const QString& series)
 {
+    if (core::SessionFile::isNamedAt(path))
+        return openSession(path);
     start(path, [this, path, series](const core::Progress& progress) -> std::function<void()> {
         Found found = find(path, series, progress);
         return [this, path, found = std::move(found)] {
@@ -70,6 +102,25 @@ void StudyOpener::open(const std::shared_ptr<const core::Study>& study, const QS
             if (!volume)
                 return [this, error = volume.error()] { Q_EMIT failed(error); };
             return [this, path, volume = *volume] { Q_EMIT loaded(volume, path); };
+        });
+}
+
+void StudyOpener::openSession(const QString& sessionFile, const QString& place)
+{
+    start(sessionFile,
+        [this, sessionFile, place](const core::Progress& progress) -> std::function<void()> {
+            const auto source = checkSession(sessionFile, progress);
+            if (!source)
+                return [this, error = source.error()] { Q_EMIT failed(error); };
+            auto volume = core::loadSessionStudy(sessionFile, *source, place, QString(), progress);
+            if (!volume && (!place.isEmpty() || isAboutThePlace(volume.error())))
+                return [this, sessionFile, format = source->format, error = volume.error()] {
+                    Q_EMIT sessionStudyNeeded(sessionFile, format, error);
+                };
+            if (!volume)
+                return [this, error = volume.error()] { Q_EMIT failed(error); };
+            auto shared = std::make_shared<core::LoadedVolume>(std::move(*volume));
+            return [this, sessionFile, shared] { Q_EMIT sessionLoaded(shared, sessionFile); };
         });
 }
 

@@ -15,7 +15,7 @@
 namespace ui {
 
 /// Finds and loads volumes beside the GUI thread, one job at a time. Opens nothing by guess: where
-/// a path holds several volumes it asks.
+/// a path holds several volumes it asks, and where a session's study is gone.
 class StudyOpener : public QObject {
     Q_OBJECT
 
@@ -23,11 +23,17 @@ public:
     explicit StudyOpener(QObject* parent = nullptr);
     ~StudyOpener() override; ///< cancels and waits
 
+    /// A session file ends in sessionLoaded() or what openSession() says, anything else in a
+    /// volume.
+    ///
     /// @param series a key of StudyListing or a SeriesInstanceUID; empty: the only one there is,
     /// else choiceNeeded() with the study as it was read
     void open(const QString& path, const QString& series = QString());
     /// Opens one volume of a study that was read for a choice.
     void open(const std::shared_ptr<const core::Study>& study, const QString& series);
+    /// Checks the session, file untouched, and loads the study that it was made on: from
+    /// @p place, or from where it is found (core/session/SessionStudy.h).
+    void openSession(const QString& sessionFile, const QString& place = QString());
     /// Runs any other job that ends in a volume (the demonstration study), with the same progress.
     void run(const QString& path,
         std::function<core::Result<core::LoadedVolume>(const core::Progress&)> job);
@@ -39,6 +45,12 @@ Q_SIGNALS:
     void progressed(const QString& step, int done, int total);
     void choiceNeeded(const std::shared_ptr<const core::Study>& study);
     void loaded(const std::shared_ptr<core::LoadedVolume>& volume, const QString& path);
+    /// The session is sound and the volume is the one it was made on.
+    void sessionLoaded(
+        const std::shared_ptr<core::LoadedVolume>& volume, const QString& sessionFile);
+    /// The session is sound, but its study is not where it was looked for: somebody must know.
+    void sessionStudyNeeded(
+        const QString& sessionFile, const QString& format, const core::Error& why);
     void failed(const core::Error& error); ///< not told when cancelled
     void finished(); ///< after any of the above, or cancelled
 

@@ -58,6 +58,9 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Open file …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+O"))},
         .run = [&window] { window.askForFile(); }});
+    actions.add({.id = QStringLiteral("file.openSession"),
+        .text = QStringLiteral("Open session …"),
+        .run = [&window] { window.askForSession(); }});
     actions.add({.id = QStringLiteral("file.demonstration"),
         .text = QStringLiteral("Open the demonstration study"),
         .icon = QStringLiteral("demo"),

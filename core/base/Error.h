@@ -34,6 +34,7 @@ enum class ErrorCode {
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,
     SessionMismatch,
+    StudyMissing, ///< argument 1: where the session's study was
     // Machine.
     GraphicsUnavailable,
     OutOfMemory,

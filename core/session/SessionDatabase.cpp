@@ -135,7 +135,11 @@ Result<void> SessionDatabase::checkFormat()
     const int version = number("user_version");
     if (version != schemaVersion)
         return failure(ErrorCode::UnsupportedFormat, m_path,
-            QStringLiteral("sessions of schema version %1 are not known here").arg(version));
+            version > schemaVersion
+                ? QStringLiteral("a newer Burin wrote it (session format %1; this one reads %2)")
+                      .arg(version)
+                      .arg(int(schemaVersion))
+                : QStringLiteral("sessions of format %1 are not known here").arg(version));
     return {};
 }
 
@@ -211,8 +215,8 @@ tl::unexpected<Error> SessionDatabase::failed() const
     switch (m_code.toInt() & 0xFF) {
     case 5: // SQLITE_BUSY
     case 6: // SQLITE_LOCKED
-        return failure(
-            ErrorCode::FileUnreadable, m_path, QStringLiteral("another program has it open"));
+        return failure(ErrorCode::FileUnreadable, m_path,
+            QStringLiteral("it is open already, in this window or another program"));
     case 11: // SQLITE_CORRUPT
         return failure(ErrorCode::SessionDamaged, m_path, m_reason);
     case 26: // SQLITE_NOTADB

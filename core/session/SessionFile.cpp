@@ -62,6 +62,8 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
     if (!info.isReadable())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
+    if (info.size() == 0)
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it is empty"));
     const bool readOnly = access == Access::ReadOnly;
     if (!readOnly && !(info.isWritable() && QFileInfo(info.absolutePath()).isWritable()))
         return failure(ErrorCode::FileUnwritable, path,
@@ -73,6 +75,17 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
         return tl::unexpected(contents.error());
     file->m_contents = *std::move(contents);
     return file;
+}
+
+bool SessionFile::isNamedAt(const QString& path)
+{
+    const QFileInfo info(path);
+    if (!info.isFile())
+        return false;
+    if (info.suffix().compare(QLatin1String("burin"), Qt::CaseInsensitive) == 0)
+        return true;
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
 }
 
 void SessionFile::addRow(const HistoryRow& row)

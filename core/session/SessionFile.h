@@ -27,9 +27,13 @@ public:
 
     enum class Access { ReadWrite, ReadOnly };
     /// Checks the chain of all rows; read-only media are fine with Access::ReadOnly.
-    /// Errors: FileNotFound, FileUnreadable (in use by another program), FileUnwritable,
-    /// UnsupportedFormat, SessionDamaged.
+    /// Errors: FileNotFound, FileUnreadable (in use by another program), FileTruncated (empty),
+    /// FileUnwritable, UnsupportedFormat (no session, or a newer Burin's), SessionDamaged.
     static Result<std::unique_ptr<SessionFile>> open(const QString& path, Access access);
+
+    /// Whether a path is to be opened as a session, by name (.burin) or content: it may still be
+    /// damaged, or not be one.
+    [[nodiscard]] static bool isNamedAt(const QString& path);
 
     /// Writes what is waiting and leaves one file.
     ~SessionFile();

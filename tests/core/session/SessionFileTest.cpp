@@ -269,7 +269,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("code");
         QTest::newRow("text") << QByteArray("not a session, just a text that is long enough")
                               << int(ErrorCode::UnsupportedFormat);
-        QTest::newRow("empty") << QByteArray() << int(ErrorCode::UnsupportedFormat);
+        QTest::newRow("empty") << QByteArray() << int(ErrorCode::FileTruncated);
     }
     void otherFilesAreNotSessions()
     {

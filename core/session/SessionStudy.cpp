@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionStudy.h"
+
+#include "core/study/StudyLoader.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <optional>
+
+namespace core {
+
+namespace {
+
+/// The longest end of @p path that exists below @p folder.
+QString longestEndIn(const QDir& folder, const QString& path)
+{
+    const QStringList parts = path.split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    for (qsizetype first = 0; first < parts.size(); ++first) {
+        const QString found = folder.filePath(parts.mid(first).join(QLatin1Char('/')));
+        if (QFileInfo::exists(found))
+            return QDir::cleanPath(found);
+    }
+    return {};
+}
+
+/// The keys of what may be the session's volume, as far as headers tell.
+QStringList keysOf(const StudyListing& listing, const SessionSource& source, const QString& series)
+{
+    const QString wanted = series.isEmpty() ? source.seriesUid : series;
+    QStringList keys;
+    for (const StudyEntry& study : listing.studies) {
+        for (const SeriesEntry& entry : study.series) {
+            // One UID may hold several volumes, of which only the first has it as its key.
+            const bool named =
+                wanted.isEmpty() || entry.key == wanted || entry.identity.seriesUid == wanted;
+            if (named && entry.geometry.size == source.size)
+                keys += entry.key;
+        }
+    }
+    return keys;
+}
+
+Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
+    const SessionSource& source, const QString& series, const Progress& progress)
+{
+    const Result<Study> study = Study::scan(place, progress);
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto mismatch = [&](const QString& difference) {
+        return failure(ErrorCode::SessionMismatch, sessionFile,
+            QStringLiteral("of what is in %1, %2").arg(place, difference));
+    };
+    const QStringList keys = keysOf(study->listing(), source, series);
+    if (keys.isEmpty())
+        return mismatch(QStringLiteral("no volume has its series and size"));
+    QString difference;
+    for (const QString& key : keys) {
+        Result<LoadedVolume> loaded = study->load(key, progress);
+        if (!loaded)
+            return loaded;
+        difference = source.differenceFrom(loaded->volume);
+        if (difference.isEmpty())
+            return loaded;
+    }
+    return mismatch(difference);
+}
+
+} // namespace
+
+QStringList studyPlaces(const QString& sessionFile, const SessionSource& source)
+{
+    QStringList places;
+    if (source.path.isEmpty())
+        return places;
+    QDir folder = QFileInfo(sessionFile).absoluteDir();
+    places += QFileInfo::exists(source.path) ? source.path : QString();
+    places += longestEndIn(folder, source.path);
+    if (folder.cdUp() && !folder.isRoot())
+        places += longestEndIn(folder, source.path);
+    places.removeAll(QString());
+    places.removeDuplicates();
+    return places;
+}
+
+Result<LoadedVolume> loadSessionStudy(const QString& sessionFile, const SessionSource& source,
+    const QString& place, const QString& series, const Progress& progress)
+{
+    const QStringList places =
+        place.isEmpty() ? studyPlaces(sessionFile, source) : QStringList{place};
+    std::optional<Error> first;
+    for (const QString& candidate : places) {
+        Result<LoadedVolume> loaded = loadFrom(candidate, sessionFile, source, series, progress);
+        if (loaded || loaded.error().code == ErrorCode::Cancelled)
+            return loaded;
+        if (!first)
+            first = loaded.error();
+    }
+    if (first)
+        return tl::unexpected(*first);
+    return failure(ErrorCode::StudyMissing, sessionFile, source.path);
+}
+
+} // namespace core
