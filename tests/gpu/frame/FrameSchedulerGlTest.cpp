@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FrameFixture.h"
-#include "tests/support/GlFixture.h"
+#include "tests/support/FrameTest.h"
 
 #include <QTest>
 
 #include <algorithm>
-#include <optional>
 
 using namespace gpu;
 
-class FrameSchedulerGlTest : public QObject {
+class FrameSchedulerGlTest : public test::FrameTest {
     Q_OBJECT
-
-    testing::GlFixture gl;
-    std::optional<test::FrameFixture> m_fixture;
 
     void openBall()
     {
@@ -45,16 +40,10 @@ class FrameSchedulerGlTest : public QObject {
     }
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
     void init()
     {
         m_fixture.emplace();
         openBall();
-    }
-    void cleanup()
-    {
-        m_fixture.reset();
-        QCOMPARE(gl.newErrors(), 0);
     }
 
     void refinesThenRests()

@@ -6,7 +6,7 @@
 #include "gpu/gl/Texture3D.h"
 #include "gpu/gl/TimerQuery.h"
 #include "gpu/gl/VertexArray.h"
-#include "tests/support/GlFixture.h"
+#include "tests/support/GlTest.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -19,10 +19,9 @@
 
 using namespace gpu;
 
-class GlObjectsGlTest : public QObject {
+class GlObjectsGlTest : public test::GlTest {
     Q_OBJECT
 
-    testing::GlFixture gl;
     QTemporaryDir m_folder;
 
     void write(const char* name, const QByteArray& text)
@@ -34,9 +33,6 @@ class GlObjectsGlTest : public QObject {
     [[nodiscard]] ShaderLibrary library() const { return ShaderLibrary(m_folder.path()); }
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
-    void cleanup() { QCOMPARE(gl.newErrors(), 0); }
-
     void idsMoveAndDelete()
     {
         GLuint id = 0;
@@ -204,14 +200,14 @@ private Q_SLOTS:
             message = QString::fromUtf8(error.what());
         }
         QVERIFY2(message.contains(QStringLiteral("helper.glsl:3")), qPrintable(message));
-        (void)gl.newErrors();
+        (void)newErrors();
     }
 
     void errorsAreCounted()
     {
         QTest::ignoreMessage(QtCriticalMsg, QRegularExpression(QStringLiteral("GL error")));
         glBindTextureUnit(0, 987654);
-        QCOMPARE(gl.newErrors(), 1);
+        QCOMPARE(newErrors(), 1);
     }
 };
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameFixture.h"
-#include "tests/support/GlFixture.h"
+#include "tests/support/GlTest.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 
 using namespace gpu;
 
@@ -29,10 +28,8 @@ double phantom(const glm::dvec3& lps)
 /// more than 24, so that another driver's rounding passes and another look does not.
 ///
 /// After a wanted change: BURIN_WRITE_BASELINES=1 BaselineGlTest, then look at each picture.
-class BaselineGlTest : public QObject {
+class BaselineGlTest : public test::GlTest {
     Q_OBJECT
-
-    testing::GlFixture gl;
 
     static Scene view(RenderMode mode, bool orthographic)
     {
@@ -49,9 +46,6 @@ class BaselineGlTest : public QObject {
     }
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
-    void cleanup() { QCOMPARE(gl.newErrors(), 0); }
-
     void looksAsBefore_data()
     {
         QTest::addColumn<QString>("name");

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FrameFixture.h"
-#include "tests/support/GlFixture.h"
+#include "tests/support/FrameTest.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 using namespace gpu;
 
@@ -69,21 +67,10 @@ core::VolumeGeometry skewed()
 
 } // namespace
 
-class RaycastPassGlTest : public QObject {
+class RaycastPassGlTest : public test::FrameTest {
     Q_OBJECT
 
-    testing::GlFixture gl;
-    std::optional<test::FrameFixture> m_fixture;
-
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
-    void init() { m_fixture.emplace(); }
-    void cleanup()
-    {
-        m_fixture.reset();
-        QCOMPARE(gl.newErrors(), 0);
-    }
-
     void silhouetteOfASphere_data()
     {
         QTest::addColumn<bool>("orthographic");

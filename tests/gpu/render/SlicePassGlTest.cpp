@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FrameFixture.h"
-#include "tests/support/GlFixture.h"
+#include "tests/support/FrameTest.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 
 using namespace gpu;
 
@@ -55,21 +53,10 @@ core::VolumeGeometry tilted()
 
 } // namespace
 
-class SlicePassGlTest : public QObject {
+class SlicePassGlTest : public test::FrameTest {
     Q_OBJECT
 
-    testing::GlFixture gl;
-    std::optional<test::FrameFixture> m_fixture;
-
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
-    void init() { m_fixture.emplace(); }
-    void cleanup()
-    {
-        m_fixture.reset();
-        QCOMPARE(gl.newErrors(), 0);
-    }
-
     void equalsWindowLevelOnTheProcessor_data()
     {
         QTest::addColumn<int>("plane");

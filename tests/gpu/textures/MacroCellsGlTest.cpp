@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/Program.h"
 #include "gpu/textures/MacroCells.h"
-#include "tests/support/GlFixture.h"
+#include "tests/support/GlTest.h"
 
 #include <QTest>
 
@@ -21,10 +21,8 @@ std::size_t at(const glm::ivec3& extent, int x, int y, int z)
 
 } // namespace
 
-class MacroCellsGlTest : public QObject {
+class MacroCellsGlTest : public test::GlTest {
     Q_OBJECT
-
-    testing::GlFixture gl;
 
     /// Calls back for every voxel that samples in [8c, 8c + 8) can reach.
     template <class Visit> static void voxelsOf(const glm::ivec3& cell, Visit visit)
@@ -53,9 +51,6 @@ class MacroCellsGlTest : public QObject {
     }
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(gl.isReady(), gl.why()); }
-    void cleanup() { QCOMPARE(gl.newErrors(), 0); }
-
     void rangesCoverWhatSamplesReach()
     {
         const std::vector<std::uint16_t> codes = randomCodes();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/GlFixture.h"
+#include "tests/support/GlTest.h"
 
 #include "gpu/gl/DebugOutput.h"
 
-namespace testing {
+#include <QTest>
 
-GlFixture::GlFixture()
+namespace test {
+
+GlTest::GlTest()
 {
     auto context = gpu::EglContext::create({.debug = true});
     if (!context) {
@@ -22,13 +24,13 @@ GlFixture::GlFixture()
     m_errorsSeen = gpu::DebugOutput::errorCount();
 }
 
-GlFixture::~GlFixture()
+GlTest::~GlTest()
 {
     if (m_context)
         m_context->doneCurrent();
 }
 
-int GlFixture::newErrors()
+int GlTest::newErrors()
 {
     const int total = gpu::DebugOutput::errorCount();
     const int fresh = total - m_errorsSeen;
@@ -36,4 +38,14 @@ int GlFixture::newErrors()
     return fresh;
 }
 
-} // namespace testing
+void GlTest::initTestCase()
+{
+    QVERIFY2(m_ready, m_why.constData());
+}
+
+void GlTest::failOnErrors()
+{
+    QCOMPARE(newErrors(), 0);
+}
+
+} // namespace test
