@@ -164,7 +164,12 @@ int runOpen(const QStringList& arguments)
     if (!application)
         return complain(ui::errorText(application.error()), 1);
     ui::MainWindow& window = (*application)->window();
-    window.resize(parsed.size.isValid() ? parsed.size : QSize(1600, 950));
+    window.resize(QSize(1600, 950));
+    // A picture for others is not to depend on how this user left the window.
+    if (parsed.screenshot.isEmpty())
+        window.restoreLayout();
+    if (parsed.size.isValid())
+        window.resize(parsed.size);
     std::optional<Screenshot> screenshot;
     if (!parsed.screenshot.isEmpty())
         screenshot.emplace(**application, parsed.screenshot);

@@ -7,6 +7,7 @@
 #include "ui/MessageBar.h"
 #include "ui/OptionBar.h"
 #include "ui/PanelColumn.h"
+#include "ui/PanelSection.h"
 #include "ui/RecentStudies.h"
 #include "ui/StartPage.h"
 #include "ui/StatusLine.h"
@@ -29,6 +30,8 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScrollArea>
+#include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -68,6 +71,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_views(new ViewGrid(workspace, this))
     , m_status(new StatusLine(workspace, this))
     , m_panels(new PanelColumn(this))
+    , m_splitter(new QSplitter(this))
 {
     setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
     setAcceptDrops(true);
@@ -83,6 +87,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);
     connect(m_views, &ViewGrid::layoutChanged, this, refresh);
+    connect(m_panels, &PanelColumn::changed, this, refresh);
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
     connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);
     connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
@@ -122,9 +127,10 @@ void MainWindow::buildMenus()
         ids({"view.surface", "view.dvr", "view.mip", "", "view.fromFront", "view.fromBack",
             "view.fromLeft", "view.fromRight", "view.fromAbove", "view.fromBelow"}));
     view->addSeparator();
-    m_actions.fill(*view,
-        ids({"view.crosshair", "view.patient", "view.segments", "", "view.panels",
-            "view.fullScreen"}));
+    m_actions.fill(*view, ids({"view.crosshair", "view.patient", "view.segments", ""}));
+    m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
+    m_actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
+    m_actions.fill(*view, ids({"view.fullScreen"}));
 
     m_sculptMenu = m_menuBar->addMenu(QStringLiteral("S&culpt"));
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
@@ -158,10 +164,18 @@ void MainWindow::buildCentre()
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(m_tools);
-    auto* column = new QVBoxLayout;
+    auto* middle = new QWidget(m_splitter);
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    row->addLayout(column, 1);
-    row->addWidget(m_panels);
+    // A wider window widens the pictures.
+    m_splitter->addWidget(middle);
+    m_splitter->addWidget(m_panels);
+    m_splitter->setStretchFactor(0, 1);
+    m_splitter->setStretchFactor(1, 0);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setHandleWidth(1);
+    row->addWidget(m_splitter, 1);
     column->addWidget(new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
         m_actions[QStringLiteral("edit.redo")], this));
     column->addWidget(m_loading);
@@ -230,7 +244,12 @@ void MainWindow::addToolGroup()
 
 void MainWindow::addPanel(Panel* panel)
 {
-    m_panels->add(panel);
+    PanelSection& section = m_panels->add(panel);
+    QAction& action = m_actions.add({.id = QStringLiteral("panel.") + section.id(),
+        .text = panel->title(),
+        .run = [this, &section] { m_panels->setWanted(section, !m_panels->isWanted(section)); },
+        .checked = [this, &section] { return m_panels->isWanted(section); }});
+    m_panelsMenu->addAction(&action);
 }
 
 bool MainWindow::panelsShown() const
@@ -241,8 +260,38 @@ bool MainWindow::panelsShown() const
 void MainWindow::showPanels(bool shown)
 {
     m_panelsWanted = shown;
-    m_panels->setVisible(shown && m_workspace.volume());
+    m_panels->showAll(shown && m_workspace.volume());
     m_actions.refresh();
+}
+
+void MainWindow::resetPanels()
+{
+    m_panels->reset();
+    m_splitter->setSizes({width(), PanelSection::leastWidth});
+    showPanels(true);
+}
+
+void MainWindow::restoreLayout()
+{
+    m_keepsLayout = true;
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    m_panels->restore(settings);
+    m_splitter->restoreState(settings.value(QStringLiteral("panels/splitter")).toByteArray());
+    m_panelsWanted = settings.value(QStringLiteral("panels/shown"), true).toBool();
+    showPanels(m_panelsWanted);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_keepsLayout) {
+        QSettings settings;
+        settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+        settings.setValue(QStringLiteral("panels/splitter"), m_splitter->saveState());
+        settings.setValue(QStringLiteral("panels/shown"), m_panelsWanted);
+        m_panels->save(settings);
+    }
+    QMainWindow::closeEvent(event);
 }
 
 void MainWindow::showSession()

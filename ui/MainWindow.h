@@ -10,6 +10,7 @@
 class QLabel;
 class QMenuBar;
 class QScrollArea;
+class QSplitter;
 class QStackedWidget;
 
 namespace ui {
@@ -38,7 +39,8 @@ public:
     /// lays it down.
     void addTool(Tool& tool, QMenu& menu, const QKeySequence& key);
     void addToolGroup();
-    /// The panel appears in the right column, below those before it. The window owns it.
+    /// The panel appears in the right column, below those before it, and in the View menu. The
+    /// window owns it.
     void addPanel(Panel* panel);
     [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }
     [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }
@@ -52,6 +54,11 @@ public:
     [[nodiscard]] Actions& actionTable() { return m_actions; }
     [[nodiscard]] bool panelsShown() const;
     void showPanels(bool shown);
+    /// The panels as at the first start: all in the column.
+    void resetPanels();
+
+    /// Size and panels as they were when a window was closed last; from now on closing keeps them.
+    void restoreLayout();
 
     void askForFolder();
     void askForFile();
@@ -66,6 +73,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
 
 private:
     void buildMenus();
@@ -85,6 +93,7 @@ private:
     QMenu* m_sculptMenu = nullptr;
     QMenu* m_growMenu = nullptr;
     QMenu* m_segmentsMenu = nullptr;
+    QMenu* m_panelsMenu = nullptr;
     QMenuBar* m_menuBar;
     QLabel* m_identity;
     ToolColumn* m_tools;
@@ -96,7 +105,9 @@ private:
     ViewGrid* m_views;
     StatusLine* m_status;
     PanelColumn* m_panels;
+    QSplitter* m_splitter;
     bool m_panelsWanted = true;
+    bool m_keepsLayout = false;
 };
 
 } // namespace ui

@@ -14,7 +14,7 @@ namespace ui {
 
 namespace {
 
-constexpr int barHeight = 40;
+constexpr int barHeight = 36;
 constexpr int longestNamePixels = 170;
 
 QFrame* verticalLine(QWidget* parent)

@@ -1,100 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/PanelColumn.h"
 
-#include "ui/Icons.h"
-#include "ui/Theme.h"
+#include "ui/PanelSection.h"
 #include "ui/panels/Panel.h"
 
-#include <QAction>
-#include <QEvent>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QToolButton>
+#include <QSettings>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui {
 
 namespace {
 
-constexpr int columnWidth = 332;
-constexpr int headerHeight = 30;
-constexpr int lowestList = 96;
+QString key(const PanelSection& section, const char* what)
+{
+    return QStringLiteral("panels/%1/%2").arg(section.id(), QLatin1String(what));
+}
 
 } // namespace
-
-PanelSection::PanelSection(Panel& panel, QWidget* parent)
-    : QWidget(parent)
-    , m_panel(panel)
-    , m_header(new QFrame(this))
-    , m_fold(new QToolButton(this))
-{
-    m_header->setProperty("role", QStringLiteral("bar"));
-    m_header->setFixedHeight(headerHeight);
-    m_header->installEventFilter(this);
-    auto* row = new QHBoxLayout(m_header);
-    row->setContentsMargins(4, 0, 6, 0);
-    row->setSpacing(2);
-    m_fold->setIconSize(QSize(14, 14));
-    m_fold->setFixedSize(22, 22);
-    m_fold->setToolTip(tr("Fold or unfold"));
-    row->addWidget(m_fold);
-    auto* title = new QLabel(panel.title(), m_header);
-    title->setFont(theme::headingFont());
-    row->addWidget(title);
-    row->addStretch(1);
-    auto* summary = new QLabel(panel.summary(), m_header);
-    summary->setFont(theme::smallFont());
-    summary->setProperty("role", QStringLiteral("secondary"));
-    summary->setContentsMargins(0, 0, 4, 0);
-    row->addWidget(summary);
-    for (QAction* action : panel.actions()) {
-        auto* button = new QToolButton(m_header);
-        button->setDefaultAction(action);
-        button->setIconSize(QSize(16, 16));
-        button->setFixedSize(24, 22);
-        row->addWidget(button);
-    }
-
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_header);
-    layout->addWidget(&panel, 1);
-    if (!panel.stretches())
-        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-
-    connect(&panel, &Panel::summaryChanged, summary, &QLabel::setText);
-    connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });
-    setFolded(false);
-}
-
-QSize PanelSection::sizeHint() const
-{
-    int height = headerHeight;
-    if (!m_folded && m_panel.stretches())
-        height += lowestList;
-    else if (!m_folded)
-        height += m_panel.hasHeightForWidth() ? m_panel.heightForWidth(columnWidth)
-                                              : m_panel.sizeHint().height();
-    return {columnWidth, height};
-}
-
-void PanelSection::setFolded(bool foldedNow)
-{
-    m_folded = foldedNow;
-    m_panel.setVisible(!m_folded);
-    updateGeometry();
-    m_fold->setIcon(
-        stateIcon(m_folded ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down")));
-    Q_EMIT folded(m_folded);
-}
-
-bool PanelSection::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == m_header && event->type() == QEvent::MouseButtonPress)
-        setFolded(!m_folded);
-    return QWidget::eventFilter(watched, event);
-}
 
 PanelColumn::PanelColumn(QWidget* parent)
     : QScrollArea(parent)
@@ -111,17 +35,124 @@ PanelColumn::PanelColumn(QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFixedWidth(columnWidth);
+    setMinimumWidth(PanelSection::leastWidth);
+    setMaximumWidth(2 * PanelSection::leastWidth);
 }
 
-void PanelColumn::add(ui::Panel* panel)
+QSize PanelColumn::sizeHint() const
+{
+    return {PanelSection::leastWidth, QScrollArea::sizeHint().height()};
+}
+
+PanelSection& PanelColumn::add(ui::Panel* panel)
 {
     auto* section = new PanelSection(*panel, this);
-    m_layout->insertWidget(m_layout->count() - 1, section, panel->stretches() ? 1 : 0);
+    m_places.push_back({section});
+    putBack(*section);
     // A folded list leaves its share to the others.
     connect(section, &PanelSection::folded, this, [this, section, panel](bool folded) {
         m_layout->setStretchFactor(section, panel->stretches() && !folded ? 1 : 0);
     });
+    connect(section, &PanelSection::floatAsked, this,
+        [this, section](bool floating) { setFloating(*section, floating); });
+    return *section;
+}
+
+void PanelColumn::putBack(PanelSection& section)
+{
+    int position = 0;
+    for (const Place& place : m_places) {
+        if (place.section == &section)
+            break;
+        position += place.section->isFloating() ? 0 : 1;
+    }
+    const bool stretches = section.panel().stretches() && !section.isFolded();
+    section.becomePart(widget());
+    m_layout->insertWidget(position, &section, stretches ? 1 : 0);
+}
+
+bool PanelColumn::isWanted(const PanelSection& section) const
+{
+    return std::any_of(m_places.begin(), m_places.end(),
+        [&](const Place& place) { return place.section == &section && place.wanted; });
+}
+
+void PanelColumn::setWanted(PanelSection& section, bool wanted)
+{
+    for (Place& place : m_places) {
+        if (place.section == &section)
+            place.wanted = wanted;
+    }
+    update();
+}
+
+void PanelColumn::setFloating(PanelSection& section, bool floating)
+{
+    if (floating == section.isFloating())
+        return;
+    if (floating) {
+        // Beside where it was, so that it is seen to have left.
+        const QPoint corner = section.mapToGlobal(QPoint(-PanelSection::leastWidth - 24, 0));
+        m_layout->removeWidget(&section);
+        section.becomeWindow(window());
+        section.move(corner);
+    } else {
+        putBack(section);
+    }
+    update();
+}
+
+void PanelColumn::showAll(bool shown)
+{
+    m_shown = shown;
+    update();
+}
+
+void PanelColumn::reset()
+{
+    for (Place& place : m_places) {
+        place.wanted = true;
+        place.section->setFolded(false);
+        if (place.section->isFloating())
+            putBack(*place.section);
+    }
+    update();
+}
+
+void PanelColumn::update()
+{
+    bool any = false;
+    for (const Place& place : m_places) {
+        place.section->setVisible(place.wanted && (m_shown || !place.section->isFloating()));
+        any = any || (place.wanted && !place.section->isFloating());
+    }
+    setVisible(m_shown && any);
+    Q_EMIT changed();
+}
+
+void PanelColumn::save(QSettings& settings) const
+{
+    for (const Place& place : m_places) {
+        const PanelSection& section = *place.section;
+        settings.setValue(key(section, "shown"), place.wanted);
+        settings.setValue(key(section, "folded"), section.isFolded());
+        settings.setValue(key(section, "floating"), section.isFloating());
+        if (section.isFloating())
+            settings.setValue(key(section, "geometry"), section.saveGeometry());
+    }
+}
+
+void PanelColumn::restore(const QSettings& settings)
+{
+    for (Place& place : m_places) {
+        PanelSection& section = *place.section;
+        place.wanted = settings.value(key(section, "shown"), true).toBool();
+        section.setFolded(settings.value(key(section, "folded"), false).toBool());
+        setFloating(section, settings.value(key(section, "floating"), false).toBool());
+        if (section.isFloating())
+            section.restoreGeometry(settings.value(key(section, "geometry")).toByteArray());
+    }
+    update();
 }
 
 } // namespace ui

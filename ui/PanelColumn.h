@@ -2,55 +2,58 @@
 #pragma once
 
 #include <QScrollArea>
-#include <QWidget>
 
-class QToolButton;
+#include <vector>
+
+class QSettings;
 class QVBoxLayout;
 
 namespace ui {
 
 class Panel;
+class PanelSection;
 
-/// A panel with its header: title, summary and the panel's actions; a click on the title folds it.
-class PanelSection : public QWidget {
-    Q_OBJECT
-
-public:
-    explicit PanelSection(Panel& panel, QWidget* parent = nullptr);
-
-    void setFolded(bool folded);
-
-    // The column asks for one height: as much as the panel needs in the column's width, or for a
-    // list the least that is of use. (A height that depends on the width would end shrinking.)
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
-    [[nodiscard]] bool hasHeightForWidth() const override { return false; }
-
-Q_SIGNALS:
-    void folded(bool folded);
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
-private:
-    Panel& m_panel;
-    QWidget* m_header;
-    QToolButton* m_fold;
-    bool m_folded = false;
-};
-
-/// The window's right column. Lists share the height that the other panels leave; where a window is
-/// too low for all, the column scrolls.
+/// The window's right column, and the panels that were taken out of it. Lists share the height that
+/// the other panels leave; where a window is too low for all, the column scrolls.
 class PanelColumn : public QScrollArea {
     Q_OBJECT
 
 public:
     explicit PanelColumn(QWidget* parent = nullptr);
 
-    void add(ui::Panel* panel); ///< takes it over
+    /// Takes it over; below those before it.
+    PanelSection& add(ui::Panel* panel);
+
+    /// One panel at its place: in the column, or in a window of its own.
+    void setWanted(PanelSection& section, bool wanted);
+    [[nodiscard]] bool isWanted(const PanelSection& section) const;
+    void setFloating(PanelSection& section, bool floating);
+    /// All wanted ones at once; the column hides when it holds none.
+    void showAll(bool shown);
+    /// As at the first start.
+    void reset();
+
+    void save(QSettings& settings) const;
+    void restore(const QSettings& settings);
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+Q_SIGNALS:
+    /// What is where, or shown at all.
+    void changed();
 
 private:
+    struct Place {
+        PanelSection* section;
+        bool wanted = true;
+    };
+
+    void putBack(PanelSection& section);
+    void update();
+
     QVBoxLayout* m_layout;
+    std::vector<Place> m_places; ///< in the column's order
+    bool m_shown = false;
 };
 
 } // namespace ui

@@ -35,7 +35,7 @@ StatusLine::StatusLine(Workspace& workspace, QWidget* parent)
     , m_machine(label(this, Qt::AlignRight))
 {
     setProperty("role", QStringLiteral("bar"));
-    setFixedHeight(28);
+    setFixedHeight(26);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(theme::padding, 0, theme::padding, 0);
     layout->setSpacing(theme::padding);

@@ -15,10 +15,10 @@ ToolColumn::ToolColumn(QWidget* parent)
 {
     setProperty("role", QStringLiteral("panel"));
     setObjectName(QStringLiteral("toolColumn"));
-    m_layout->setContentsMargins(4, theme::smallPadding, 4, theme::smallPadding);
+    m_layout->setContentsMargins(1, theme::smallPadding, 1, theme::smallPadding);
     m_layout->setSpacing(4);
     m_layout->addStretch(1);
-    setFixedWidth(64);
+    setFixedWidth(58);
 }
 
 void ToolColumn::addTool(QAction& action, const QString& label)

@@ -217,10 +217,13 @@ void addViewActions(MainWindow& window)
         &Workspace::ViewOptions::showPatient);
     addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);
     actions.add({.id = QStringLiteral("view.panels"),
-        .text = QStringLiteral("Panels"),
+        .text = QStringLiteral("Show panels"),
         .keys = {QKeySequence(QStringLiteral("F9"))},
         .run = [&window] { window.showPanels(!window.panelsShown()); },
         .checked = [&window] { return window.panelsShown(); }});
+    actions.add({.id = QStringLiteral("view.resetPanels"),
+        .text = QStringLiteral("All panels back into the column"),
+        .run = [&window] { window.resetPanels(); }});
     actions.add({.id = QStringLiteral("view.fullScreen"),
         .text = QStringLiteral("Full screen"),
         .keys = {QKeySequence(QStringLiteral("F11"))},

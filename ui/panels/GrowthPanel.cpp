@@ -88,9 +88,9 @@ void GrowthPanel::build()
     m_pace = new QComboBox(this);
     m_pace->setObjectName(QStringLiteral("growPace"));
     m_pace->setFixedHeight(theme::controlHeight);
-    m_pace->addItem(tr("as fast as it goes"), 0.0);
+    m_pace->addItem(tr("full speed"), 0.0);
     for (const double pace : {60.0, 20.0, 5.0})
-        m_pace->addItem(tr("%1 steps per second").arg(pace), pace);
+        m_pace->addItem(tr("%1 steps / s").arg(pace), pace);
     m_overwrite = new QCheckBox(tr("overwrite"), this);
     m_overwrite->setToolTip(tr("Take voxels of other segments that are not locked"));
     m_overwrite->setObjectName(QStringLiteral("growOverwrite"));
@@ -132,7 +132,7 @@ void GrowthPanel::makeSeedButton()
     m_fromSeeds = new QToolButton(this);
     m_fromSeeds->setObjectName(QStringLiteral("intervalFromSeeds"));
     m_fromSeeds->setFont(theme::smallFont());
-    m_fromSeeds->setText(tr("From seeds …"));
+    m_fromSeeds->setText(tr("From seeds"));
     m_fromSeeds->setToolTip(tr("Set the interval around the mean of the values under the seeds"));
     m_fromSeeds->setPopupMode(QToolButton::InstantPopup);
     m_fromSeeds->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));

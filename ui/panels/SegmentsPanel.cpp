@@ -31,7 +31,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_model(new SegmentListModel(workspace, this))
     , m_view(new QListView(this))
-    , m_empty(new QLabel(tr("No segment yet. Add one, or sketch seeds."), this))
+    , m_empty(new QLabel(tr("None yet. Add one, or sketch seeds."), this))
     , m_add(new QAction(stateIcon(QStringLiteral("add")), tr("Add segment"), this))
 {
     m_add->setObjectName(QStringLiteral("addSegment"));

@@ -32,7 +32,8 @@ QDoubleSpinBox* numberBox(QWidget* parent, const QString& name, const QString& a
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFixedHeight(theme::controlHeight);
     box->setKeyboardTracking(false);
-    box->setMinimumWidth(92);
+    box->setStyleSheet(QStringLiteral("padding: 2px 4px"));
+    box->setMinimumWidth(82);
     return box;
 }
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QPoint>
+#include <QWidget>
+
+#include <optional>
+
+class QToolButton;
+
+namespace ui {
+
+class Panel;
+
+/// A panel with its header: title, summary and the panel's actions. A click on the header folds it,
+/// a drag takes it out of the window; its button (or closing it there) puts it back.
+class PanelSection : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int leastWidth = 276;
+
+    explicit PanelSection(Panel& panel, QWidget* parent = nullptr);
+
+    [[nodiscard]] Panel& panel() const { return m_panel; }
+    /// The panel's class: what it is known by in the settings.
+    [[nodiscard]] QString id() const;
+
+    void setFolded(bool folded);
+    [[nodiscard]] bool isFolded() const { return m_folded; }
+    /// For the column, which moves it: a window of its own over @p owner, or part of a layout.
+    void becomeWindow(QWidget* owner);
+    void becomePart(QWidget* parent);
+    [[nodiscard]] bool isFloating() const { return isWindow(); }
+
+    // The column asks for one height: as much as the panel needs in the section's width, or for a
+    // list the least that is of use. (A height that depends on the width would end shrinking.)
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    [[nodiscard]] bool hasHeightForWidth() const override { return false; }
+
+Q_SIGNALS:
+    void folded(bool folded);
+    void floatAsked(bool floating);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void buildHeader();
+    void showPlace();
+
+    Panel& m_panel;
+    QWidget* m_header;
+    QToolButton* m_fold;
+    QToolButton* m_place;
+    bool m_folded = false;
+    std::optional<QPoint> m_pressed; ///< in the header
+};
+
+} // namespace ui
