@@ -145,6 +145,11 @@ bool EditSession::transactionOpen() const
     return m_queue->interactive() != nullptr;
 }
 
+void EditSession::closeGrowth()
+{
+    m_queue->closeGrowth();
+}
+
 Result<void> EditSession::undo()
 {
     m_queue->closeGrowth();

@@ -63,6 +63,8 @@ public:
     void pauseGrowth();
     void end(Ending ending);
     [[nodiscard]] bool transactionOpen() const;
+    /// A growth that runs is committed at its generation; a stroke is left alone.
+    void closeGrowth();
 
     Result<void> undo();
     Result<void> redo();
@@ -82,7 +84,8 @@ public:
     /// The incremental state hash (core/session/README.md), hex. Expects a settled session.
     [[nodiscard]] QByteArray stateHash() const;
 
-    /// Labels of a plane, x fastest, as they are after settle(): for export and checks.
+    /// Labels of a plane, x fastest, as they are after settle(): for export and checks. Waits; who
+    /// must not asks a LabelReader's questions.
     [[nodiscard]] Result<std::vector<std::uint8_t>> labels(std::uint8_t plane);
 
     /// Display state is no step of undo.

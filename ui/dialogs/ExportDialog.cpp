@@ -25,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 
 namespace ui {
@@ -109,12 +110,15 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
             if (change.what == core::DocumentChange::What::Segments)
                 fillSegments();
         });
-    connect(&m_workspace, &Workspace::sessionChanged, this, &QDialog::reject);
-    connect(&m_job, &ExportJob::progressed, this, [this](const QString& step, int done, int total) {
-        m_progress->setRange(0, std::max(total, 0));
-        m_progress->setValue(done);
-        m_state->setText(step);
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_fetch.cancel();
+        QDialog::reject();
     });
+    connect(&m_fetch, &LabelFetch::progressed, this,
+        [this](int done, int total) { showProgress(tr("Reading the segments"), done, total); });
+    connect(&m_fetch, &LabelFetch::finished, this, &ExportDialog::write);
+    connect(&m_fetch, &LabelFetch::failed, this, &ExportDialog::showFailure);
+    connect(&m_job, &ExportJob::progressed, this, &ExportDialog::showProgress);
     connect(&m_job, &ExportJob::finished, this, &ExportDialog::showReport);
     connect(&m_job, &ExportJob::failed, this, &ExportDialog::showFailure);
 }
@@ -280,7 +284,7 @@ void ExportDialog::showFormat()
 
 void ExportDialog::showState()
 {
-    if (m_job.running())
+    if (running())
         return;
     const auto segments = chosen();
     const auto uncoded = std::find_if(segments.begin(), segments.end(),
@@ -302,7 +306,7 @@ void ExportDialog::chooseCode(QTreeWidgetItem* item)
     core::EditSession* session = m_workspace.session();
     const int label = item->data(NameColumn, labelRole).toInt();
     const core::Segment* segment = session ? session->document().segment(label) : nullptr;
-    if (!segment || m_job.running())
+    if (!segment || running())
         return;
     CodeDialog dialog(segment->name, segment->code, this);
     if (dialog.exec() != QDialog::Accepted || session != m_workspace.session())
@@ -327,7 +331,7 @@ void ExportDialog::browse()
 void ExportDialog::start()
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || m_job.running())
+    if (!session || running())
         return;
     core::ExportRequest request;
     request.format = format();
@@ -340,38 +344,49 @@ void ExportDialog::start()
             return;
         request.force = true;
     }
-    // What is exported is what the history holds: a running growth is closed first.
-    if (const auto settled = session->settle(); !settled) {
-        showFailure(settled.error());
-        return;
-    }
-    request.segments = chosen();
-    std::set<std::uint8_t> wanted;
-    for (const core::Segment& segment : request.segments)
-        wanted.insert(segment.plane);
-    std::vector<ExportJob::Plane> planes;
-    for (const std::uint8_t plane : wanted) {
-        auto labels = session->labels(plane);
-        if (!labels) {
-            showFailure(labels.error());
-            return;
-        }
-        planes.push_back({plane, *std::move(labels)});
-    }
-    QSettings().setValue(folderKey(), QFileInfo(request.file).absolutePath());
+    m_request = std::move(request);
+    QSettings().setValue(folderKey(), QFileInfo(m_request.file).absolutePath());
+    std::set<std::uint8_t> planes;
+    for (const core::Segment& segment : chosen())
+        planes.insert(segment.plane);
     m_report->hide();
-    m_progress->setRange(0, 0);
-    m_progress->show();
-    m_export->setEnabled(false);
-    m_close->setText(tr("Abort"));
-    m_job.start(*m_workspace.volume(), std::move(request), std::move(planes));
+    showProgress(tr("Reading the segments"), 0, 0);
+    // What is exported is what the history holds: a running growth is closed first.
+    m_fetch.start(*session, planes);
+    showRunning(true);
+}
+
+void ExportDialog::write(const std::vector<ExportJob::Plane>& planes)
+{
+    m_request.segments = chosen();
+    m_job.start(*m_workspace.volume(), m_request, planes);
+}
+
+void ExportDialog::showRunning(bool isRunning)
+{
+    for (QWidget* input :
+        std::initializer_list<QWidget*>{m_segments, m_seg, m_nifti, m_file, m_browse})
+        input->setEnabled(!isRunning);
+    const core::Volume* volume = m_workspace.volume();
+    m_seg->setEnabled(!isRunning && volume && core::dicomSegObstacle(*volume).isEmpty());
+    m_progress->setVisible(isRunning);
+    m_close->setText(isRunning ? tr("Abort") : tr("Close"));
+    if (isRunning)
+        m_export->setEnabled(false);
+    else
+        showState();
+}
+
+void ExportDialog::showProgress(const QString& step, int done, int total)
+{
+    m_progress->setRange(0, std::max(total, 0));
+    m_progress->setValue(done);
+    m_state->setText(step);
 }
 
 void ExportDialog::showReport(const core::ExportReport& report)
 {
-    m_progress->hide();
-    m_close->setText(tr("Close"));
-    showState();
+    showRunning(false);
     QStringList lines;
     lines += report.written;
     for (const QString& sentence : report.checked)
@@ -387,9 +402,7 @@ void ExportDialog::showReport(const core::ExportReport& report)
 
 void ExportDialog::showFailure(const core::Error& error)
 {
-    m_progress->hide();
-    m_close->setText(tr("Close"));
-    showState();
+    showRunning(false);
     m_state->setText(error.code == core::ErrorCode::Cancelled
             ? tr("The export was aborted; nothing was written.")
             : errorText(error));
@@ -397,10 +410,12 @@ void ExportDialog::showFailure(const core::Error& error)
 
 void ExportDialog::reject()
 {
-    if (m_job.running()) {
-        m_job.cancel();
-        return;
+    if (m_fetch.running()) {
+        m_fetch.cancel();
+        return showFailure({core::ErrorCode::Cancelled, {}});
     }
+    if (m_job.running())
+        return m_job.cancel();
     QDialog::reject();
 }
 

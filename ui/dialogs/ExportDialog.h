@@ -4,6 +4,7 @@
 #include "core/export/ExportChoices.h"
 #include "core/export/ExportMask.h"
 #include "ui/dialogs/ExportJob.h"
+#include "ui/dialogs/LabelFetch.h"
 
 #include <QDialog>
 
@@ -34,7 +35,8 @@ class ExportDialog : public QDialog {
 public:
     explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    [[nodiscard]] const ExportJob& job() const { return m_job; }
+    /// Reading labels, writing or checking.
+    [[nodiscard]] bool running() const { return m_fetch.running() || m_job.running(); }
 
 Q_SIGNALS:
     void exported(const QString& file);
@@ -48,6 +50,9 @@ private:
     void chooseCode(QTreeWidgetItem* item);
     void browse();
     void start();
+    void write(const std::vector<ExportJob::Plane>& planes);
+    void showRunning(bool running);
+    void showProgress(const QString& step, int done, int total);
     void showReport(const core::ExportReport& report);
     void showFailure(const core::Error& error);
     void reject() override;
@@ -68,6 +73,8 @@ private:
     QPushButton* m_close = nullptr;
     std::bitset<256> m_unticked; ///< labels the user took the tick from, or that began without
     bool m_filling = false;
+    core::ExportRequest m_request; ///< under way; its segments are taken when it is written
+    LabelFetch m_fetch;
     ExportJob m_job;
 };
 

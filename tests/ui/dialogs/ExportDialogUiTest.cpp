@@ -55,6 +55,9 @@ public:
         grow.steps = 2;
         apply(grow);
         session().setSegmentVisible(2, false);
+        // The engine's wake-up, as the program has it.
+        QObject::connect(&wakeUp, &QTimer::timeout, [this] { session().poll(); });
+        wakeUp.start(1);
     }
     [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     void apply(const core::Edit& edit)
@@ -72,6 +75,7 @@ public:
     reference::ReferenceEngine engine;
     test::NoFrames frames;
     ui::Workspace workspace;
+    QTimer wakeUp;
 };
 
 QTreeWidgetItem& row(const ui::ExportDialog& dialog, const char* name)
@@ -182,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(file));
         const QString report = dialog.findChild<QLabel*>(text("exportReport"))->text();
         QVERIFY2(report.contains(QStringLiteral("✓")), qPrintable(report));
-        QVERIFY(!dialog.job().running());
+        QVERIFY(!dialog.running());
     }
 
     void asksBeforeItReplaces()
@@ -199,12 +203,59 @@ private Q_SLOTS:
         QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
         answer(QMessageBox::No);
         button(dialog, "exportStart").click();
-        QVERIFY(!dialog.job().running());
+        QVERIFY(!dialog.running());
         QCOMPARE(contents(path), QByteArray("mine"));
         answer(QMessageBox::Yes);
         button(dialog, "exportStart").click();
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
         QVERIFY(contents(path) != QByteArray("mine"));
+    }
+
+    /// While the engine does not answer the window goes on, and the export can be given up.
+    void neverWaitsForTheEngine()
+    {
+        ExportFixture fixture;
+        fixture.wakeUp.stop();
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        button(dialog, "exportNifti").click();
+        const QString file = fixture.path("out.nii.gz");
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
+        QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
+        button(dialog, "exportStart").click();
+        QVERIFY(dialog.running());
+        QTest::qWait(30);
+        QVERIFY(dialog.running());
+        const auto* state = dialog.findChild<QLabel*>(text("exportState"));
+        QCOMPARE(state->text(), text("Reading the segments"));
+        QVERIFY(!dialog.findChild<QTreeWidget*>()->isEnabled());
+        dialog.close();
+        QVERIFY(dialog.isVisible());
+        QVERIFY(!dialog.running());
+        QVERIFY2(state->text().contains(text("aborted")), qPrintable(state->text()));
+        QVERIFY(button(dialog, "exportStart").isEnabled());
+        // What the engine answers late is dropped; the next export is whole.
+        fixture.wakeUp.start(1);
+        QTest::qWait(30);
+        QVERIFY(!QFile::exists(file));
+        button(dialog, "exportStart").click();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
+        QVERIFY(QFile::exists(file));
+    }
+
+    void endsWithItsStudy()
+    {
+        ExportFixture fixture;
+        fixture.wakeUp.stop();
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        button(dialog, "exportNifti").click();
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(fixture.path("out.nii.gz"));
+        button(dialog, "exportStart").click();
+        QVERIFY(dialog.running());
+        fixture.workspace.setSession(nullptr);
+        QVERIFY(!dialog.isVisible());
+        QVERIFY(!dialog.running());
     }
 
     void aFailureIsOneSentence()
@@ -216,7 +267,7 @@ private Q_SLOTS:
         const QString file = fixture.path("no such folder/out.nii.gz");
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
         button(dialog, "exportStart").click();
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().running(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.running(), 60000);
         QVERIFY(dialog.findChild<QLabel*>(text("exportState"))
                     ->text()
                     .contains(text("no such folder")));

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/engine/EngineCommands.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// One label plane on its way from the engine, in portions of 4 MiB, so that a large volume is
+/// not there twice and other work comes in between. Ask next(), give the answer to take(), until
+/// next() has nothing left to ask.
+class LabelReader {
+public:
+    LabelReader(const glm::ivec3& size, std::uint8_t plane);
+
+    [[nodiscard]] std::optional<ReadBricks> next();
+    [[nodiscard]] Result<void> take(const EngineResult& answer);
+
+    [[nodiscard]] int bricksRead() const { return m_next; }
+    [[nodiscard]] int bricks() const { return m_grid.brickCount(); }
+    [[nodiscard]] std::uint8_t plane() const { return m_plane; }
+    /// x fastest; leaves the reader without.
+    [[nodiscard]] std::vector<std::uint8_t> takeLabels() { return std::move(m_labels); }
+
+private:
+    void place(const BrickChange& brick);
+
+    BrickGrid m_grid;
+    std::uint8_t m_plane;
+    int m_next = 0;
+    std::vector<std::uint8_t> m_labels;
+};
+
+} // namespace core
