@@ -3,7 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/dicom/FrameDecoder.h"
-#include "core/dicom/HeaderReader.h"
+#include "core/dicom/ImageHeaderReader.h"
 #include "core/dicom/SopClass.h"
 #include "core/dicom/StackGeometry.h"
 #include "core/volume/MemoryLimit.h"

@@ -2,7 +2,7 @@
 #include "core/dicom/SegReader.h"
 
 #include "core/dicom/Dcmtk.h"
-#include "core/dicom/HeaderReading.h"
+#include "core/dicom/PatientAndPlane.h"
 
 #include <QFile>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SourceHeader.h"
 
-#include "core/dicom/HeaderReading.h"
+#include "core/dicom/PatientAndPlane.h"
 #include "core/dicom/SourceFiles.h"
 
 #include <dcmtk/config/osconfig.h>

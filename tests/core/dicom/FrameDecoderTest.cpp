@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/FrameDecoder.h"
 
-#include "core/dicom/HeaderReader.h"
+#include "core/dicom/ImageHeaderReader.h"
 #include "core/dicom/TransferSyntax.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/HeaderReader.h"
+#include "core/dicom/ImageHeaderReader.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
 

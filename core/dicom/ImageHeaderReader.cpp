@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/HeaderReader.h"
+#include "core/dicom/ImageHeaderReader.h"
 
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"

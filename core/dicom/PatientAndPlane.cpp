@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/HeaderReading.h"
+#include "core/dicom/PatientAndPlane.h"
 
 #include "core/dicom/DicomText.h"
 
