@@ -16,7 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double sliceMilliseconds = 8.0;
+/// Two tiles are under way at a time, one drawn and one queued, so that no processor waits for this
+/// thread to wake up; together they are what an edit may have to wait for.
+constexpr double sliceMilliseconds = 5.0;
 constexpr double coarseMilliseconds = 40.0;
 /// A full picture expected to be faster than this comes at once, without a coarse one before it.
 constexpr double directMilliseconds = 90.0;
@@ -99,6 +101,7 @@ bool FrameScheduler::work(bool editing)
         drawSlice(*view, editing);
         return true;
     }
+    land();
     if (waiting) {
         m_deliveries.begin()->second.fence.wait();
         deliver();
@@ -283,20 +286,42 @@ void FrameScheduler::drawSlice(View& view, bool editing)
     m_noVertices.drawFullScreenTriangle();
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-    Fence::insert().wait();
+    Flying drawn{.view = view.request.view,
+        .fence = Fence::insert(),
+        .queued = start,
+        .pixels = double(tile.size.x) * tile.size.y,
+        .cost = &cost};
+    glFlush();
+    land();
+    m_flying.emplace(std::move(drawn));
     ++m_counters.tiles;
-
-    const double spent = since(start);
-    view.milliseconds += spent;
-    const double measured = spent / (double(tile.size.x) * tile.size.y) * 1e6;
-    // Follows slowly and by bounded steps: a first use compiles, a corner may be empty.
-    cost = std::clamp(0.7 * cost + 0.3 * measured, 0.5 * cost, 2.0 * cost);
     if (view.tiles->finished())
         finishPicture(view);
 }
 
+void FrameScheduler::land()
+{
+    if (!m_flying)
+        return;
+    const Flying tile = std::move(*m_flying);
+    m_flying.reset();
+    tile.fence.wait();
+    const Clock::time_point now = Clock::now();
+    // Its own time began when the tile before it was done.
+    const std::chrono::duration<double, std::milli> spent = now - std::max(tile.queued, m_landed);
+    m_landed = now;
+    const auto view = m_views.find(tile.view);
+    if (view != m_views.end())
+        view->second.milliseconds += spent.count();
+    // Follows slowly and by bounded steps: a first use compiles, a corner may be empty.
+    double& cost = *tile.cost;
+    const double measured = spent.count() / tile.pixels * 1e6;
+    cost = std::clamp(0.7 * cost + 0.3 * measured, 0.5 * cost, 2.0 * cost);
+}
+
 void FrameScheduler::finishPicture(View& view)
 {
+    land();
     const Clock::time_point start = Clock::now();
     const glm::ivec2 drawn = view.tiles->size();
     view.tiles.reset();

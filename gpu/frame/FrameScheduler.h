@@ -13,6 +13,7 @@
 
 #include <array>
 #include <bitset>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -74,6 +75,14 @@ private:
         FrameRequest request;
         bool fresh = false; ///< forgotten before: nothing of the view's past counts
     };
+    /// A tile that is being drawn while the next one is queued.
+    struct Flying {
+        ViewId view = 0;
+        Fence fence;
+        std::chrono::steady_clock::time_point queued;
+        double pixels = 0.0;
+        double* cost = nullptr; ///< of its kind, in m_cost
+    };
     /// A picture on its way from the GPU.
     struct Delivery {
         Frame frame;
@@ -87,6 +96,7 @@ private:
     [[nodiscard]] View* next(bool editing);
     [[nodiscard]] bool wants(const View& view, bool editing) const;
     void drawSlice(View& view, bool editing);
+    void land(); ///< waits for the flying tile
     void preparePass(View& view, const PassTarget& target);
     void finishPicture(View& view);
     void warmUp(View& view);
@@ -108,6 +118,8 @@ private:
     std::map<ViewId, View> m_views;
     std::map<ViewId, Delivery> m_deliveries;
     std::array<double, 4> m_cost; ///< milliseconds per megapixel: slice, surface, DVR, MIP
+    std::optional<Flying> m_flying;
+    std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
     std::uint64_t m_turn = 0;
     Counters m_counters;
 

@@ -7,26 +7,61 @@ uniform float gradientFull; // length of a per-voxel difference that is certainl
 const float samplesPerGroup = 3.0;
 const vec4 unlit = vec4(vec3(0.82), 0.0);
 
+/// What is seen at one sample.
+struct Matter {
+    vec4 colour; // opacity of one step
+    bool inSegment;
+};
+
+Matter matterAt(vec3 at)
+{
+    Matter matter;
+    const float entry = texture(intensity, at).r * lookup.x + lookup.y;
+    const float lastEntry = float(textureSize(transferFunction, 0).x - 1);
+    matter.colour = texelFetch(transferFunction, ivec2(clamp(entry, 0.0, lastEntry), 0), 0);
+    matter.inSegment = false;
+#if SCULPTED
+    matter.colour.a *= 1.0 - smoothstep(0.45, 0.55, texture(radiation, at).r);
+    matter.inSegment = texture(segmentation, at).r >= 0.5;
+    matter.colour.a = matter.inSegment ? 0.0 : matter.colour.a;
+#endif
+    return matter;
+}
+
 vec3 seenAlong(Ray ray)
 {
     const vec3 toViewer = -ray.world;
-    const float lastEntry = float(textureSize(transferFunction, 0).x - 1);
+    const Samples samples = samplesOf(ray);
     const float enough = 0.02;
-    float t = ray.gridZero + stepMm;
+    float n = 1.0;
     vec3 seen = vec3(0.0);
     float through = 1.0;
     vec4 light = unlit;
     float lastOpacity = 0.0;
-    // Where groups begin differs from pixel to pixel and from picture to picture: it averages out.
+    // Where groups end differs from pixel to pixel and from picture to picture: it averages out.
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
-    float groupSize = firstGroup;
-    while (t < ray.last && through > enough) {
-        const float start = t;
-        const Stretch stretch = stretchAt(ray, t);
-        // A group is not cut at its cell's border, or the borders would show.
-        const float end = stretch.distance == 0u
-            ? min(ray.last, t + stepMm * (groupSize - 0.5)) : t;
+    while (n < samples.last && through > enough) {
+        // To the first sample that shows something.
+        const float start = n;
+        bool found = false;
+        while (n < samples.last && !found) {
+            vec3 cell = cellOf(samples, n);
+            float distance = float(skipAt(cell).x);
+            while (n < samples.last && distance > 0.0) {
+                n = max(n, floor(leaves(samples, cell, distance - 1.0))) + 1.0;
+                cell = cellOf(samples, n);
+                distance = float(skipAt(cell).x);
+            }
+            const float end = min(max(leaves(samples, cell, 0.0), n + 0.5), samples.last);
+            while (n < end && !found) {
+                const Matter matter = matterAt(samples.origin + samples.step * n);
+                found = matter.colour.a > 0.0 || matter.inSegment;
+                n += found ? 0.0 : 1.0;
+            }
+        }
+        lastOpacity = n > start ? 0.0 : lastOpacity;
+        const float groupEnd = min(samples.last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
         // Samples are classified one by one but lit together, since lighting costs several samples:
         // matter keeps the light that fell on the surface before it, and a new surface is where
         // opacity changes most.
@@ -36,36 +71,23 @@ vec3 seenAlong(Ray ray)
         float change = 0.0;
         float changeAt = 0.0;
         float most = 1e-4;
-#if SCULPTED
-        float segmentAt = nowhere;
-#endif
-        while (t < end && through * groupThrough > enough) {
-            const vec3 at = ray.origin + ray.direction * t;
-            const float entry = texture(intensity, at).r * lookup.x + lookup.y;
-            vec4 matter = texelFetch(
-                transferFunction, ivec2(clamp(entry, 0.0, lastEntry), 0), 0);
-#if SCULPTED
-            matter.a *= 1.0 - smoothstep(0.45, 0.55, texture(radiation, at).r);
-            const bool inSegment = texture(segmentation, at).r >= 0.5;
-            segmentAt = inSegment ? t : segmentAt;
-            matter.a = inSegment ? 0.0 : matter.a;
-#endif
-            const float share = groupThrough * matter.a;
-            glow += share * matter.rgb;
+        bool segmentSeen = false;
+        while (n < groupEnd && through * groupThrough > enough && !segmentSeen) {
+            const Matter matter = matterAt(samples.origin + samples.step * n);
+            const float opacity = matter.colour.a;
+            const float share = groupThrough * opacity;
+            glow += share * matter.colour.rgb;
             glowOpacity += share;
-            groupThrough *= 1.0 - matter.a;
-            const float jump = abs(matter.a - lastOpacity) * groupThrough;
+            groupThrough *= 1.0 - opacity;
+            const float jump = abs(opacity - lastOpacity) * groupThrough;
             change += jump;
-            changeAt += jump * t;
-            most = max(most, max(matter.a, lastOpacity));
-            lastOpacity = matter.a;
-#if SCULPTED
-            if (inSegment)
-                break;
-#endif
-            t += stepMm;
+            changeAt += jump * n;
+            most = max(most, max(opacity, lastOpacity));
+            lastOpacity = opacity;
+            segmentSeen = matter.inSegment;
+            n += segmentSeen ? 0.0 : 1.0;
         }
-        const vec3 at = ray.origin + ray.direction * (changeAt / max(change, 1e-6));
+        const vec3 at = samples.origin + samples.step * (changeAt / max(change, 1e-6));
         const vec3 rise = tetrahedronDifferences(intensity, at);
         const vec3 slope = gradientToWorld * -rise;
         const vec3 normal = slope * inversesqrt(max(dot(slope, slope), 1e-16));
@@ -77,17 +99,13 @@ vec3 seenAlong(Ray ray)
         seen += through * (glow * light.rgb + glowOpacity * light.a);
         through *= groupThrough;
 #if SCULPTED
-        const vec3 place = ray.origin + ray.direction * segmentAt;
+        const vec3 place = samples.origin + samples.step * n;
         const vec3 inward = centralDifferences(segmentation, place, 1.0);
         const vec3 outward = normalize(gradientToWorld * -inward + 1e-9 * toViewer);
         const vec3 segment = lit(segmentColour(place), lightOn(outward, toViewer, 1.0, 0.22));
-        seen += segmentAt != nowhere ? through * segment : vec3(0.0);
-        through = segmentAt != nowhere ? 0.0 : through;
+        seen += segmentSeen ? through * segment : vec3(0.0);
+        through = segmentSeen ? 0.0 : through;
 #endif
-        const bool skipped = t == start;
-        t = skipped ? gridAfter(ray, t, stretch.end) : t;
-        lastOpacity = skipped ? 0.0 : lastOpacity;
-        groupSize = skipped ? firstGroup : samplesPerGroup;
     }
     return seen;
 }

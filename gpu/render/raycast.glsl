@@ -126,6 +126,51 @@ float gridAfter(Ray ray, float t, float end)
     return ray.gridZero + max(now + 1.0, next) * stepMm;
 }
 
+/// A ray's samples, numbered: sample n stands at origin + n · step, for 1 ≤ n < last.
+struct Samples {
+    vec3 origin; // texture
+    vec3 step;   // texture
+    float last;
+    vec3 cellOrigin; // the same in cells
+    vec3 cellStep;
+    vec3 leaveOrigin; // number at which a cell is left = leaveOrigin + cell · leavePerCell
+    vec3 leavePerCell;
+};
+
+Samples samplesOf(Ray ray)
+{
+    Samples samples;
+    const vec3 cellsPerTexture = 1.0 / (voxel * cellSide);
+    samples.origin = ray.origin + ray.direction * ray.gridZero;
+    samples.step = ray.direction * stepMm;
+    samples.last = (ray.last - ray.gridZero) / stepMm;
+    samples.cellOrigin = samples.origin * cellsPerTexture - 0.5 / cellSide;
+    samples.cellStep = samples.step * cellsPerTexture;
+    samples.leavePerCell = ray.inverse / (stepMm * cellsPerTexture);
+    samples.leaveOrigin = (vec3(greaterThan(ray.inverse, vec3(0.0))) - samples.cellOrigin)
+        * samples.leavePerCell;
+    return samples;
+}
+
+vec3 cellOf(Samples samples, float n)
+{
+    return floor(samples.cellOrigin + samples.cellStep * n);
+}
+
+/// Distance and flags. The outermost half voxel lies outside all cells; the nearest one answers.
+uvec2 skipAt(vec3 cell)
+{
+    return texture(skipMap, (cell + 0.5) / vec3(textureSize(skipMap, 0))).rg;
+}
+
+/// Where the ray leaves a cell and `reach` cells on all sides of it.
+float leaves(Samples samples, vec3 cell, float reach)
+{
+    const vec3 times = samples.leaveOrigin + cell * samples.leavePerCell
+        + reach * abs(samples.leavePerCell);
+    return min(min(times.x, times.y), times.z);
+}
+
 vec3 centralDifferences(sampler3D field, vec3 at, float reach)
 {
     const vec3 h = voxel * reach;
