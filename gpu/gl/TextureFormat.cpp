@@ -32,6 +32,8 @@ TexelLayout texelLayout(GLenum internalFormat)
         return {GL_RG, GL_FLOAT, 8};
     case GL_RGBA8:
         return {GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case GL_RGBA16UI:
+        return {GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, 8};
     case GL_RGBA16F:
         return {GL_RGBA, GL_HALF_FLOAT, 8};
     case GL_RGBA32F:
@@ -46,7 +48,7 @@ TexelLayout texelLayout(GLenum internalFormat)
 bool isIntegerFormat(GLenum internalFormat)
 {
     const GLenum format = texelLayout(internalFormat).format;
-    return format == GL_RED_INTEGER || format == GL_RG_INTEGER;
+    return format == GL_RED_INTEGER || format == GL_RG_INTEGER || format == GL_RGBA_INTEGER;
 }
 
 } // namespace gpu

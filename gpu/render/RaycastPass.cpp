@@ -77,6 +77,7 @@ void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeS
     volume.cells().ranges().bindUnit(5);
     m_transfer.texture().bindUnit(6);
     palette.texture().bindUnit(7);
+    volume.maximumCells().texture().bindUnit(8);
     active.use();
 }
 
@@ -165,7 +166,13 @@ VisibleCodes RaycastPass::setMode(
     }
     case RenderMode::Mip: {
         const glm::dvec2 grey = greyOfTexel(encoding, scene.mipWindow);
-        program.set("window", glm::vec2(grey)).set("saturated", float((1.0 - grey.y) / grey.x));
+        std::array<float, MaximumCells::levelCount> levels{};
+        for (std::size_t k = 0; k < levels.size(); ++k)
+            levels[k] = float(volume.maximumCells().levels()[k] / 65535.0);
+        program.set("window", glm::vec2(grey))
+            .set("saturated", float((1.0 - grey.y) / grey.x))
+            .set("black", float(-grey.y / grey.x))
+            .set("levels", std::span<const float>(levels));
         // What is black anyway need not be looked at.
         const double black = -grey.y / grey.x * 65535.0;
         return {{{int(std::clamp(std::floor(black), 0.0, double(lastCode))), lastCode}}};

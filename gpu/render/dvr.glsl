@@ -31,7 +31,7 @@ Matter matterAt(vec3 at)
 vec3 seenAlong(Ray ray)
 {
     const vec3 toViewer = -ray.world;
-    const Samples samples = samplesOf(ray);
+    const Samples samples = samplesOf(ray, cellSide);
     const float enough = 0.02;
     float n = 1.0;
     vec3 seen = vec3(0.0);
@@ -41,25 +41,26 @@ vec3 seenAlong(Ray ray)
     // Where groups end differs from pixel to pixel and from picture to picture: it averages out.
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
-    while (n < samples.last && through > enough) {
+    do {
         // To the first sample that shows something.
         const float start = n;
         bool found = false;
-        while (n < samples.last && !found) {
-            vec3 cell = cellOf(samples, n);
-            float distance = float(skipAt(cell).x);
-            while (n < samples.last && distance > 0.0) {
-                n = max(n, floor(leaves(samples, cell, distance - 1.0))) + 1.0;
+        do {
+            vec3 cell = vec3(0.0);
+            for (;;) {
                 cell = cellOf(samples, n);
-                distance = float(skipAt(cell).x);
+                const float distance = float(skipAt(cell).x);
+                if (distance == 0.0 || n >= samples.last)
+                    break;
+                n = max(n, floor(leaves(samples, cell, distance - 1.0))) + 1.0;
             }
             const float end = min(max(leaves(samples, cell, 0.0), n + 0.5), samples.last);
-            while (n < end && !found) {
+            do {
                 const Matter matter = matterAt(samples.origin + samples.step * n);
-                found = matter.colour.a > 0.0 || matter.inSegment;
+                found = n < end && (matter.colour.a > 0.0 || matter.inSegment);
                 n += found ? 0.0 : 1.0;
-            }
-        }
+            } while (n < end && !found);
+        } while (n < samples.last && !found);
         lastOpacity = n > start ? 0.0 : lastOpacity;
         const float groupEnd = min(samples.last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
         // Samples are classified one by one but lit together, since lighting costs several samples:
@@ -72,9 +73,9 @@ vec3 seenAlong(Ray ray)
         float changeAt = 0.0;
         float most = 1e-4;
         bool segmentSeen = false;
-        while (n < groupEnd && through * groupThrough > enough && !segmentSeen) {
+        do {
             const Matter matter = matterAt(samples.origin + samples.step * n);
-            const float opacity = matter.colour.a;
+            const float opacity = found ? matter.colour.a : 0.0;
             const float share = groupThrough * opacity;
             glow += share * matter.colour.rgb;
             glowOpacity += share;
@@ -84,9 +85,9 @@ vec3 seenAlong(Ray ray)
             changeAt += jump * n;
             most = max(most, max(opacity, lastOpacity));
             lastOpacity = opacity;
-            segmentSeen = matter.inSegment;
+            segmentSeen = found && matter.inSegment;
             n += segmentSeen ? 0.0 : 1.0;
-        }
+        } while (n < groupEnd && through * groupThrough > enough && !segmentSeen);
         const vec3 at = samples.origin + samples.step * (changeAt / max(change, 1e-6));
         const vec3 rise = tetrahedronDifferences(intensity, at);
         const vec3 slope = gradientToWorld * -rise;
@@ -106,6 +107,6 @@ vec3 seenAlong(Ray ray)
         seen += segmentSeen ? through * segment : vec3(0.0);
         through = segmentSeen ? 0.0 : through;
 #endif
-    }
+    } while (n < samples.last && through > enough);
     return seen;
 }

@@ -2,21 +2,31 @@
 
 /* Uniforms */
 uniform vec2 window;     // grey = code / 65535 · x + y
-uniform float saturated; // code / 65535 from which on every grey is the same
+uniform float saturated; // code / 65535 from which on every grey is white
+uniform float black;     // code / 65535 up to which every grey is black
+uniform float levels[6]; // code / 65535, ascending
+
+layout(binding = 8) uniform usampler3D maximumCells; // greatest code, distances by level
+
+#if SCULPTED
+float greatestOf(ivec3 cell)
+{
+#ifdef EVERY_SAMPLE
+    return 2.0;
+#endif
+    return texelFetch(cellRanges, cell, 0).g;
+}
 
 vec3 seenAlong(Ray ray)
 {
     float t = ray.gridZero + stepMm;
     float greatest = -1.0;
-#if SCULPTED
     float segmentAt = nowhere;
-#endif
     while (t < ray.last) {
         const float start = t;
         const Stretch stretch = stretchAt(ray, t);
         const bool wanted = stretch.distance == 0u && greatest < saturated
-            && texelFetch(cellRanges, stretch.cell, 0).g > greatest;
-#if SCULPTED
+            && greatestOf(stretch.cell) > greatest;
         const bool plain = (stretch.flags & (carvedFlag | segmentFlag)) == 0u;
         const bool segments = (stretch.flags & segmentFlag) != 0u && segmentAt == nowhere;
         float end = !plain && (wanted || segments) ? stretch.end : t;
@@ -28,9 +38,6 @@ vec3 seenAlong(Ray ray)
             t += stepMm;
         }
         end = wanted && plain ? stretch.end : t;
-#else
-        const float end = wanted ? stretch.end : t;
-#endif
         while (t < end) {
             greatest = max(greatest, texture(intensity, ray.origin + ray.direction * t).r);
             t += stepMm;
@@ -38,12 +45,55 @@ vec3 seenAlong(Ray ray)
         t = t == start ? gridAfter(ray, t, stretch.end) : t;
     }
     vec3 result = vec3(greatest < 0.0 ? 0.0 : clamp(greatest * window.x + window.y, 0.0, 1.0));
-#if SCULPTED
     const vec3 at = ray.origin + ray.direction * segmentAt;
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
     result = segmentAt != nowhere ? mix(result, segment, 0.7) : result;
-#endif
     return result;
 }
+#else
+const float maximumSide = 4.0;
+
+vec3 seenAlong(Ray ray)
+{
+    const Samples samples = samplesOf(ray, maximumSide);
+    const vec3 perCells = 1.0 / vec3(textureSize(maximumCells, 0));
+    float n = 1.0;
+    float greatest = max(black, -1.0);
+    float last = samples.last;
+    do {
+        // How far the ray may jump is known for the highest level that it has reached.
+        int level = -1;
+        for (int k = 0; k < 6; ++k)
+            level += greatest >= levels[k] ? 1 : 0;
+        const uint mask = level < 0 ? 0u : 255u;
+        const uint shift = uint(level & 1) * 8u;
+        vec3 cell;
+        bool wanted;
+        for (;;) {
+            cell = cellOf(samples, n);
+#ifdef EVERY_SAMPLE
+            const uvec4 entry = uvec4(65536u, 0u, 0u, 0u);
+#else
+            const uvec4 entry = texture(maximumCells, (cell + 0.5) * perCells);
+#endif
+            const uint word = level < 2 ? entry.y : level < 4 ? entry.z : entry.w;
+            const float distance = float(word >> shift & mask);
+            wanted = n < last && float(entry.x) > greatest * 65535.0;
+            if (wanted || n >= last)
+                break;
+            const float leave = leaves(samples, cell, max(distance, 1.0) - 1.0);
+            n = max(n, floor(leave)) + 1.0;
+        }
+        const float end = wanted ? min(max(leaves(samples, cell, 0.0), n + 0.5), last) : n;
+        do {
+            const float value = texture(intensity, samples.origin + samples.step * n).r;
+            greatest = n < end ? max(greatest, value) : greatest;
+            n += 1.0;
+        } while (n < end);
+        last = greatest < saturated ? last : 0.0;
+    } while (n < last);
+    return vec3(clamp(greatest * window.x + window.y, 0.0, 1.0));
+}
+#endif

@@ -90,6 +90,15 @@ Ray rayOf(vec2 fragment)
     return ray;
 }
 
+/// Distance and flags. The outermost half voxel lies outside all cells; the nearest one answers.
+uvec2 skipAt(vec3 cell)
+{
+#ifdef EVERY_SAMPLE // tests: nothing is left out, so that pictures can be compared
+    return uvec2(0u, carvedFlag | segmentFlag);
+#endif
+    return texture(skipMap, (cell + 0.5) / vec3(textureSize(skipMap, 0))).rg;
+}
+
 /// The cell of a sample and where the ray leaves what the skip map lets it treat at once.
 struct Stretch {
     uint distance; // 0: something may be there
@@ -105,7 +114,7 @@ Stretch stretchAt(Ray ray, float t)
     const vec3 here = (ray.origin + ray.direction * t) * cellsPerTexture - 0.5 / cellSide;
     const vec3 cell = clamp(floor(here), vec3(0.0), vec3(textureSize(skipMap, 0) - 1));
     stretch.cell = ivec3(cell);
-    const uvec2 skip = texelFetch(skipMap, stretch.cell, 0).rg;
+    const uvec2 skip = skipAt(cell);
     stretch.distance = skip.x;
     stretch.flags = skip.y;
     const float reach = max(float(skip.x), 1.0) - 1.0;
@@ -137,14 +146,15 @@ struct Samples {
     vec3 leavePerCell;
 };
 
-Samples samplesOf(Ray ray)
+/// @param side voxels
+Samples samplesOf(Ray ray, float side)
 {
     Samples samples;
-    const vec3 cellsPerTexture = 1.0 / (voxel * cellSide);
+    const vec3 cellsPerTexture = 1.0 / (voxel * side);
     samples.origin = ray.origin + ray.direction * ray.gridZero;
     samples.step = ray.direction * stepMm;
     samples.last = (ray.last - ray.gridZero) / stepMm;
-    samples.cellOrigin = samples.origin * cellsPerTexture - 0.5 / cellSide;
+    samples.cellOrigin = samples.origin * cellsPerTexture - 0.5 / side;
     samples.cellStep = samples.step * cellsPerTexture;
     samples.leavePerCell = ray.inverse / (stepMm * cellsPerTexture);
     samples.leaveOrigin = (vec3(greaterThan(ray.inverse, vec3(0.0))) - samples.cellOrigin)
@@ -155,12 +165,6 @@ Samples samplesOf(Ray ray)
 vec3 cellOf(Samples samples, float n)
 {
     return floor(samples.cellOrigin + samples.cellStep * n);
-}
-
-/// Distance and flags. The outermost half voxel lies outside all cells; the nearest one answers.
-uvec2 skipAt(vec3 cell)
-{
-    return texture(skipMap, (cell + 0.5) / vec3(textureSize(skipMap, 0))).rg;
 }
 
 /// Where the ray leaves a cell and `reach` cells on all sides of it.

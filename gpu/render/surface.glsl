@@ -47,32 +47,40 @@ float openness(vec3 at, vec3 directionWorld)
 
 vec3 seenAlong(Ray ray)
 {
-    float t = ray.first;
+    const Samples samples = samplesOf(ray, cellSide);
+    float n = (ray.first - ray.gridZero) / stepMm; // the box's own side may be the surface
     bool hit = false;
     bool segmentHit = false;
-    while (t < ray.last && !hit) {
-        const float start = t;
-        const Stretch stretch = stretchAt(ray, t);
-        const float end = stretch.distance == 0u ? stretch.end : t;
+    do {
+        vec3 cell = vec3(0.0);
+        uvec2 skip = uvec2(0u);
+        for (;;) {
+            cell = cellOf(samples, n);
+            skip = skipAt(cell);
+            if (skip.x == 0u || n >= samples.last)
+                break;
+            n = max(floor(n), floor(leaves(samples, cell, float(skip.x) - 1.0))) + 1.0;
+        }
+        const float end = min(max(leaves(samples, cell, 0.0), n + 0.5), samples.last);
+        float plainEnd = end;
 #if SCULPTED
-        const bool plain = (stretch.flags & (carvedFlag | segmentFlag)) == 0u;
-        float until = plain ? t : end;
-        while (t < until && !hit) {
-            const vec3 at = ray.origin + ray.direction * t;
-            segmentHit = isSegment(at);
-            hit = segmentHit || (isDense(at) && !isCarved(at));
-            t += hit ? 0.0 : stepMm;
-        }
-        until = plain ? end : t;
-#else
-        const float until = end;
+        const bool plain = (skip.y & (carvedFlag | segmentFlag)) == 0u;
+        const float sculptedEnd = plain ? n : end;
+        do {
+            const vec3 at = samples.origin + samples.step * n;
+            segmentHit = n < sculptedEnd && isSegment(at);
+            hit = segmentHit || (n < sculptedEnd && isDense(at) && !isCarved(at));
+            n = hit || n >= sculptedEnd ? n : floor(n) + 1.0;
+        } while (n < sculptedEnd && !hit);
+        plainEnd = plain ? end : n;
 #endif
-        while (t < until && !hit) {
-            hit = isDense(ray.origin + ray.direction * t);
-            t += hit ? 0.0 : stepMm;
-        }
-        t = t == start && !hit ? gridAfter(ray, t, stretch.end) : t;
-    }
+        do {
+            const bool dense = n < plainEnd && isDense(samples.origin + samples.step * n);
+            hit = hit || dense;
+            n = hit || n >= plainEnd ? n : floor(n) + 1.0;
+        } while (n < plainEnd && !hit);
+    } while (n < samples.last && !hit);
+    float t = ray.gridZero + n * stepMm;
     // Everything below is computed for all pixels of a group anyway.
     const bool onBox = t - ray.first < stepMm * 0.05;
     float before = max(t - stepMm, ray.first);

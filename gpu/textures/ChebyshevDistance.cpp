@@ -2,7 +2,6 @@
 #include "gpu/textures/ChebyshevDistance.h"
 
 #include <algorithm>
-#include <array>
 
 namespace gpu {
 
@@ -20,11 +19,18 @@ struct Padded {
         , values(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), far)
     {
     }
-    [[nodiscard]] std::ptrdiff_t index(int x, int y, int z) const
+    /// The cells of a row with their border.
+    [[nodiscard]] std::uint8_t* row(int y, int z)
     {
-        return (std::ptrdiff_t(z + 1) * size.y + y + 1) * size.x + x + 1;
+        return &values[(std::size_t(z + 1) * std::size_t(size.y) + std::size_t(y + 1))
+            * std::size_t(size.x)];
     }
 };
+
+std::uint8_t oneMore(std::uint8_t distance)
+{
+    return distance == far ? far : std::uint8_t(distance + 1);
+}
 
 } // namespace
 
@@ -35,47 +41,47 @@ std::vector<std::uint8_t> chebyshevDistance(
     std::size_t from = 0;
     for (int z = 0; z < cells.z; ++z)
         for (int y = 0; y < cells.y; ++y)
-            for (int x = 0; x < cells.x; ++x)
-                if (occupied[from++] != 0)
-                    distance.values[std::size_t(distance.index(x, y, z))] = 0;
+            for (int x = 0; x < cells.x; ++x, ++from)
+                distance.row(y, z)[x + 1] = occupied[from] != 0 ? 0 : far;
 
-    // The 13 neighbours that come before a cell in memory; those after it are their negatives.
-    std::array<std::ptrdiff_t, 13> before{};
-    const std::ptrdiff_t row = distance.size.x;
-    const std::ptrdiff_t slice = row * distance.size.y;
-    std::size_t count = 0;
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-            before[count++] = -slice + dy * row + dx;
-    for (int dx = -1; dx <= 1; ++dx)
-        before[count++] = -row + dx;
-    before[count] = -1;
-
-    const auto relax = [&](std::ptrdiff_t at, int sign) {
-        std::uint8_t& value = distance.values[std::size_t(at)];
-        if (value == 0)
-            return;
-        std::uint8_t least = value;
-        for (const std::ptrdiff_t offset : before)
-            least = std::min(least, distance.values[std::size_t(at + sign * offset)]);
-        if (least < value)
-            value = std::uint8_t(least + 1);
+    // Of the 13 neighbours that come before a cell, 12 lie in rows that are finished: compilers
+    // take their least in vectors.
+    std::vector<std::uint8_t> column(std::size_t(cells.x) + 2);
+    std::vector<std::uint8_t> least(std::size_t(cells.x));
+    const auto lookBack = [&](int y, int z, int sign) {
+        const std::uint8_t* a = distance.row(y - 1, z - sign);
+        const std::uint8_t* b = distance.row(y, z - sign);
+        const std::uint8_t* c = distance.row(y + 1, z - sign);
+        const std::uint8_t* d = distance.row(y - sign, z);
+        for (std::size_t x = 0; x < column.size(); ++x)
+            column[x] = std::min(std::min(a[x], b[x]), std::min(c[x], d[x]));
+        for (std::size_t x = 0; x < least.size(); ++x)
+            least[x] = std::min(std::min(column[x], column[x + 1]), column[x + 2]);
     };
-    for (int z = 0; z < cells.z; ++z)
-        for (int y = 0; y < cells.y; ++y)
+    for (int z = 0; z < cells.z; ++z) {
+        for (int y = 0; y < cells.y; ++y) {
+            lookBack(y, z, 1);
+            std::uint8_t* row = distance.row(y, z) + 1;
             for (int x = 0; x < cells.x; ++x)
-                relax(distance.index(x, y, z), 1);
-    for (int z = cells.z - 1; z >= 0; --z)
-        for (int y = cells.y - 1; y >= 0; --y)
+                row[x] = std::min(row[x], oneMore(std::min(least[std::size_t(x)], row[x - 1])));
+        }
+    }
+    for (int z = cells.z - 1; z >= 0; --z) {
+        for (int y = cells.y - 1; y >= 0; --y) {
+            lookBack(y, z, -1);
+            std::uint8_t* row = distance.row(y, z) + 1;
             for (int x = cells.x - 1; x >= 0; --x)
-                relax(distance.index(x, y, z), -1);
+                row[x] = std::min(row[x], oneMore(std::min(least[std::size_t(x)], row[x + 1])));
+        }
+    }
 
-    std::vector<std::uint8_t> result(occupied.size());
-    std::size_t to = 0;
+    std::vector<std::uint8_t> result;
+    result.reserve(occupied.size());
     for (int z = 0; z < cells.z; ++z)
-        for (int y = 0; y < cells.y; ++y)
-            for (int x = 0; x < cells.x; ++x)
-                result[to++] = distance.values[std::size_t(distance.index(x, y, z))];
+        for (int y = 0; y < cells.y; ++y) {
+            const std::uint8_t* row = distance.row(y, z) + 1;
+            result.insert(result.end(), row, row + cells.x);
+        }
     return result;
 }
 

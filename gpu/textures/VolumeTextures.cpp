@@ -17,6 +17,7 @@ core::Result<void> VolumeTextures::open(
     m_radiation = {};
     m_segmentation = {};
     m_cells = {};
+    m_maximumCells = {};
     m_replaced = true;
 
     const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
@@ -44,6 +45,7 @@ core::Result<void> VolumeTextures::open(
     m_radiation = std::move(radiation);
     m_segmentation = std::move(segmentation);
     m_cells = MacroCells(size, codes);
+    m_maximumCells = MaximumCells(size, codes);
     m_dirty = {};
     m_touched = {};
     return {};
@@ -78,7 +80,7 @@ std::size_t VolumeTextures::denseBytes(const glm::ivec3& size)
 {
     const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
     constexpr std::size_t bytesPerVoxel = 2 + 1 + 1 + 1;
-    return voxels * bytesPerVoxel + MacroCells::bytesFor(size);
+    return voxels * bytesPerVoxel + MacroCells::bytesFor(size) + MaximumCells::bytesFor(size);
 }
 
 } // namespace gpu

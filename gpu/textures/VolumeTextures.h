@@ -7,6 +7,7 @@
 #include "core/volume/VoxelEncoding.h"
 #include "gpu/gl/Texture3D.h"
 #include "gpu/textures/MacroCells.h"
+#include "gpu/textures/MaximumCells.h"
 
 #include <array>
 #include <cstdint>
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] Texture3D& radiation() { return m_radiation; } ///< R8, linear
     [[nodiscard]] Texture3D& segmentation() { return m_segmentation; } ///< R8, linear
     [[nodiscard]] MacroCells& cells() { return m_cells; }
+    [[nodiscard]] const MaximumCells& maximumCells() const { return m_maximumCells; }
 
     /// The kernels that were queued before this call change these voxels of this field.
     void markDirty(VolumeField field, const core::VoxelBox& box);
@@ -72,6 +74,7 @@ private:
     Texture3D m_radiation;
     Texture3D m_segmentation;
     MacroCells m_cells;
+    MaximumCells m_maximumCells;
     std::array<core::VoxelBox, 3> m_dirty;
     std::array<bool, 3> m_touched{};
     bool m_replaced = false;

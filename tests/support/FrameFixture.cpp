@@ -7,9 +7,10 @@
 
 namespace test {
 
-FrameFixture::FrameFixture()
-    : scheduler(
-        {.volume = volume, .edits = edits, .shaders = shaders, .wake = [this] { ++wakeUps; }})
+FrameFixture::FrameFixture(gpu::ShaderLibrary library)
+    : shaders(std::move(library))
+    , scheduler(
+          {.volume = volume, .edits = edits, .shaders = shaders, .wake = [this] { ++wakeUps; }})
 {
     scheduler.setListener([this](const gpu::Frame& frame) { m_frames.push_back(frame); });
 }

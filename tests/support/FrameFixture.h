@@ -25,7 +25,7 @@ public:
 /// nothing depends on time. Needs a current context.
 class FrameFixture {
 public:
-    FrameFixture();
+    explicit FrameFixture(gpu::ShaderLibrary library = gpu::ShaderLibrary::builtIn());
 
     /// Opens a volume whose code at voxel (i, j, k) is codeAt(world position in LPS mm).
     void open(const core::VolumeGeometry& geometry,
@@ -40,7 +40,7 @@ public:
     gpu::Frame draw(
         const gpu::Scene& scene, const glm::ivec2& size, const gpu::SegmentDisplay& segments = {});
 
-    gpu::ShaderLibrary shaders = gpu::ShaderLibrary::builtIn();
+    gpu::ShaderLibrary shaders;
     gpu::VolumeTextures volume;
     IdleEdits edits;
     gpu::FrameScheduler scheduler;

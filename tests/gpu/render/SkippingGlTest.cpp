@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FrameFixture.h"
+#include "tests/support/GlTest.h"
+
+#include <QDir>
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+using namespace gpu;
+
+namespace {
+
+/// The built-in shaders in a folder of files, the ray caster told to look at every sample.
+ShaderLibrary everySample(const QTemporaryDir& folder)
+{
+    const QString root = QStringLiteral(":/shaders/");
+    QDirIterator files(root, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString path = files.next().mid(root.size());
+        QFile from(root + path);
+        QFile to(folder.filePath(path));
+        if (!QDir().mkpath(QFileInfo(to).path()) || !from.open(QIODevice::ReadOnly)
+            || !to.open(QIODevice::WriteOnly))
+            qFatal("the shaders cannot be copied");
+        if (path == QLatin1String("render/raycast.frag"))
+            to.write("#define EVERY_SAMPLE 1\n");
+        to.write(from.readAll());
+    }
+    return ShaderLibrary(folder.path());
+}
+
+/// Sums of random waves under random thresholds, with noise: large free and filled regions, thin
+/// borders, and maxima in unexpected places.
+struct RandomMatter {
+    explicit RandomMatter(std::mt19937& random)
+    {
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        for (glm::dvec4& wave : m_waves)
+            wave = {
+                unit(random) * 0.35, unit(random) * 0.35, unit(random) * 0.35, unit(random) * 3.0};
+        m_floor = 0.4 + 0.9 * unit(random);
+        m_noise = 300.0 * (1.0 + unit(random));
+        m_seed = random();
+    }
+    double operator()(const glm::dvec3& lps) const
+    {
+        double sum = 0.0;
+        for (const glm::dvec4& wave : m_waves)
+            sum += std::sin(glm::dot(glm::dvec3(wave), lps) + wave.w);
+        std::uint32_t hash = m_seed;
+        for (const double x : {lps.x, lps.y, lps.z})
+            hash = (hash ^ std::uint32_t(std::int64_t(std::floor(x * 64.0)))) * 2654435761U;
+        const double noise = double(hash >> 16) / 65536.0;
+        return std::max(0.0, 1000.0 * (sum - m_floor)) + m_noise * noise;
+    }
+
+private:
+    std::array<glm::dvec4, 4> m_waves{};
+    double m_floor = 0.0;
+    double m_noise = 0.0;
+    std::uint32_t m_seed = 0;
+};
+
+} // namespace
+
+/// What is left out of a ray does not show: pictures equal those of the same shaders that look at
+/// every sample. Tolerance: where a sample lies on the border of two cells, rounding decides to
+/// which it belongs; so 3 of 255 on at most 0.1 % of the pixels, else 1.
+class SkippingGlTest : public test::GlTest {
+    Q_OBJECT
+
+    static VolumeScene randomScene(std::mt19937& random, RenderMode mode)
+    {
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        VolumeScene scene;
+        scene.mode = mode;
+        const double around = unit(random) * 6.283;
+        const double above = (unit(random) - 0.5) * 2.4;
+        scene.eyeLps = 150.0
+            * glm::dvec3(std::cos(around) * std::cos(above), std::sin(around) * std::cos(above),
+                std::sin(above));
+        scene.targetLps = {4.0, -3.0, 2.0};
+        scene.heightMm = 60.0;
+        scene.orthographic = unit(random) < 0.5;
+        scene.surfaceThreshold = 200.0 + 2500.0 * unit(random);
+        scene.mipWindow = {500.0 + 2000.0 * unit(random), 200.0 + 3000.0 * unit(random)};
+        // Opacity comes and goes: nothing, a little, nothing, much.
+        double value = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            value += 50.0 + 700.0 * unit(random);
+            const double opacity = i % 2 == 0 ? 0.0 : 0.02 + 0.6 * unit(random) * unit(random);
+            scene.transferFunction.points.push_back(
+                {value, std::uint32_t(random() & 0xFFFFFFU) | 0x404040U, opacity});
+            if (i % 2 == 0 && unit(random) < 0.5) {
+                value += 300.0 * unit(random);
+                scene.transferFunction.points.push_back({value, 0xFFFFFF, 0.0});
+            }
+        }
+        return scene;
+    }
+
+    static void sculpt(test::FrameFixture& fixture)
+    {
+        fixture.fill(VolumeField::Radiation, {{20, 5, 12}, {33, 40, 30}}, 255);
+        const core::VoxelBox box{{8, 20, 16}, {17, 27, 25}};
+        fixture.fill(VolumeField::Labels, box, 1);
+        fixture.fill(VolumeField::Segmentation, box, 255);
+    }
+
+private Q_SLOTS:
+    void leavesNothingOut_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::addColumn<bool>("sculpted");
+        for (const bool sculpted : {false, true}) {
+            const char* how = sculpted ? ", sculpted" : "";
+            QTest::addRow("surface%s", how) << int(RenderMode::Surface) << sculpted;
+            QTest::addRow("DVR%s", how) << int(RenderMode::Dvr) << sculpted;
+            QTest::addRow("MIP%s", how) << int(RenderMode::Mip) << sculpted;
+        }
+    }
+
+    void leavesNothingOut()
+    {
+        QFETCH(int, mode);
+        QFETCH(bool, sculpted);
+        const QTemporaryDir folder;
+        test::FrameFixture quick;
+        test::FrameFixture thorough(everySample(folder));
+        const glm::ivec2 size(72, 60);
+        SegmentDisplay segments;
+        segments.rgb[1] = 0x4AA3FF;
+        segments.visible[1] = sculpted;
+        std::mt19937 random(unsigned(mode) * 2 + (sculpted ? 1 : 0) + 5);
+        const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : 5;
+        int lit = 0;
+        for (int round = 0; round < rounds; ++round) {
+            const RandomMatter matter(random);
+            const auto geometry = test::centredGeometry({45, 50, 38}, {1.0, 0.9, 1.3});
+            for (test::FrameFixture* fixture : {&quick, &thorough}) {
+                fixture->open(geometry, matter);
+                if (sculpted)
+                    sculpt(*fixture);
+            }
+            const VolumeScene scene = randomScene(random, RenderMode(mode));
+            const Frame a = quick.draw(scene, size, segments);
+            const Frame b = thorough.draw(scene, size, segments);
+            int off = 0;
+            int most = 0;
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    const glm::ivec3 known = test::pixel(b, x, y);
+                    const glm::ivec3 apart = glm::abs(test::pixel(a, x, y) - known);
+                    const int worst = std::max({apart.r, apart.g, apart.b});
+                    off += worst > 1 ? 1 : 0;
+                    most = std::max(most, worst);
+                    lit += known.r + known.g + known.b > 30 ? 1 : 0;
+                }
+            }
+            QVERIFY2(off <= size.x * size.y / 1000 && most <= 3,
+                qPrintable(QStringLiteral("round %1: %2 pixels off, by up to %3")
+                               .arg(round)
+                               .arg(off)
+                               .arg(most)));
+        }
+        QVERIFY2(lit > rounds * size.x * size.y / 20, qPrintable(QString::number(lit)));
+    }
+};
+
+QTEST_GUILESS_MAIN(SkippingGlTest)
+#include "SkippingGlTest.moc"
