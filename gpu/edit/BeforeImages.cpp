@@ -52,27 +52,36 @@ void BeforeImages::capture(
     m_batches.push_back(std::move(batch));
 }
 
-std::vector<std::uint8_t> BeforeImages::image(const core::BrickKey& key) const
+std::vector<std::vector<std::uint8_t>> BeforeImages::images(
+    std::span<const core::BrickKey> keys) const
 {
-    const Place& place = m_places.at(key);
-    if (place.batch == wasEmpty)
-        return {};
-    const std::size_t bytes = packedBrickBytes(key.field);
-    std::vector<std::uint8_t> result(bytes);
-    m_batches[place.batch].packed.read(std::span<std::uint8_t>(result), place.slot * bytes);
-    const std::uint8_t empty = core::emptyByte(key.field);
-    if (std::all_of(result.begin(), result.end(), [empty](std::uint8_t b) { return b == empty; }))
-        result.clear();
+    std::map<std::size_t, std::vector<std::vector<std::uint8_t>>> batches;
+    std::vector<std::vector<std::uint8_t>> result;
+    result.reserve(keys.size());
+    for (const core::BrickKey& key : keys) {
+        const Place& place = m_places.at(key);
+        if (place.batch == wasEmpty) {
+            result.emplace_back();
+            continue;
+        }
+        auto& images = batches[place.batch];
+        if (images.empty()) {
+            const Batch& batch = m_batches[place.batch];
+            images = BrickCopier::images(batch.packed, batch.field, batch.bricks.size());
+        }
+        result.push_back(std::move(images[place.slot]));
+    }
     return result;
 }
 
 std::vector<core::BrickChange> BeforeImages::changes(std::vector<core::BrickKey> keys)
 {
     std::sort(keys.begin(), keys.end());
+    auto before = images(keys);
     std::vector<core::BrickChange> changes;
     changes.reserve(keys.size());
-    for (const core::BrickKey& key : keys)
-        changes.push_back({.key = key, .before = image(key), .after = {}});
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        changes.push_back({.key = keys[i], .before = std::move(before[i]), .after = {}});
     forEachField(std::span<core::BrickChange>(changes),
         [this](core::Field field, std::uint8_t plane, std::span<core::BrickChange> group) {
             auto after = m_fields.copier().images(m_fields.textures(field, plane), bricksOf(group));
@@ -86,11 +95,12 @@ std::vector<core::BrickChange> BeforeImages::changes(std::vector<core::BrickKey>
 void BeforeImages::restore(std::vector<core::BrickKey> keys)
 {
     std::sort(keys.begin(), keys.end());
-    std::vector<core::BrickImage> images;
-    images.reserve(keys.size());
-    for (const core::BrickKey& key : keys)
-        images.push_back({.key = key, .bytes = image(key)});
-    writeImages(m_fields, images);
+    auto before = images(keys);
+    std::vector<core::BrickImage> saved;
+    saved.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        saved.push_back({.key = keys[i], .bytes = std::move(before[i])});
+    writeImages(m_fields, saved);
 }
 
 std::vector<core::BrickKey> BeforeImages::keys() const

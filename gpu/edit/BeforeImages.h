@@ -37,7 +37,9 @@ private:
         std::size_t batch = wasEmpty;
         std::size_t slot = 0;
     };
-    [[nodiscard]] std::vector<std::uint8_t> image(const core::BrickKey& key) const;
+    /// What was saved of each key (no key twice).
+    [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
+        std::span<const core::BrickKey> keys) const;
 
     VoxelFields& m_fields;
     std::map<core::BrickKey, Place> m_places;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 namespace gpu {
 
@@ -21,6 +22,13 @@ Buffer brickList(std::span<const std::uint32_t> bricks)
 }
 
 constexpr std::size_t bricksPerReadback = 1024;
+
+/// Whether all bytes are the same one: every byte equals the one after it.
+bool isEmpty(std::span<const std::uint8_t> image, std::uint8_t emptyByte)
+{
+    return image.front() == emptyByte
+        && std::memcmp(image.data(), image.data() + 1, image.size() - 1) == 0;
+}
 
 } // namespace
 
@@ -67,13 +75,13 @@ std::vector<std::vector<std::uint8_t>> BrickCopier::images(
     const Buffer& packed, core::Field field, std::size_t count)
 {
     const std::size_t bytes = packedBrickBytes(field);
+    const auto staging = std::make_unique_for_overwrite<std::uint8_t[]>(count * bytes);
+    packed.read(std::span<std::uint8_t>(staging.get(), count * bytes));
     std::vector<std::vector<std::uint8_t>> result(count);
-    const std::vector<std::uint8_t> empty(bytes, core::emptyByte(field));
     for (std::size_t i = 0; i < count; ++i) {
-        std::vector<std::uint8_t> image(bytes);
-        packed.read(std::span<std::uint8_t>(image), i * bytes);
-        if (image != empty)
-            result[i] = std::move(image);
+        const std::span<const std::uint8_t> image(staging.get() + i * bytes, bytes);
+        if (!isEmpty(image, core::emptyByte(field)))
+            result[i].assign(image.begin(), image.end());
     }
     return result;
 }

@@ -7,13 +7,13 @@ namespace gpu {
 
 namespace {
 
-constexpr int pagesAcross = 32;
-constexpr std::uint32_t pagesPerSlab = pagesAcross * pagesAcross;
+// The layout of the atlas; pageTexel() in bricks.glsl.
+constexpr glm::ivec3 pageSize(2048, 2, 1);
+constexpr std::uint32_t pagesPerSlice = 1024;
 
 glm::ivec3 pageOrigin(std::uint32_t page)
 {
-    return glm::ivec3(page % pagesAcross, page / pagesAcross % pagesAcross, page / pagesPerSlab)
-        * core::BrickGrid::side;
+    return glm::ivec3(0, page % pagesPerSlice, page / pagesPerSlice) * pageSize;
 }
 
 } // namespace
@@ -27,22 +27,27 @@ BrickField::BrickField(const BrickFieldOptions& options)
 
 void BrickField::enlarge()
 {
-    const int slabs = std::max(1, int(m_pageCount / pagesPerSlab) * 2);
-    const int side = core::BrickGrid::side;
+    const int held = int(m_pageCount / pagesPerSlice);
+    const int slices = held + std::max(1, held / 2);
     Texture3D larger({.label = m_options.label,
-        .size = {pagesAcross * side, pagesAcross * side, slabs * side},
+        .size = {pageSize.x, pageSize.y * int(pagesPerSlice), slices},
         .format = m_options.format});
     if (m_atlas)
         m_atlas.copyTo(larger, glm::ivec3(0), glm::ivec3(0), m_atlas.size());
     m_atlas = std::move(larger);
-    const std::uint32_t count = std::uint32_t(slabs) * pagesPerSlab;
+    const std::uint32_t count = std::uint32_t(slices) * pagesPerSlice;
     for (std::uint32_t page = count; page > m_pageCount; --page)
         m_freePages.push_back(page - 1);
     m_pageCount = count;
+    m_owners.resize(count, 0);
+    m_ownerPositions.resize(count, 0);
+    m_ownersStale = true;
+    m_ownerBuffer = Buffer({.label = m_options.label, .bytes = count * sizeof(std::uint32_t)});
 }
 
 void BrickField::ensure(std::span<const std::uint32_t> bricks)
 {
+    std::vector<std::uint32_t> fresh;
     for (const std::uint32_t brick : bricks) {
         if (m_entries[brick] != 0)
             continue;
@@ -50,9 +55,29 @@ void BrickField::ensure(std::span<const std::uint32_t> bricks)
             enlarge();
         const std::uint32_t page = m_freePages.back();
         m_freePages.pop_back();
-        m_atlas.clear(pageOrigin(page), glm::ivec3(core::BrickGrid::side), &m_options.emptyVoxel);
+        fresh.push_back(page);
         m_entries[brick] = page + 1;
+        const glm::uvec3 owner(m_options.grid.brickPosition(int(brick)));
+        m_owners[page] = brick;
+        m_ownerPositions[page] = owner.x | owner.y << 10 | owner.z << 20;
         m_tableStale = true;
+        m_ownersStale = true;
+    }
+    clear(std::move(fresh));
+}
+
+void BrickField::clear(std::vector<std::uint32_t> pages)
+{
+    std::sort(pages.begin(), pages.end());
+    for (std::size_t first = 0; first < pages.size();) {
+        // Pages that follow each other in one slice are one block of rows.
+        std::size_t last = first + 1;
+        while (last < pages.size() && pages[last] == pages[last - 1] + 1
+            && pages[last] % pagesPerSlice != 0)
+            ++last;
+        m_atlas.clear(pageOrigin(pages[first]), pageSize * glm::ivec3(1, int(last - first), 1),
+            &m_options.emptyVoxel);
+        first = last;
     }
 }
 
@@ -83,6 +108,14 @@ const Texture3D& BrickField::pageTable()
         m_pageTable.upload(std::span<const std::uint32_t>(m_entries));
     m_tableStale = false;
     return m_pageTable;
+}
+
+const Buffer& BrickField::pageOwners()
+{
+    if (m_ownersStale)
+        m_ownerBuffer.write(std::span<const std::uint32_t>(m_ownerPositions));
+    m_ownersStale = false;
+    return m_ownerBuffer;
 }
 
 std::size_t BrickField::bytes() const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "gpu/gl/Buffer.h"
 #include "gpu/gl/Texture3D.h"
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct BrickFieldOptions {
 };
 
 /// A field of which only the bricks that matter take memory: a page table (one texel a brick,
-/// page + 1, 0 for none) and an atlas of 16³ pages, 32 × 32 to a slab (DESIGN §4).
+/// page + 1, 0 for none) and an atlas of pages, each the 4096 voxels of a brick (DESIGN §4).
 ///
 /// The processor decides which brick has a page; kernels read the table and write the atlas.
 /// Engine thread only.
@@ -39,10 +40,15 @@ public:
     [[nodiscard]] const Texture3D& atlas() const { return m_atlas; }
     /// Brings the table up to date first.
     [[nodiscard]] const Texture3D& pageTable();
+    /// One word a page: the brick that owns it, x | y << 10 | z << 20; brought up to date first.
+    [[nodiscard]] const Buffer& pageOwners();
+    /// The brick that holds a page.
+    [[nodiscard]] std::uint32_t ownerOf(std::uint32_t page) const { return m_owners[page]; }
     [[nodiscard]] std::size_t bytes() const;
 
 private:
     void enlarge();
+    void clear(std::vector<std::uint32_t> pages);
 
     BrickFieldOptions m_options;
     Texture3D m_atlas;
@@ -50,7 +56,11 @@ private:
     std::vector<std::uint32_t> m_entries;
     std::vector<std::uint32_t> m_freePages; ///< last is taken next
     std::uint32_t m_pageCount = 0;
+    std::vector<std::uint32_t> m_owners; ///< brick of each page
+    std::vector<std::uint32_t> m_ownerPositions; ///< as kernels read it
+    Buffer m_ownerBuffer;
     bool m_tableStale = true;
+    bool m_ownersStale = true;
 };
 
 } // namespace gpu

@@ -11,10 +11,13 @@ namespace gpu {
 
 namespace {
 
-Program program(const ShaderLibrary& library, const char* path)
+Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
 {
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
+
+constexpr std::uint32_t holdsFront = 2; // growth.glsl
+constexpr std::uint32_t smallFront = 256; // voxels that one work group grows from
 
 Buffer listBuffer(std::span<const std::uint32_t> list)
 {
@@ -30,7 +33,7 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& library)
     , admit(program(library, "edit/growAdmit.comp"))
     , front(program(library, "edit/growFront.comp"))
     , ring(program(library, "edit/growRing.comp"))
-    , advance(program(library, "edit/growAdvance.comp"))
+    , severalRings(program(library, "edit/growRing.comp", {{"SEVERAL_RINGS", 1}}))
     , label(program(library, "edit/growLabel.comp"))
 {
 }
@@ -70,13 +73,12 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     , m_before(before)
     , m_burst(burst)
     , m_state({.label = "growth state", .bytes = sizeof(State)})
-    , m_touched({.label = "growth touched bricks",
-          .bytes = std::size_t(fields.grid().brickCount() + 31) / 32 * sizeof(std::uint32_t)})
     , m_generation(burst.generation)
+    , m_prepared(std::size_t(fields.grid().brickCount()), false)
 {
-    for (Buffer& queue : m_queues)
-        queue = Buffer({.label = "growth front", .bytes = m_queueCapacity * sizeof(std::uint32_t)});
-    for (Program* each : {&programs.admit, &programs.front, &programs.ring, &programs.label})
+    setQueues(1u << 18);
+    for (Program* each :
+        {&programs.admit, &programs.front, &programs.ring, &programs.severalRings, &programs.label})
         setCriterion(*each);
     programs.front.set("openGeneration", burst.generation);
 }
@@ -101,14 +103,34 @@ void GrowthKernel::setCriterion(Program& each) const
 void GrowthKernel::bind()
 {
     BrickField& words = m_fields.seedWords(m_burst.plane);
-    m_fields.codes().bindUnit(0);
-    words.pageTable().bindUnit(1);
     words.atlas().bindImage(0, GL_READ_WRITE);
     m_fields.labels(m_burst.plane).bindImage(1, GL_READ_WRITE);
+    m_fields.codes().bindImage(2, GL_READ_ONLY);
+    words.pageTable().bindImage(3, GL_READ_ONLY);
+    words.pageOwners().bindBase(GL_SHADER_STORAGE_BUFFER, 5);
     m_state.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    m_queues[0].bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    m_queues[1].bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    m_touched.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+    m_queues.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    m_reached.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+}
+
+void GrowthKernel::setQueues(std::uint32_t capacity)
+{
+    m_queueCapacity = capacity;
+    m_queues = Buffer(
+        {.label = "growth fronts", .bytes = 2 * std::size_t(capacity) * sizeof(std::uint32_t)});
+    for (Program* each :
+        {&m_programs.front, &m_programs.ring, &m_programs.severalRings, &m_programs.label})
+        each->set("queueCapacity", m_queueCapacity);
+}
+
+void GrowthKernel::start(const State& state)
+{
+    m_state.write(std::span<const State>(&state, 1));
+    const std::size_t pageBytes = m_fields.seedWords(m_burst.plane).pageOwners().bytes();
+    if (m_reached.bytes() != pageBytes)
+        m_reached = Buffer({.label = "growth reached pages", .bytes = pageBytes});
+    m_reached.fill(0);
+    bind();
 }
 
 void GrowthKernel::open()
@@ -119,16 +141,14 @@ void GrowthKernel::open()
     m_before.capture(core::Field::SeedWords, m_burst.plane, held);
     m_before.capture(core::Field::Labels, m_burst.plane, held);
 
-    m_state.fill(0);
-    m_touched.fill(0);
-    bind();
+    start({});
     const Buffer list = listBuffer(held);
     if (m_generation < core::seedWord::maxGeneration) {
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
         m_programs.admit.set("admittedGeneration", m_generation + 1);
         m_programs.admit.dispatch({unsigned(held.size()), 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        const std::uint32_t admitted = takeBatch().ringSizes[0];
+        const std::uint32_t admitted = takeBatch().admitted;
         if (admitted > 0) {
             ++m_generation;
             m_frontSizes.push_back(admitted);
@@ -141,52 +161,70 @@ void GrowthKernel::open()
 void GrowthKernel::findFront()
 {
     const std::vector<std::uint32_t> held = m_fields.seedWords(m_burst.plane).heldBricks();
+    // Members of before are no claims of this burst: the bricks found count as front only.
+    const std::set<std::uint32_t> touchedBefore = m_allTouched;
     for (;;) {
-        m_state.write(std::span<const State>(std::array{State{.generation = m_generation}}));
-        m_touched.fill(0);
-        bind();
+        start({});
+        m_programs.front.set("firstQueue", 1 - m_frontQueue);
         const Buffer list = listBuffer(held);
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
         m_programs.front.dispatch({unsigned(held.size()), 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        State state;
-        m_state.read(std::span<State>(&state, 1));
-        if (state.overflow == 0)
+        m_frontCount = takeBatch().counts[1];
+        if (m_frontCount <= m_queueCapacity)
             break;
-        enlargeQueues();
+        setQueues(4 * m_queueCapacity);
     }
-    m_programs.advance.set("countsAsRing", false);
-    m_programs.advance.dispatch({1, 1, 1});
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    std::swap(m_queues[0], m_queues[1]);
-
-    // The front's bricks are those it was found in; what was claimed before is known already.
-    const std::set<std::uint32_t> claimedBefore = std::move(m_allTouched);
-    m_allTouched.clear();
-    takeBatch();
-    m_allTouched = claimedBefore;
-}
-
-void GrowthKernel::enlargeQueues()
-{
-    m_queueCapacity *= 4;
-    for (Buffer& queue : m_queues)
-        queue = Buffer({.label = "growth front", .bytes = m_queueCapacity * sizeof(std::uint32_t)});
-    for (Program* each : {&m_programs.front, &m_programs.ring})
-        each->set("queueCapacity", m_queueCapacity);
+    m_allTouched = touchedBefore;
 }
 
 void GrowthKernel::prepareBricks()
 {
     const std::vector<std::uint32_t> reachable = m_fields.withNeighbours(m_frontBricks);
+    releaseUnused(reachable);
+    std::vector<std::uint32_t> fresh = reachable;
+    std::erase_if(fresh, [this](std::uint32_t brick) { return m_prepared[brick]; });
+    if (fresh.empty())
+        return;
     BrickField& words = m_fields.seedWords(m_burst.plane);
-    m_before.capture(core::Field::SeedWords, m_burst.plane, reachable);
-    m_before.capture(core::Field::Labels, m_burst.plane, reachable);
-    for (const std::uint32_t brick : reachable) {
+    m_before.capture(core::Field::SeedWords, m_burst.plane, fresh);
+    m_before.capture(core::Field::Labels, m_burst.plane, fresh);
+    for (const std::uint32_t brick : fresh) {
+        m_prepared[brick] = true;
         if (!words.holds(brick))
             m_newPages.insert(brick);
     }
-    words.ensure(reachable);
+    words.ensure(fresh);
+}
+
+void GrowthKernel::runRings(int count)
+{
+    GrowthPrograms& programs = m_programs;
+    for (Program* each : {&programs.ring, &programs.severalRings, &programs.label})
+        each->set("firstQueue", m_frontQueue).set("baseGeneration", m_generation);
+    m_frontQueue = (m_frontQueue + unsigned(count)) % 2;
+
+    int ring = 0;
+    if (m_frontCount <= smallFront) {
+        programs.severalRings.set("ringCount", unsigned(count));
+        programs.severalRings.dispatch({1, 1, 1});
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+        State state;
+        m_state.read(std::span<State>(&state, 1));
+        ring = int(state.nextRing);
+        if (ring == count)
+            return;
+    }
+    // A front that outgrows these groups is walked in strides.
+    const glm::uvec3 groups(std::min((2 * m_frontCount + 255) / 256, 65535u), 1, 1);
+    for (; ring < count; ++ring) {
+        programs.ring.set("ring", unsigned(ring));
+        programs.ring.dispatch(groups);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    }
+    programs.label.set("ring", unsigned(count));
+    programs.label.dispatch(groups);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 int GrowthKernel::advance(int rings)
@@ -196,34 +234,22 @@ int GrowthKernel::advance(int rings)
     if (m_atClosure || wanted == 0)
         return 0;
     int done = 0;
-    if (!m_frontBricks.empty()) {
+    if (m_frontCount > 0) {
         prepareBricks();
-        // Counters of this batch start afresh; the front and its dispatch size stay.
-        m_state.fill(0, offsetof(State, ringsDone), sizeof(State) - offsetof(State, ringsDone));
-        m_touched.fill(0);
-        m_programs.advance.set("countsAsRing", true);
-        for (int ring = 0; ring < wanted; ++ring) {
-            bind();
-            m_programs.ring.dispatchIndirect(m_state);
-            glMemoryBarrier(GL_ALL_BARRIER_BITS);
-            m_programs.advance.dispatch({1, 1, 1});
-            glMemoryBarrier(GL_ALL_BARRIER_BITS);
-            std::swap(m_queues[0], m_queues[1]);
+        State state;
+        state.counts[0] = m_frontCount;
+        start(state);
+        runRings(wanted);
+        state = takeBatch();
+        for (; done < wanted && state.counts[std::size_t(done) + 1] > 0; ++done) {
+            m_frontSizes.push_back(state.counts[std::size_t(done) + 1]);
+            m_members += m_frontSizes.back();
         }
-        bind();
-        m_programs.label.dispatchIndirect(m_state);
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-
-        const State state = takeBatch();
-        done = int(state.ringsDone);
-        m_generation = state.generation;
-        for (int ring = 0; ring < done; ++ring) {
-            m_frontSizes.push_back(state.ringSizes[std::size_t(ring)]);
-            m_members += state.ringSizes[std::size_t(ring)];
-        }
-        if (state.overflow != 0) {
+        m_generation += std::uint32_t(done);
+        m_frontCount = state.counts[std::size_t(wanted)];
+        if (done > 0 && state.counts[std::size_t(done)] > m_queueCapacity) {
             // The ring that overflowed is complete in the words; only its list is not.
-            enlargeQueues();
+            setQueues(4 * m_queueCapacity);
             findFront();
             return done + advance(wanted - done);
         }
@@ -236,18 +262,21 @@ GrowthKernel::State GrowthKernel::takeBatch()
 {
     State state;
     m_state.read(std::span<State>(&state, 1));
-    std::vector<std::uint32_t> bits(m_touched.bytes() / sizeof(std::uint32_t));
-    m_touched.read(std::span<std::uint32_t>(bits));
+    std::vector<std::uint32_t> reached(m_reached.bytes() / sizeof(std::uint32_t));
+    m_reached.read(std::span<std::uint32_t>(reached));
     m_frontBricks.clear();
-    for (std::uint32_t word = 0; word < bits.size(); ++word) {
-        for (std::uint32_t bit = 0; bit < 32 && bits[word] >> bit != 0; ++bit) {
-            if ((bits[word] >> bit & 1u) != 0)
-                m_frontBricks.push_back(word * 32 + bit);
-        }
+    std::vector<std::uint32_t> touched;
+    const BrickField& words = m_fields.seedWords(m_burst.plane);
+    for (std::uint32_t page = 0; page < reached.size(); ++page) {
+        if (reached[page] == 0)
+            continue;
+        touched.push_back(words.ownerOf(page));
+        if (reached[page] == holdsFront)
+            m_frontBricks.push_back(touched.back());
     }
-    m_allTouched.insert(m_frontBricks.begin(), m_frontBricks.end());
-    if (!m_frontBricks.empty())
-        m_fields.noteChanged(core::Field::Labels, m_frontBricks);
+    m_allTouched.insert(touched.begin(), touched.end());
+    if (!touched.empty())
+        m_fields.noteChanged(core::Field::Labels, touched);
     return state;
 }
 
@@ -256,11 +285,18 @@ std::vector<std::uint32_t> GrowthKernel::touchedBricks() const
     return {m_allTouched.begin(), m_allTouched.end()};
 }
 
-void GrowthKernel::releaseUnused()
+void GrowthKernel::releaseUnused(std::span<const std::uint32_t> reachable)
 {
     std::vector<std::uint32_t> unused;
-    std::set_difference(m_newPages.begin(), m_newPages.end(), m_allTouched.begin(),
-        m_allTouched.end(), std::back_inserter(unused));
+    for (const std::uint32_t brick : m_newPages) {
+        if (m_allTouched.count(brick) == 0
+            && !std::binary_search(reachable.begin(), reachable.end(), brick))
+            unused.push_back(brick);
+    }
+    for (const std::uint32_t brick : unused) {
+        m_newPages.erase(brick);
+        m_prepared[brick] = false;
+    }
     m_fields.seedWords(m_burst.plane).release(unused);
 }
 

@@ -19,7 +19,7 @@ struct GrowthPrograms {
     Program admit;
     Program front;
     Program ring;
-    Program advance;
+    Program severalRings;
     Program label;
 };
 
@@ -49,43 +49,46 @@ public:
     [[nodiscard]] bool atClosure() const { return m_atClosure; }
     [[nodiscard]] const std::vector<std::uint32_t>& frontSizes() const { return m_frontSizes; }
     [[nodiscard]] std::int64_t members() const { return m_members; }
-    /// Bricks in which something was claimed since the opening.
+    /// Bricks that held a front since the opening: nothing was claimed elsewhere.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
-    /// Gives back the pages of bricks that were prepared and never reached.
-    void releaseUnused();
+    /// Gives back the pages of bricks that were prepared and not reached, but for those listed
+    /// (ascending).
+    void releaseUnused(std::span<const std::uint32_t> reachable = {});
 
 private:
     struct State {
-        std::array<std::uint32_t, 3> dispatch{};
-        std::uint32_t frontCount = 0;
-        std::uint32_t nextCount = 0;
-        std::uint32_t generation = 0;
-        std::uint32_t overflow = 0;
-        std::uint32_t ringsDone = 0;
-        std::array<std::uint32_t, ringsPerBatch> ringSizes{};
+        /// Voxels in the front that each ring starts from, and after the last.
+        std::array<std::uint32_t, ringsPerBatch + 1> counts{};
+        std::uint32_t admitted = 0;
+        std::uint32_t nextRing = 0;
     };
 
     void bind();
     void setCriterion(Program& program) const;
     void findFront();
     void prepareBricks();
-    /// Reads the counters and the bricks touched since the last call.
+    void start(const State& state);
+    /// Reads the counters and the bricks reached since start().
     State takeBatch();
-    void enlargeQueues();
+    void setQueues(std::uint32_t capacity);
+    void runRings(int count);
 
     GrowthPrograms& m_programs;
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;
     Buffer m_state;
-    std::array<Buffer, 2> m_queues;
-    Buffer m_touched;
+    Buffer m_queues; ///< two, one behind the other
+    Buffer m_reached;
     std::uint32_t m_queueCapacity = 1u << 18;
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;
+    unsigned m_frontQueue = 0; ///< which of the queues holds the front
+    std::uint32_t m_frontCount = 0;
     std::vector<std::uint32_t> m_frontSizes;
     std::int64_t m_members = 0;
-    std::vector<std::uint32_t> m_frontBricks; ///< touched by the last batch: they hold the front
+    std::vector<std::uint32_t> m_frontBricks; ///< that hold the front
+    std::vector<bool> m_prepared; ///< bricks that are captured and have a page
     std::set<std::uint32_t> m_allTouched;
     std::set<std::uint32_t> m_newPages;
 };

@@ -18,16 +18,22 @@ ivec3 voxelInBrick(int offset)
     return ivec3(offset & 15, offset >> 4 & 15, offset >> 8);
 }
 
-// First atlas texel of a page; pages lie 32 × 32 to a slab of 16 texels.
-ivec3 pageOrigin(uint page)
+int offsetInBrick(ivec3 voxel)
 {
-    return ivec3(int(page & 31u), int(page >> 5 & 31u), int(page >> 10)) * brickSide;
+    return (voxel.x & 15) | (voxel.y & 15) << 4 | (voxel.z & 15) << 8;
+}
+
+// Texel of a page's voxel. A page fills two rows of the atlas, 1024 pages a slice: where textures
+// lie linear in memory a brick is one run, and a walk through it stays in cache.
+ivec3 pageTexel(uint page, int offset)
+{
+    return ivec3(offset & 2047, int(page & 1023u) << 1 | offset >> 11, int(page >> 10));
 }
 
 // A page table holds page + 1, and 0 where a brick has no page.
 ivec3 atlasTexel(uint entry, ivec3 voxel)
 {
-    return pageOrigin(entry - 1u) + (voxel & 15);
+    return pageTexel(entry - 1u, offsetInBrick(voxel));
 }
 
 bool inside(ivec3 voxel, ivec3 size)

@@ -23,7 +23,7 @@ void main()
             continue;
         imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), seedDirection)));
         imageStore(labels, voxel, uvec4(labelOf(word)));
-        markTouched(voxel);
-        atomicAdd(state.ringSizes[0], 1u);
+        reached[entry - 1u] = holdsFront;
+        atomicAdd(state.admitted, 1u);
     }
 }

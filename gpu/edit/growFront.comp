@@ -39,7 +39,7 @@ void main()
             imageStore(labels, voxel, uvec4(labelOf(word)));
         if (!canGoOn(voxel, labelOf(word)))
             continue;
-        enqueue(voxel);
-        markTouched(voxel);
+        enqueue(0u, voxel, entry - 1u);
+        reached[entry - 1u] = holdsFront;
     }
 }

@@ -4,12 +4,9 @@ layout(local_size_x = 64) in;
 
 #include "edit/growth.glsl"
 
+uniform uint ring;
+
 void main()
 {
-    uint stride = gl_NumWorkGroups.x * 64u;
-    for (uint i = gl_GlobalInvocationID.x; i < state.frontCount; i += stride) {
-        ivec3 voxel = voxelAt(front[i]);
-        imageStore(labels, voxel,
-            uvec4(labelOf(imageLoad(words, atlasTexel(pageEntry(voxel), voxel)).r)));
-    }
+    showFront(ring, gl_GlobalInvocationID.x, gl_NumWorkGroups.x * gl_WorkGroupSize.x);
 }

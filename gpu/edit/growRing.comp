@@ -3,33 +3,103 @@
 // The least word wins a voxel (earlier generation, lower label, lower direction), so the result is
 // the same on every device. Of all claims on a voxel exactly one finds a word that is no member's;
 // that one puts the voxel into the next front.
+//
+// A voxel is asked for by up to six neighbours and claimed once, so looking comes first: all six
+// words, then the criterion of those that are open, then the claims.
+//
+// SEVERAL_RINGS: one work group runs ring after ring while the front is small, since a dispatch
+// costs more than such a ring.
 
 layout(local_size_x = 64) in;
 
 #include "edit/growth.glsl"
 
-void main()
+uniform uint baseGeneration; // before the batch
+#ifdef SEVERAL_RINGS
+uniform uint ringCount;
+const uint largestFront = 1024u;
+#else
+uniform uint ring;
+#endif
+
+// Page entry of a face neighbour: the own one, but across a brick's face.
+uint neighbourEntry(uint ownEntry, ivec3 neighbour, ivec3 origin)
 {
-    uint generation = state.generation + 1u;
-    uint stride = gl_NumWorkGroups.x * 64u;
-    for (uint i = gl_GlobalInvocationID.x; i < state.frontCount; i += stride) {
-        ivec3 voxel = voxelAt(front[i]);
-        uint label = labelOf(imageLoad(words, atlasTexel(pageEntry(voxel), voxel)).r);
-        // A word is final one generation after its claim: now the label plane may show it.
-        imageStore(labels, voxel, uvec4(label));
-        for (uint direction = 0u; direction < 6u; ++direction) {
-            ivec3 neighbour = voxel + faceOffsets[direction];
-            if (!inside(neighbour, volumeSize))
-                continue;
-            ivec3 texel = atlasTexel(pageEntry(neighbour), neighbour);
-            uint claim = memberWord(generation, label, direction);
-            if (imageLoad(words, texel).r <= claim || !accepts(label, neighbour))
-                continue;
-            uint before = imageAtomicMin(words, texel, claim);
-            if (isMember(before))
-                continue;
-            enqueue(neighbour);
-            markTouched(neighbour);
+    uint entry = ownEntry;
+    if ((neighbour >> 4) != (origin >> 4))
+        entry = inside(neighbour, volumeSize) ? pageEntry(neighbour) : 0u;
+    return entry;
+}
+
+void growFrom(uint entry, uint ring)
+{
+    uint generation = baseGeneration + ring + 1u;
+    uint page = entry >> 12;
+    int offset = int(entry & 4095u);
+    ivec3 origin = ownerOrigin(page);
+    ivec3 voxel = origin + voxelInBrick(offset);
+    uint label = labelOf(imageLoad(words, pageTexel(page, offset)).r);
+    // A word is final one generation after its claim: now the label plane may show it.
+    imageStore(labels, voxel, uvec4(label));
+    reached[page] = heldFront;
+
+    uint open = 0u; // one bit a direction
+    for (uint direction = 0u; direction < 6u; ++direction) {
+        ivec3 neighbour = voxel + faceOffsets[direction];
+        uint there = neighbourEntry(page + 1u, neighbour, origin);
+        uint word = imageLoad(words, atlasTexel(there, neighbour)).r;
+        if (there != 0u && word > memberWord(generation, label, direction))
+            open |= 1u << direction;
+    }
+    while (open != 0u) {
+        uint direction = uint(findLSB(open));
+        open &= open - 1u;
+        ivec3 step = ivec3(0);
+        step[direction >> 1] = 1 - 2 * int(direction & 1u);
+        ivec3 neighbour = voxel + step;
+        // A brick at the rim reaches beyond the volume.
+        if (inside(neighbour, volumeSize) && accepts(label, neighbour)) {
+            uint there = neighbourEntry(page + 1u, neighbour, origin);
+            uint before = imageAtomicMin(
+                words, atlasTexel(there, neighbour), memberWord(generation, label, direction));
+            if (!isMember(before))
+                enqueue(ring, neighbour, there - 1u);
         }
     }
 }
+
+#ifdef SEVERAL_RINGS
+
+void main()
+{
+    uint ring = 0u;
+    for (; ring < ringCount; ++ring) {
+        uint count = state.counts[ring];
+        if (count == 0u || count > min(largestFront, queueCapacity))
+            break;
+        for (uint i = gl_LocalInvocationID.x; i < count; i += gl_WorkGroupSize.x)
+            growFrom(queues[frontSlot(ring, i)], ring);
+        memoryBarrier();
+        barrier();
+    }
+    if (state.counts[ring] == 0u)
+        ring = ringCount; // at closure: nothing is left to do
+    if (ring == ringCount)
+        showFront(ring, gl_LocalInvocationID.x, gl_WorkGroupSize.x);
+    if (gl_LocalInvocationID.x == 0u)
+        state.nextRing = ring;
+}
+
+#else
+
+void main()
+{
+    uint count = state.counts[ring];
+    if (count > queueCapacity)
+        return;
+    uint stride = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride)
+        growFrom(queues[frontSlot(ring, i)], ring);
+}
+
+#endif

@@ -3,72 +3,82 @@
 #include "edit/bricks.glsl"
 #include "edit/seedWord.glsl"
 
-layout(binding = 0) uniform usampler3D codes;         // intensity codes, dense
-layout(binding = 1) uniform usampler3D pageTable;     // of the seed words, one texel a brick
 layout(binding = 0, r32ui) uniform coherent uimage3D words; // atlas of the seed words
-layout(binding = 1, r8ui) uniform uimage3D labels;    // the label plane, dense
+layout(binding = 1, r8ui) uniform uimage3D labels;           // the label plane, dense
+layout(binding = 2, r16ui) uniform readonly uimage3D codes;  // intensity codes, dense
+layout(binding = 3, r32ui) uniform readonly uimage3D pageTable; // of the words, one texel a brick
 
 // Counters of the running batch; GrowthKernel::State in C++.
 layout(binding = 0, std430) coherent buffer State {
-    uint dispatchX, dispatchY, dispatchZ; // indirect arguments of the next ring
-    uint frontCount;
-    uint nextCount;
-    uint generation;
-    uint overflow; // the queue was too small: the batch stops and the front is found again
-    uint ringsDone;
-    uint ringSizes[16];
+    uint counts[17]; // voxels in the front that each ring starts from; ring r fills the next
+    uint admitted;
+    uint nextRing; // where a dispatch of several rings stopped
 } state;
-layout(binding = 1, std430) buffer Front { uint front[]; };
-layout(binding = 2, std430) buffer Next { uint next[]; };
-// One bit a brick: something was claimed in it during this batch.
-layout(binding = 3, std430) coherent buffer Touched { uint touched[]; };
+// Two queues, one behind the other: a ring reads one and fills the other. An entry is
+// page << 12 | offset in the brick.
+layout(binding = 1, std430) coherent buffer Queues { uint queues[]; };
+// One word a page of the seed words: what the batch did there.
+layout(binding = 3, std430) buffer Reached { uint reached[]; };
+const uint heldFront = 1u; // a front passed
+const uint holdsFront = 2u; // the front stands there now
+// Brick position of every page: x | y << 10 | z << 20.
+layout(binding = 5, std430) readonly buffer PageOwners { uint pageOwners[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform uint lowCode;
 uniform uint highCode;
 uniform uint overwritable[8]; // one bit a label
-uniform uint queueCapacity;
+uniform uint queueCapacity; // of each
+uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
 uint pageEntry(ivec3 voxel)
 {
-    return texelFetch(pageTable, voxel >> 4, 0).r;
+    return imageLoad(pageTable, voxel >> 4).r;
 }
 
-uint linearIndex(ivec3 voxel)
+ivec3 ownerOrigin(uint page)
 {
-    return uint(voxel.x) + uint(volumeSize.x) * (uint(voxel.y) + uint(volumeSize.y) * uint(voxel.z));
-}
-
-ivec3 voxelAt(uint index)
-{
-    uint row = index / uint(volumeSize.x);
-    return ivec3(index % uint(volumeSize.x), row % uint(volumeSize.y), row / uint(volumeSize.y));
+    uint owner = pageOwners[page];
+    return ivec3(owner & 1023u, owner >> 10 & 1023u, owner >> 20) * brickSide;
 }
 
 // Whether a label may enter a voxel: its code is in the interval and no other segment holds it.
 bool accepts(uint label, ivec3 voxel)
 {
-    uint code = texelFetch(codes, voxel, 0).r;
-    if (code < lowCode || code > highCode)
-        return false;
+    uint code = imageLoad(codes, voxel).r;
     uint there = imageLoad(labels, voxel).r;
-    return there == 0u || there == label || (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
+    bool mayEnter = there == 0u || there == label;
+    if (!mayEnter)
+        mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
+    return mayEnter && code >= lowCode && code <= highCode;
 }
 
-void markTouched(ivec3 voxel)
+// Entry i of the front that a ring of the batch (from 0) starts from.
+uint frontSlot(uint ring, uint i)
 {
-    uint brick = uint(brickIndex(voxel >> 4, volumeBricks));
-    uint bit = 1u << (brick & 31u);
-    if ((touched[brick >> 5] & bit) == 0u)
-        atomicOr(touched[brick >> 5], bit);
+    return ((firstQueue + ring) & 1u) * queueCapacity + i;
 }
 
-void enqueue(ivec3 voxel)
+// Puts a voxel into the front of the next ring. A queue that is too small shows in the count: the
+// ring after this one does nothing then, and the front is found again.
+void enqueue(uint ring, ivec3 voxel, uint page)
 {
-    uint slot = atomicAdd(state.nextCount, 1u);
-    if (slot < queueCapacity)
-        next[slot] = linearIndex(voxel);
-    else
-        state.overflow = 1u;
+    uint i = atomicAdd(state.counts[ring + 1u], 1u);
+    if (i < queueCapacity)
+        queues[frontSlot(ring + 1u, i)] = page << 12 | uint(offsetInBrick(voxel));
+}
+
+// The front of a ring shows its labels.
+void showFront(uint ring, uint first, uint stride)
+{
+    uint count = min(state.counts[ring], queueCapacity);
+    for (uint i = first; i < count; i += stride) {
+        uint entry = queues[frontSlot(ring, i)];
+        uint page = entry >> 12;
+        int offset = int(entry & 4095u);
+        uint word = imageLoad(words, pageTexel(page, offset)).r;
+        imageStore(labels, ownerOrigin(page) + voxelInBrick(offset), uvec4(labelOf(word)));
+        reached[page] = holdsFront;
+    }
 }

@@ -22,19 +22,21 @@ void main()
 #ifdef FIELD_DENSE
     ivec3 origin = brick * brickSide;
 #else
-    ivec3 origin = pageOrigin(texelFetch(pageTable, brick, 0).r - 1u);
+    uint page = texelFetch(pageTable, brick, 0).r - 1u;
 #endif
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
-        ivec3 local = voxelInBrick(offset);
 #ifdef FIELD_WORDS
         uint value = packedVoxels[gl_WorkGroupID.x * 4096u + uint(offset)];
 #else
         uint value = packedVoxels[gl_WorkGroupID.x * 1024u + uint(offset >> 2)] >> ((offset & 3) * 8) & 0xFFu;
 #endif
 #ifdef FIELD_DENSE
-        if (!inside(origin + local, volumeSize))
+        ivec3 texel = origin + voxelInBrick(offset);
+        if (!inside(texel, volumeSize))
             continue;
+#else
+        ivec3 texel = pageTexel(page, offset);
 #endif
-        imageStore(target, origin + local, uvec4(value));
+        imageStore(target, texel, uvec4(value));
     }
 }
