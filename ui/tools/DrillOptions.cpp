@@ -3,6 +3,7 @@
 
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
+#include "ui/tools/DrillSurface.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -35,6 +36,7 @@ DrillOptions::DrillOptions(Workspace& workspace, QWidget* parent)
     , m_radius(millimetreBox(this, minimumRadiusMm, maximumRadiusMm, QStringLiteral("drillRadius")))
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))
     , m_throughGaps(new QCheckBox(tr("through gaps"), this))
+    , m_start(new QLabel(this))
 {
     m_throughGaps->setObjectName(QStringLiteral("drillThroughGaps"));
     m_throughGaps->setToolTip(tr("Cut on behind air or soft tissue up to the full depth"));
@@ -49,9 +51,14 @@ DrillOptions::DrillOptions(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_depth);
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_throughGaps);
+    m_start->setObjectName(QStringLiteral("drillStart"));
+    m_start->setProperty("role", QStringLiteral("secondary"));
+    layout->addSpacing(theme::smallPadding);
+    layout->addWidget(m_start);
 
     showSettings();
     connect(&m_workspace, &Workspace::drillSettingsChanged, this, &DrillOptions::showSettings);
+    connect(&m_workspace, &Workspace::volumeDisplayChanged, this, &DrillOptions::showSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     connect(m_depth, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     connect(m_throughGaps, &QCheckBox::toggled, this, &DrillOptions::takeSettings);
@@ -65,6 +72,20 @@ void DrillOptions::showSettings()
     m_radius->setValue(m_workspace.drillSettings().radiusMm);
     m_depth->setValue(m_workspace.drillSettings().depthMm);
     m_throughGaps->setChecked(m_workspace.drillSettings().throughGaps);
+    const core::Volume* volume = m_workspace.volume();
+    m_start->setText(volume ? startText(m_workspace) : QString());
+    switch (m_workspace.volumeDisplay().mode) {
+    case gpu::RenderMode::Surface:
+        m_start->setToolTip(tr("A cut starts at the surface that is shown"));
+        break;
+    case gpu::RenderMode::Dvr:
+        m_start->setToolTip(tr("A cut starts where the picture becomes opaque"));
+        break;
+    case gpu::RenderMode::Mip:
+        m_start->setToolTip(tr("Maximum intensity shows no surface: a cut starts at that of the "
+                               "surface mode"));
+        break;
+    }
 }
 
 void DrillOptions::takeSettings()

@@ -5,6 +5,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace ui {
 
@@ -30,6 +31,7 @@ private:
     QDoubleSpinBox* m_radius = nullptr;
     QDoubleSpinBox* m_depth = nullptr;
     QCheckBox* m_throughGaps = nullptr;
+    QLabel* m_start = nullptr;
 };
 
 } // namespace ui

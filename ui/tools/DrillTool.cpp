@@ -4,6 +4,7 @@
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillOptions.h"
+#include "ui/tools/DrillSurface.h"
 #include "ui/tools/PickQuestion.h"
 
 #include <QPainter>
@@ -84,7 +85,7 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view) const
     stroke.radiusMm = settings.radiusMm;
     stroke.depthMm = settings.depthMm;
     stroke.throughGaps = settings.throughGaps;
-    stroke.surfaceThreshold = m_workspace.volumeDisplay().surfaceThreshold;
+    stroke.surfaceThreshold = drillThreshold(m_workspace.volumeDisplay(), *m_workspace.volume());
     return stroke;
 }
 
@@ -203,12 +204,9 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     }
     const QString size = tr("radius %1 mm").arg(QLocale().toString(settings.radiusMm, 'f', 1));
     QStringList lines{depth, size, target()};
-    // A cut starts at the surface also where another mode shows something else.
-    if (std::get<gpu::VolumeScene>(view.scene).mode != gpu::RenderMode::Surface) {
-        const QString threshold =
-            QLocale().toString(m_workspace.volumeDisplay().surfaceThreshold, 'f', 0);
-        lines += tr("from the surface at %1 %2").arg(threshold, m_workspace.volume()->unit);
-    }
+    // Where the picture itself does not say where a cut starts.
+    if (m_workspace.volumeDisplay().mode != gpu::RenderMode::Surface)
+        lines += startText(m_workspace);
     drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
 }
 

@@ -7,11 +7,13 @@
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
 #include "ui/tools/DrillOptions.h"
+#include "ui/tools/DrillSurface.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
+#include <QLabel>
 #include <QtTest>
 
 namespace {
@@ -84,6 +86,44 @@ class DrillToolUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// Where a stroke starts is what its view shows, and the option bar says so.
+    void startsAtWhatIsSeen()
+    {
+        DrillFixture fixture;
+        const core::Volume& volume = *fixture.workspace.volume();
+        ui::DrillOptions options(fixture.workspace);
+        const auto* start = options.findChild<QLabel*>(QStringLiteral("drillStart"));
+        QCOMPARE(start->text(), QStringLiteral("from 300 HU on"));
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.mode = gpu::RenderMode::Mip;
+        fixture.workspace.setVolumeDisplay(display);
+        QCOMPARE(start->text(), QStringLiteral("from 300 HU on"));
+        QVERIFY(start->toolTip().contains(QStringLiteral("no surface")));
+        // Half of what is behind 3 mm shows at an opacity of 1 - 0.5^(1/3) = 0.2063 per mm.
+        display.mode = gpu::RenderMode::Dvr;
+        display.transferFunction.points = {{-100.0, 0, 0.0}, {100.0, 0, 0.0}, {200.0, 0, 1.0}};
+        fixture.workspace.setVolumeDisplay(display);
+        QVERIFY(std::abs(ui::drillThreshold(display, volume) - 120.63) < 0.01);
+        QCOMPARE(start->text(), QStringLiteral("from 121 HU on"));
+        test::Pen pen(fixture.view);
+        draw(fixture, pen);
+        pen.release(fixture.middle() + stroke.back().offset, 70041);
+        QVERIFY(fixture.session().settle());
+        const auto& edit =
+            std::get<core::DrillStroke>(fixture.session().history().rows().back().edit);
+        QVERIFY(std::abs(edit.surfaceThreshold - 120.63) < 0.01);
+
+        const auto at = [&](std::vector<gpu::TransferFunction::Point> points) {
+            display.transferFunction.points = std::move(points);
+            return ui::drillThreshold(display, volume);
+        };
+        // A thin veil counts by half of what it has; what is opaque from below on starts there.
+        QCOMPARE(at({{0.0, 0, 0.0}, {100.0, 0, 0.1}}), 50.0);
+        QCOMPARE(at({{0.0, 0, 0.9}, {100.0, 0, 0.9}}), volume.minimum);
+        QCOMPARE(at({{0.0, 0, 0.0}, {100.0, 0, 0.0}}), display.surfaceThreshold);
+        QCOMPARE(at({}), display.surfaceThreshold);
+    }
+
     void aPenStrokeIsTheEditOfARecipe()
     {
         DrillFixture fixture;
