@@ -3,6 +3,7 @@
 #include "tests/support/WindowFixture.h"
 #include "ui/StatusLine.h"
 #include "ui/Theme.h"
+#include "ui/tools/PickQuestion.h"
 #include "ui/views/OrientationLetters.h"
 #include "ui/views/ViewGrid.h"
 
@@ -11,6 +12,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include <optional>
 #include <set>
 
 // The window with the real engine: what the pictures show against where things are in the patient.
@@ -110,6 +112,8 @@ int greyOf(double value, const core::WindowLevel& window)
 
 } // namespace
 
+Q_DECLARE_METATYPE(glm::dvec3)
+
 class PicturesUiTest : public QObject {
     Q_OBJECT
 
@@ -120,6 +124,8 @@ private Q_SLOTS:
     void markersLieWhereTheLettersSay();
     void crosshairIsOneVoxelInEveryView_data();
     void crosshairIsOneVoxelInEveryView();
+    void whatTheVolumeViewShowsIsInTheSlices_data();
+    void whatTheVolumeViewShowsIsInTheSlices();
     void continuedSessionLooksAsItWasLeft();
 };
 
@@ -224,6 +230,84 @@ void PicturesUiTest::crosshairIsOneVoxelInEveryView()
                                      .arg(marker.value);
         QTRY_VERIFY2(status->readout().contains(expected), qPrintable(status->readout()));
     }
+}
+
+void PicturesUiTest::whatTheVolumeViewShowsIsInTheSlices_data()
+{
+    QTest::addColumn<bool>("prone");
+    QTest::addColumn<dvec3>("side");
+    for (const bool prone : {false, true}) {
+        const char* position = prone ? "prone" : "supine";
+        QTest::addRow("%s, from the left", position) << prone << dvec3(1.0, 0.0, 0.0);
+        QTest::addRow("%s, from the front", position) << prone << dvec3(0.0, -1.0, 0.0);
+        QTest::addRow("%s, from above", position) << prone << dvec3(0.0, 0.0, 1.0);
+        QTest::addRow("%s, from between", position) << prone << dvec3(0.7, -0.6, 0.4);
+    }
+}
+
+/// What the engine finds under a pixel of the 3D picture is the surface's first voxel there; with
+/// the crosshair on it, slices and 3D picture show that voxel's place and value.
+void PicturesUiTest::whatTheVolumeViewShowsIsInTheSlices()
+{
+    QFETCH(bool, prone);
+    QFETCH(dvec3, side);
+    constexpr double threshold = 200.0; // markers alone are to be seen
+    RealWindow real(patient(prone ? test::headFirstProne() : test::headFirstSupine()));
+    const core::Volume& volume = *real.workspace.volume();
+    const core::VolumeGeometry& geometry = volume.geometry;
+    QVERIFY(real.waitUntilRefined());
+    ui::Workspace::VolumeDisplay display = real.workspace.volumeDisplay();
+    display.surfaceThreshold = threshold;
+    real.workspace.setVolumeDisplay(display);
+    ui::VolumeView& view = real.window.views().volume();
+    view.lookFrom(side);
+    QVERIFY(real.waitUntilRefined());
+    const ui::ViewContext shown = view.shownContext();
+    const auto& scene = std::get<gpu::VolumeScene>(shown.scene);
+    const dvec3 towardsEye = glm::normalize(scene.eyeLps - scene.targetLps);
+    const double voxelMm = glm::length(
+        dvec3(geometry.indexToWorld[0] + geometry.indexToWorld[1] + geometry.indexToWorld[2]));
+
+    int seen = 0;
+    for (const Marker& marker : {left, front, head}) {
+        const QPointF pixel = shown.toPixel(marker.centreLps);
+        std::optional<glm::ivec3> hit;
+        bool answered = false;
+        real.workspace.session()->ask(ui::pickQuestion(scene, {shown.toViewPlaneMm(pixel)}, volume),
+            [&](const core::EngineResult& result) {
+                answered = true;
+                hit = result.picks.at(0);
+            });
+        QTRY_VERIFY_WITH_TIMEOUT(answered, 60000);
+        QVERIFY(hit);
+        // The surface lies between voxels' middles, so the hit is exact to a voxel.
+        const dvec3 place = geometry.toWorld(dvec3(*hit));
+        for (double mm = voxelMm; mm < 200.0; mm += 1.0)
+            QVERIFY2(valueAt(place + towardsEye * mm) < threshold, qPrintable(QString::number(mm)));
+        QVERIFY(greyAt(view, pixel) > 30);
+        if (glm::length(place - marker.centreLps) > markerRadius + voxelMm)
+            continue; // another marker stands before it
+        ++seen;
+        QVERIFY(glm::dot(place - marker.centreLps, towardsEye) > 0.0);
+        // Half a radius behind what is seen there is nothing but the marker.
+        real.workspace.setCrosshairLps(place - towardsEye * (markerRadius / 2.0));
+        QVERIFY(real.waitUntilRefined());
+        const QPointF cross = view.crosshairPixel();
+        QVERIFY(std::hypot(cross.x() - pixel.x(), cross.y() - pixel.y())
+            <= voxelMm / shown.mmPerPixel());
+        for (const ui::ImageView* slice : real.window.views().views()) {
+            if (!slice->shownContext().isSlice())
+                continue;
+            QVERIFY2(std::abs(greyAt(*slice, slice->crosshairPixel())
+                         - greyOf(marker.value, real.workspace.windowLevel()))
+                    <= 2,
+                qPrintable(slice->title()));
+        }
+    }
+    // Beside all markers the picture is empty.
+    const QPointF beside = shown.toPixel(scene.targetLps + 58.0 * glm::normalize(scene.up));
+    QVERIFY(greyAt(view, beside) < 10);
+    QVERIFY(seen >= 2); // one marker may stand before another
 }
 
 void PicturesUiTest::continuedSessionLooksAsItWasLeft()
