@@ -267,7 +267,7 @@ void MainWindow::showPanels(bool shown)
 void MainWindow::resetPanels()
 {
     m_panels->reset();
-    m_splitter->setSizes({width(), PanelSection::leastWidth});
+    m_splitter->setSizes({width(), PanelColumn::leastWidth});
     showPanels(true);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/PanelColumn.h"
 
-#include "ui/PanelSection.h"
 #include "ui/panels/Panel.h"
 
 #include <QSettings>
@@ -35,13 +34,13 @@ PanelColumn::PanelColumn(QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setMinimumWidth(PanelSection::leastWidth);
-    setMaximumWidth(2 * PanelSection::leastWidth);
+    setMinimumWidth(leastWidth);
+    setMaximumWidth(2 * leastWidth);
 }
 
 QSize PanelColumn::sizeHint() const
 {
-    return {PanelSection::leastWidth, QScrollArea::sizeHint().height()};
+    return {leastWidth, QScrollArea::sizeHint().height()};
 }
 
 PanelSection& PanelColumn::add(ui::Panel* panel)

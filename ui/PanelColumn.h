@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/PanelSection.h"
+
 #include <QScrollArea>
 
 #include <vector>
@@ -11,7 +13,6 @@ class QVBoxLayout;
 namespace ui {
 
 class Panel;
-class PanelSection;
 
 /// The window's right column, and the panels that were taken out of it. Lists share the height that
 /// the other panels leave; where a window is too low for all, the column scrolls.
@@ -19,6 +20,9 @@ class PanelColumn : public QScrollArea {
     Q_OBJECT
 
 public:
+    /// With room for the scroll bar, so that panels keep theirs when it shows.
+    static constexpr int leastWidth = PanelSection::leastWidth + 10;
+
     explicit PanelColumn(QWidget* parent = nullptr);
 
     /// Takes it over; below those before it.

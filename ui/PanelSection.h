@@ -18,7 +18,7 @@ class PanelSection : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr int leastWidth = 276;
+    static constexpr int leastWidth = 266;
 
     explicit PanelSection(Panel& panel, QWidget* parent = nullptr);
 

@@ -6,6 +6,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 
 namespace ui {
 
@@ -13,13 +14,28 @@ namespace {
 
 constexpr int saidMilliseconds = 8000;
 
+/// As much of its text as fits; all of it in the tool tip.
+class FittingLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(
+            rect(), alignment(), fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
 QLabel* label(QWidget* parent, Qt::Alignment alignment)
 {
-    auto* result = new QLabel(parent);
+    auto* result = new FittingLabel(parent);
     result->setFont(theme::smallFont());
     result->setTextFormat(Qt::PlainText);
     result->setAlignment(alignment | Qt::AlignVCenter);
-    // Long texts are cut by the window's edge rather than widening it.
+    // Long texts are cut rather than widening the window.
     result->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     return result;
 }
@@ -39,8 +55,8 @@ StatusLine::StatusLine(Workspace& workspace, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(theme::padding, 0, theme::padding, 0);
     layout->setSpacing(theme::padding);
-    layout->addWidget(m_where, 5);
-    layout->addWidget(m_hint, 4);
+    layout->addWidget(m_where, 4);
+    layout->addWidget(m_hint, 5);
     layout->addWidget(m_machine, 2);
     m_hint->setProperty("role", QStringLiteral("secondary"));
     m_machine->setProperty("role", QStringLiteral("secondary"));

@@ -154,6 +154,7 @@ public:
         const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
         if (folder.isEmpty())
             return;
+        QTest::qWait(300); // what the last edit changed is asked for by now
         wait([this] { return m_window.views().refined(); }, "the views are not refined");
         QTest::qWait(200);
         m_window.grab().save(QDir(folder).filePath(text(name) + text(".png")));

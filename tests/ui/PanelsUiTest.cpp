@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -131,6 +132,22 @@ private Q_SLOTS:
     {
         PanelsFixture fixture(QSize(1280, 720));
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
+        QCOMPARE(clippedTexts(fixture.window), QStringList());
+    }
+
+    /// With more than fits the column scrolls, and its bar takes nothing from the panels.
+    void panelsKeepTheirWidthWhenTheyScroll()
+    {
+        PanelsFixture fixture(QSize(1280, 720));
+        for (const char* name : {"One", "Two", "Three", "Four", "Five"})
+            QVERIFY(fixture.workspace.session()->apply(
+                core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
+        QVERIFY(fixture.workspace.session()->settle());
+        fixture.trigger("view.dvr");
+        QTest::qWait(50);
+        QCOMPARE(fixture.window.size(), QSize(1280, 720));
+        QVERIFY(fixture.column().verticalScrollBar()->isVisible());
+        QVERIFY(fixture.column().widget()->width() <= fixture.column().viewport()->width());
         QCOMPARE(clippedTexts(fixture.window), QStringList());
     }
 

@@ -148,7 +148,7 @@ void ExportDialog::build()
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
     m_progress->hide();
-    m_report = line(this, {});
+    m_report = line(this, {}, QStringLiteral("good"));
     m_report->setObjectName(QStringLiteral("exportReport"));
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_report->hide();
@@ -394,7 +394,6 @@ void ExportDialog::showReport(const core::ExportReport& report)
     for (const QString& caution : report.cautions)
         lines += tr("Caution: %1").arg(caution);
     m_report->setText(lines.join(QLatin1Char('\n')));
-    m_report->setProperty("role", QStringLiteral("good"));
     m_report->show();
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);

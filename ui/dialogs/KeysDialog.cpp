@@ -57,6 +57,8 @@ KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
             {QString::fromUtf8(binding.input), QString::fromUtf8(binding.slice),
                 QString::fromUtf8(binding.volume)});
     }
+    auto* heading = new QTreeWidgetItem(list, {QStringLiteral("Anywhere")});
+    heading->setFont(0, theme::headingFont());
     for (const QAction* action : actions.all()) {
         if (action->shortcuts().isEmpty())
             continue;

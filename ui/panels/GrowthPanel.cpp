@@ -102,6 +102,7 @@ void GrowthPanel::build()
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());
     m_progress->setProperty("role", QStringLiteral("secondary"));
+    m_progress->setWordWrap(true);
     m_curve = new FrontSizeCurve(this);
 
     auto* transport = new QHBoxLayout;
@@ -135,7 +136,8 @@ void GrowthPanel::makeSeedButton()
     m_fromSeeds->setText(tr("From seeds"));
     m_fromSeeds->setToolTip(tr("Set the interval around the mean of the values under the seeds"));
     m_fromSeeds->setPopupMode(QToolButton::InstantPopup);
-    m_fromSeeds->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    m_fromSeeds->setStyleSheet(QStringLiteral(
+        "QToolButton { padding: 4px 2px; } QToolButton::menu-indicator { image: none; }"));
     auto* menu = new QMenu(m_fromSeeds);
     for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
         menu->addAction(tr("mean ± %1 σ").arg(QLocale().toString(deviations)), this,
@@ -378,7 +380,7 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
         || !std::holds_alternative<core::GrowSteps>(history.row(history.position()).edit))
         return tr("Generation %1").arg(countText(generation));
     const auto added = history.row(history.position()).statistics.voxelsChanged;
-    return tr("Generation %1 · last added %2 (%3)")
+    return tr("Generation %1 · added %2 (%3)")
         .arg(countText(generation), countText(added), millilitreText(added, voxelMm3));
 }
 

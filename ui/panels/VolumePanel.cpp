@@ -116,7 +116,7 @@ void VolumePanel::build()
     layout->addWidget(m_surfaceRow);
     layout->addWidget(m_function);
     layout->addWidget(labelled(this, tr("Preset"), m_preset));
-    layout->addWidget(labelled(this, tr("Window"), m_window));
+    layout->addWidget(labelled(this, tr("Slices"), m_window));
 }
 
 QString VolumePanel::title() const

@@ -38,8 +38,10 @@ void paintLines(QPainter& painter, const QRect& view, int firstY, int step, int 
 void paintText(
     QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour)
 {
-    painter.setPen(QColor(0, 0, 0, 200));
-    for (const QPointF& offset : {QPointF(1, 1), QPointF(-1, 0), QPointF(0, -1)})
+    // A rim all around: the ground may be white bone as well as air.
+    painter.setPen(QColor(0, 0, 0, 190));
+    for (const QPointF& offset : {QPointF(1.2, 0), QPointF(-1.2, 0), QPointF(0, 1.2),
+             QPointF(0, -1.2), QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
         painter.drawText(box.translated(offset), flags | Qt::TextDontClip, text);
     painter.setPen(colour);
     painter.drawText(box, flags | Qt::TextDontClip, text);
@@ -109,7 +111,7 @@ void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mm
     const QString text =
         mm >= 10.0 ? QStringLiteral("%1 cm").arg(mm / 10.0) : QStringLiteral("%1 mm").arg(mm);
     paintText(painter, QRectF(right - pixels, baseline - 20, pixels, 16),
-        Qt::AlignHCenter | Qt::AlignVCenter, text, theme::secondary);
+        Qt::AlignHCenter | Qt::AlignVCenter, text, theme::text);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillRect(QRectF(right - pixels - 1, baseline - 3, pixels + 2, 4), QColor(0, 0, 0, 160));
     painter.fillRect(QRectF(right - pixels, baseline - 2, pixels, 2), theme::text);
