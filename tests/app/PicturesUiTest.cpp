@@ -25,10 +25,12 @@ using glm::dvec3;
 struct Marker {
     dvec3 centreLps;
     double value;
+    QLatin1String
+        letter; ///< of its side; written down, or wrong letters would agree with themselves
 };
-const Marker left{{40.0, 0.0, 0.0}, 300.0};
-const Marker front{{0.0, -40.0, 0.0}, 500.0};
-const Marker head{{0.0, 0.0, 45.0}, 700.0};
+const Marker left{{40.0, 0.0, 0.0}, 300.0, QLatin1String("L")};
+const Marker front{{0.0, -40.0, 0.0}, 500.0, QLatin1String("A")};
+const Marker head{{0.0, 0.0, 45.0}, 700.0, QLatin1String("S")};
 constexpr double markerRadius = 9.0;
 
 double valueAt(const dvec3& lps)
@@ -176,9 +178,10 @@ void PicturesUiTest::markersLieWhereTheLettersSay()
             continue;
         const auto& scene = std::get<gpu::SliceScene>(shown.scene);
         const QPointF middle(view->width() / 2.0, view->height() / 2.0);
+        int sidesSeen = 0;
         for (const Marker& marker : {left, front, head}) {
             // The edge whose letter names the marker's side shows the marker.
-            const QString side = ui::directionLetters(marker.centreLps);
+            const QString side = marker.letter;
             const double pixels = glm::length(marker.centreLps) / scene.mmPerPixel;
             QPointF towards;
             if (ui::directionLetters(scene.rightLps) == side)
@@ -191,12 +194,14 @@ void PicturesUiTest::markersLieWhereTheLettersSay()
                 towards = {0, -1};
             else
                 continue; // along the line of sight
+            ++sidesSeen;
             QVERIFY(
                 std::abs(greyAt(*view, middle + towards * pixels) - greyOf(marker.value, window))
                 <= 2);
             QVERIFY(
                 std::abs(greyAt(*view, middle - towards * pixels) - greyOf(100.0, window)) <= 2);
         }
+        QCOMPARE(sidesSeen, 2);
     }
 }
 

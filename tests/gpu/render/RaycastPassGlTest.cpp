@@ -126,6 +126,7 @@ private Q_SLOTS:
         }
         QVERIFY2(darkest > 40, qPrintable(QString::number(darkest)));
         QVERIFY2(brightest > 200, qPrintable(QString::number(brightest)));
+        QVERIFY2(brightest - darkest > 60, qPrintable(QString::number(darkest))); // round, not flat
     }
 
     void maximaHaveKnownGreys()
