@@ -3,6 +3,7 @@
 
 #include "app/DemoCommand.h"
 #include "app/EditsCommand.h"
+#include "app/HistoryCommand.h"
 #include "app/InfoCommand.h"
 #include "app/OpenCommand.h"
 #include "app/ReplayCommand.h"
@@ -28,6 +29,9 @@ std::span<const Command> commands()
             runDemo},
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false,
             runEdits},
+        {"history", "FILE.burin [--json | --as-recipe]",
+            "what was done in a session, branches included; as a recipe for burin run", false,
+            runHistory},
         {"info", "PATH [--json] | --gl", "what a file or folder holds: studies, volumes, problems",
             false, runInfo},
         {"open",
@@ -36,10 +40,15 @@ std::span<const Command> commands()
             "the workstation's window with a study, or with a session that goes on; --screenshot"
             " saves it, fully refined, and exits",
             true, runOpen},
-        {"replay", "FILE.burin --verify [--study PATH] [--series UID]",
-            "carries out a session's history again, from nothing, and compares every hash", false,
-            runReplay},
-        {"run", "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force]",
+        {"replay",
+            "FILE.burin --verify [--to ROW] [--export FILE [--force]] [--study PATH]"
+            " [--series UID]",
+            "carries out a session's history again, from nothing, and compares every hash;"
+            " --export writes the masks of that state",
+            false, runReplay},
+        {"run",
+            "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force | --append]"
+            " [--apply-elsewhere]",
             "carries out a recipe without a window (burin edits: what it can hold)", false,
             runRecipe},
     };

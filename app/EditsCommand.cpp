@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/EditsCommand.h"
 
-#include "core/edits/EditDocumentation.h"
+#include "core/recipe/RecipeStep.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -72,7 +72,7 @@ int runEdits(const QStringList& arguments)
         std::fprintf(stderr, "burin edits: unknown argument '%s'\n", qPrintable(arguments.first()));
         return 2;
     }
-    (asJson ? printJson : printText)(core::editDocumentation());
+    (asJson ? printJson : printText)(core::recipeStepDocumentation());
     return 0;
 }
 

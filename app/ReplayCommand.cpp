@@ -2,15 +2,19 @@
 #include "app/ReplayCommand.h"
 
 #include "app/Arguments.h"
+#include "app/ExportFiles.h"
+#include "app/JsonLine.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionStudy.h"
 #include "gpu/GpuEngine.h"
 
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <cstdio>
+#include <map>
+#include <optional>
+#include <vector>
 
 namespace app {
 
@@ -25,20 +29,21 @@ tl::unexpected<core::Error> disagrees(
         QStringLiteral("row %1 ('%2') does not agree: %3").arg(row.id).arg(row.name, how));
 }
 
-/// Carries out one row where it belongs and compares.
-Result<void> replay(
-    const core::HistoryRow& row, core::SessionFile& file, core::EditSession& session)
+/// Carries out one row behind @p parent, a row of @p session, and compares.
+Result<void> replay(const core::HistoryRow& row, core::RowId parent, core::SessionFile& file,
+    core::EditSession& session)
 {
-    if (const Result<void> moved = session.goTo(row.parent); !moved)
+    if (const Result<void> moved = session.goTo(parent); !moved)
         return moved;
     if (const Result<void> settled = session.settle(); !settled)
         return settled;
+    const std::size_t before = session.history().rows().size();
     if (const Result<void> applied = session.apply(row.edit); !applied)
         return disagrees(file, row, QStringLiteral("it is refused now"));
     if (const Result<void> settled = session.settle(); !settled)
         return settled;
     const std::vector<core::HistoryRow>& rows = session.history().rows();
-    if (rows.size() != std::size_t(row.id))
+    if (rows.size() == before)
         return disagrees(file, row, QStringLiteral("it changes nothing now"));
     const QByteArray hash = rows.back().stateHash;
     const bool finished = !row.stateHash.isEmpty();
@@ -56,11 +61,29 @@ Result<void> replay(
         {QStringLiteral("hash"), QString::fromLatin1(hash)},
         {QStringLiteral("agrees"), finished ? QJsonValue(true) : QJsonValue()},
     };
-    std::printf("%s\n", QJsonDocument(line).toJson(QJsonDocument::Compact).constData());
+    printJsonLine(line);
     return {};
 }
 
-int replayAll(core::SessionFile& file, core::LoadedVolume volume)
+struct Task {
+    std::optional<core::RowId> to; ///< none: every row, branches included
+    std::vector<core::RecipeExport> exports;
+    bool force = false;
+};
+
+/// The rows to carry out. Their parents come first, as ids ascend.
+std::vector<core::RowId> rowsOf(const core::SessionContents& contents, const Task& task)
+{
+    if (task.to)
+        return core::History::restored(contents.rows, contents.visited, contents.position)
+            .pathTo(*task.to);
+    std::vector<core::RowId> all;
+    for (const core::HistoryRow& row : contents.rows)
+        all.push_back(row.id);
+    return all;
+}
+
+int replayRows(core::SessionFile& file, core::LoadedVolume volume, const Task& task)
 {
     const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
     if (!engine)
@@ -69,44 +92,81 @@ int replayAll(core::SessionFile& file, core::LoadedVolume volume)
         core::EditSession::create((*engine)->edits(), std::move(volume), {});
     if (!session)
         return tellFailure(session.error());
+    const std::vector<core::RowId> rows = rowsOf(file.contents(), task);
+    // On a path rows are numbered anew; here is what became of each.
+    std::map<core::RowId, core::RowId> replayed{{0, 0}};
     int unfinished = 0;
-    for (const core::HistoryRow& row : file.contents().rows) {
-        if (const Result<void> replayed = replay(row, file, **session); !replayed)
-            return tellFailure(replayed.error());
+    for (const core::RowId id : rows) {
+        const core::HistoryRow& row = file.contents().rows[std::size_t(id - 1)];
+        if (const Result<void> done = replay(row, replayed.at(row.parent), file, **session); !done)
+            return tellFailure(done.error());
+        replayed[id] = (*session)->history().position();
         unfinished += row.stateHash.isEmpty() ? 1 : 0;
     }
-    const auto rows = int(file.contents().rows.size());
+    const auto count = int(rows.size());
     std::fprintf(
-        stderr, "%s: %d of %d rows agree", qUtf8Printable(file.path()), rows - unfinished, rows);
+        stderr, "%s: %d of %d rows agree", qUtf8Printable(file.path()), count - unfinished, count);
     if (unfinished > 0)
         std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
     std::fprintf(stderr, "\n");
+    if (const Result<void> exported = exportFiles(task.exports, **session, task.force); !exported)
+        return tellFailure(exported.error());
     return 0;
+}
+
+/// @return what is wrong with the words; empty if nothing
+QString readTask(const Arguments& arguments, const core::SessionContents& contents, Task& task)
+{
+    task.force = arguments.has("force");
+    if (arguments.has("to")) {
+        bool isNumber = false;
+        const qlonglong row = arguments.value("to").toLongLong(&isNumber);
+        if (!isNumber || row < 0 || row > qlonglong(contents.rows.size()))
+            return QStringLiteral("--to: the history has rows 0 to %1").arg(contents.rows.size());
+        task.to = row;
+    }
+    if (arguments.has("export")) {
+        const QString file = arguments.value("export");
+        const bool isNifti =
+            file.endsWith(QLatin1String(".nii")) || file.endsWith(QLatin1String(".nii.gz"));
+        if (!isNifti && !file.endsWith(QLatin1String(".dcm")))
+            return QStringLiteral("--export: the name ends in .nii, .nii.gz or .dcm");
+        if (!task.to)
+            task.to = contents.position;
+        task.exports.push_back(
+            {.format = isNifti ? core::ExportFormat::Nifti : core::ExportFormat::DicomSeg,
+                .file = file});
+    }
+    return {};
 }
 
 } // namespace
 
 int runReplay(const QStringList& words)
 {
-    const Arguments arguments(
-        words, {QStringLiteral("study"), QStringLiteral("series")}, {QStringLiteral("verify")});
+    const Arguments arguments(words,
+        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
+            QStringLiteral("export")},
+        {QStringLiteral("verify"), QStringLiteral("force")});
     if (!arguments.problem().isEmpty())
         return tellUsage("replay", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("replay", QStringLiteral("it needs one session file"));
-    if (!arguments.has("verify"))
-        return tellUsage(
-            "replay", QStringLiteral("--verify is missing: it is all that replay does"));
+    if (!arguments.has("verify") && !arguments.has("export"))
+        return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
 
     const Result<std::unique_ptr<core::SessionFile>> file =
         core::SessionFile::open(arguments.rest().first(), core::SessionFile::Access::ReadOnly);
     if (!file)
         return tellFailure(file.error());
+    Task task;
+    if (const QString problem = readTask(arguments, (*file)->contents(), task); !problem.isEmpty())
+        return tellUsage("replay", problem);
     Result<core::LoadedVolume> volume = core::loadSessionStudy((*file)->path(),
         (*file)->contents().source, arguments.value("study"), arguments.value("series"));
     if (!volume)
         return tellFailure(volume.error());
-    return replayAll(**file, *std::move(volume));
+    return replayRows(**file, *std::move(volume), task);
 }
 
 } // namespace app

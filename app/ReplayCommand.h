@@ -5,9 +5,10 @@
 
 namespace app {
 
-/// `burin replay FILE.burin --verify [--study PATH] [--series UID]`: carries out every row of a
-/// session again, from nothing, branches included, and compares the state hash after each. The file
-/// is only read.
+/// `burin replay FILE.burin --verify [--to ROW] [--study PATH] [--series UID]`: carries out every
+/// row of a session again, from nothing, branches included (or the rows that lead to one), and
+/// compares the state hash after each. `--export FILE` then writes the masks of that state
+/// (--to; else where the session stands). The session file is only read.
 int runReplay(const QStringList& arguments);
 
 } // namespace app

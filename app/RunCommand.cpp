@@ -2,20 +2,25 @@
 #include "app/RunCommand.h"
 
 #include "app/Arguments.h"
+#include "app/ExportFiles.h"
+#include "app/JsonLine.h"
+#include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
-#include "core/export/ExportChoices.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
+#include "core/session/SessionStudy.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/GpuEngine.h"
 
 #include <QFile>
 #include <QFileInfo>
-#include <QJsonDocument>
 #include <QJsonObject>
+#include <QMap>
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace app {
 
@@ -39,12 +44,6 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     }
 }
 
-void print(const QJsonObject& object)
-{
-    std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
-    std::fflush(stdout);
-}
-
 /// One line for an edit that is carried out and on disk; an edit that changed nothing has no row.
 void printEdit(const core::Edit& edit, const core::EditSession& session, bool changed)
 {
@@ -66,94 +65,160 @@ void printEdit(const core::Edit& edit, const core::EditSession& session, bool ch
         line[QStringLiteral("ms")] = std::round(row.statistics.milliseconds * 1000.0) / 1000.0;
         line[QStringLiteral("hash")] = QString::fromLatin1(row.stateHash);
     }
-    print(line);
+    printJsonLine(line);
 }
 
-Result<void> carryOut(const core::Recipe& recipe, core::EditSession& session)
+/// One line for a walk through the history: where it arrived.
+void printMove(const core::RecipeStep& step, const core::EditSession& session)
 {
-    for (const core::Edit& edit : recipe.edits) {
-        const std::size_t rowsBefore = session.history().rows().size();
-        if (const Result<void> applied = session.apply(edit); !applied)
-            return applied;
-        if (const Result<void> settled = session.settle(); !settled)
-            return settled;
-        printEdit(edit, session, session.history().rows().size() > rowsBefore);
+    const core::RowId position = session.history().position();
+    printJsonLine({
+        {QStringLiteral("edit"), core::stepName(step)},
+        {QStringLiteral("row"), qint64(position)},
+        {QStringLiteral("name"),
+            position == 0 ? QStringLiteral("the beginning") : session.history().row(position).name},
+        {QStringLiteral("hash"), QString::fromLatin1(session.stateHash())},
+    });
+}
+
+Result<void> walk(const core::HistoryMove& move, core::EditSession& session)
+{
+    switch (move.kind) {
+    case core::HistoryMove::Kind::Undo:
+        return session.undo();
+    case core::HistoryMove::Kind::Redo:
+        return session.redo();
+    case core::HistoryMove::Kind::GoTo:
+        return session.goTo(move.row);
     }
     return {};
 }
 
-Result<void> exportAll(const core::Recipe& recipe, core::EditSession& session, bool force)
+Result<void> carryOut(const std::vector<core::RecipeStep>& steps, core::EditSession& session)
 {
-    if (recipe.exports.empty())
-        return {};
-    const Result<std::vector<std::uint8_t>> labels = session.labels(0);
-    if (!labels)
-        return tl::unexpected(labels.error());
-    core::ExportRequest request;
-    request.force = force;
-    request.planes = {{.plane = 0, .labels = *labels}};
-    for (const core::ExportChoice& choice : core::exportChoices(session.document(), {})) {
-        if (choice.chosen)
-            request.segments.push_back(choice.segment);
-    }
-    for (const core::RecipeExport& target : recipe.exports) {
-        request.format = target.format;
-        request.file = target.file;
-        const Result<core::ExportReport> report =
-            core::exportMask(session.document().volumes.front(), request, core::Progress());
-        if (!report)
-            return tl::unexpected(report.error());
-        const auto list = [](const QStringList& sentences) {
-            return QJsonValue(sentences.join(QStringLiteral(" ")));
-        };
-        print({
-            {QStringLiteral("export"), report->file},
-            {QStringLiteral("written"), list(report->written)},
-            {QStringLiteral("checked"), list(report->checked)},
-            {QStringLiteral("cautions"), list(report->cautions)},
-        });
+    for (const core::RecipeStep& step : steps) {
+        const std::size_t rowsBefore = session.history().rows().size();
+        const auto* edit = std::get_if<core::Edit>(&step);
+        const Result<void> begun =
+            edit ? session.apply(*edit) : walk(std::get<core::HistoryMove>(step), session);
+        if (!begun)
+            return begun;
+        // What a line tells of is on disk before the line is out.
+        if (const Result<void> settled = session.settle(); !settled)
+            return settled;
+        if (edit)
+            printEdit(*edit, session, session.history().rows().size() > rowsBefore);
+        else
+            printMove(step, session);
     }
     return {};
 }
 
 /// What can be known without loading anything.
-Result<void> checkSessionTarget(const QString& file, bool force)
+Result<void> checkSessionTarget(const QString& file, bool force, bool append)
 {
     const QFileInfo info(file);
-    if (info.exists() && !force)
-        return core::failure(core::ErrorCode::FileExists, file);
     if (info.isDir())
         return core::failure(
             core::ErrorCode::FileUnwritable, file, QStringLiteral("it is a folder"));
+    if (append && !info.exists())
+        return core::failure(core::ErrorCode::FileNotFound, file);
+    if (info.exists() && !force && !append)
+        return core::failure(core::ErrorCode::FileExists, file);
     return {};
 }
 
-int run(const core::Recipe& recipe, const Arguments& arguments)
+QString counted(const QMap<QString, int>& steps)
+{
+    QStringList words;
+    for (auto step = steps.constBegin(); step != steps.constEnd(); ++step)
+        words.append(QStringLiteral("%1 %2").arg(step.value()).arg(step.key()));
+    return words.isEmpty() ? QStringLiteral("nothing") : words.join(QStringLiteral(", "));
+}
+
+/// The steps that mean something on this study. @return nothing where the user has to agree first
+std::optional<std::vector<core::RecipeStep>> stepsFor(
+    const core::Recipe& recipe, const core::Volume& volume, bool applyElsewhere)
+{
+    const QString difference = recipe.study ? recipe.study->differenceFrom(volume) : QString();
+    if (difference.isEmpty())
+        return recipe.steps;
+    std::vector<core::RecipeStep> kept;
+    QMap<QString, int> applied;
+    QMap<QString, int> skipped;
+    for (const core::RecipeStep& step : recipe.steps) {
+        const bool bound = core::isBoundToStudy(step);
+        ++(bound ? skipped : applied)[core::stepName(step)];
+        if (!bound)
+            kept.push_back(step);
+    }
+    std::fprintf(stderr,
+        "%s: it was recorded on another study (%s); %s %s; skipped, bound to "
+        "places in that study: %s\n",
+        qUtf8Printable(recipe.path), qUtf8Printable(difference),
+        applyElsewhere ? "applied:" : "it would apply", qUtf8Printable(counted(applied)),
+        qUtf8Printable(counted(skipped)));
+    if (applyElsewhere)
+        return kept;
+    std::fprintf(stderr, "burin run: --apply-elsewhere does so\n");
+    return {};
+}
+
+Result<core::LoadedVolume> load(const Arguments& arguments)
+{
+    if (!arguments.has("append"))
+        return core::loadVolume(arguments.value("study"), arguments.value("series"));
+    const Result<std::unique_ptr<core::SessionFile>> file =
+        core::SessionFile::open(arguments.value("session"), core::SessionFile::Access::ReadOnly);
+    if (!file)
+        return tl::unexpected(file.error());
+    return core::loadSessionStudy((*file)->path(), (*file)->contents().source,
+        arguments.value("study"), arguments.value("series"));
+}
+
+int run(core::Recipe recipe, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
-    Result<core::LoadedVolume> loaded =
-        core::loadVolume(arguments.value("study"), arguments.value("series"));
+    const bool append = arguments.has("append");
+    Result<core::LoadedVolume> loaded = load(arguments);
     if (!loaded)
         return tellFailure(loaded.error());
-    if (const Result<void> fits = core::checkRecipe(recipe, loaded->volume, force); !fits)
-        return tellFailure(fits.error(), recipeIfAtFault(fits.error(), recipe));
+    auto steps = stepsFor(recipe, loaded->volume, arguments.has("apply-elsewhere"));
+    if (!steps)
+        return 1;
+    recipe.steps = *std::move(steps);
+    const auto fits = [&](core::Document document) {
+        return core::checkRecipe(recipe, std::move(document), force);
+    };
+    if (!append) {
+        if (const Result<void> fit = fits(core::initialDocument(loaded->volume)); !fit)
+            return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
+    }
 
     const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
     if (!engine)
         return tellFailure(engine.error());
-    Result<std::unique_ptr<core::EditSession>> session = core::EditSession::create(
-        (*engine)->edits(), *std::move(loaded), {.file = file, .replaceExisting = force});
+    Result<std::unique_ptr<core::EditSession>> session = append
+        ? core::EditSession::open((*engine)->edits(), *std::move(loaded), file)
+        : core::EditSession::create(
+            (*engine)->edits(), *std::move(loaded), {.file = file, .replaceExisting = force});
     if (!session)
         return tellFailure(session.error());
-    if (const Result<void> done = carryOut(recipe, **session); !done) {
+    if (append) {
+        if (const Result<void> fit = fits((*session)->document()); !fit)
+            return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
+    }
+    if (const Result<void> done = carryOut(recipe.steps, **session); !done) {
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
         session->reset();
-        QFile::remove(file);
+        // A session that was there before keeps the steps whose lines were printed.
+        if (!append)
+            QFile::remove(file);
         return status;
     }
     // The session is whole by now and stays, whatever becomes of the exports.
-    if (const Result<void> exported = exportAll(recipe, **session, force); !exported)
+    if (const Result<void> exported = exportFiles(recipe.exports, **session, force); !exported)
         return tellFailure(exported.error());
     return 0;
 }
@@ -164,13 +229,17 @@ int runRecipe(const QStringList& words)
 {
     const Arguments arguments(words,
         {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("session")},
-        {QStringLiteral("force")});
+        {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere")});
     if (!arguments.problem().isEmpty())
         return tellUsage("run", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("run", QStringLiteral("it needs one recipe"));
+    const bool append = arguments.has("append");
+    if (append && arguments.has("force"))
+        return tellUsage("run", QStringLiteral("--append and --force exclude each other"));
     for (const char* needed : {"study", "session"}) {
-        if (!arguments.has(needed))
+        const bool spared = append && qstrcmp(needed, "study") == 0;
+        if (!arguments.has(needed) && !spared)
             return tellUsage("run", QStringLiteral("--%1 is missing").arg(QLatin1String(needed)));
     }
     const QString path = arguments.rest().first();
@@ -182,7 +251,7 @@ int runRecipe(const QStringList& words)
         return tellFailure(recipe.error(), namesFile ? QString() : path);
     }
     const Result<void> target =
-        checkSessionTarget(arguments.value("session"), arguments.has("force"));
+        checkSessionTarget(arguments.value("session"), arguments.has("force"), append);
     if (!target)
         return tellFailure(target.error());
     return run(*recipe, arguments);

@@ -2,8 +2,6 @@
 #include "core/recipe/Recipe.h"
 
 #include "core/edits/DocumentEdits.h"
-#include "core/edits/EditJson.h"
-#include "core/edits/EditQuantise.h"
 
 #include <QDir>
 #include <QFile>
@@ -130,19 +128,22 @@ Result<Recipe> readRecipe(const QString& path)
     const Result<QJsonArray> exports = takeList(*object, "export", false);
     if (!exports)
         return tl::unexpected(exports.error());
+    Recipe recipe{.path = path, .study = {}, .steps = {}, .exports = {}};
+    if (const QJsonValue study = object->take(QStringLiteral("study")); !study.isUndefined()) {
+        recipe.study = SessionSource::fromJson(study.toObject());
+        if (!recipe.study)
+            return failure(ErrorCode::InvalidField, QStringLiteral("study"),
+                QStringLiteral("must be what \"burin history --as-recipe\" writes there"));
+    }
     if (!object->isEmpty())
         return failure(ErrorCode::InvalidField, object->constBegin().key(),
             QStringLiteral("unknown field of a recipe"));
 
-    Recipe recipe{.path = path, .edits = {}, .exports = {}};
     for (int i = 0; i < edits->size(); ++i) {
-        const Result<Edit> edit = editFromJson((*edits)[i]);
-        if (!edit)
-            return at(edit.error(), "edit", i);
-        recipe.edits.push_back(quantised(*edit));
-        // A number just inside its range may have been rounded out of it.
-        if (const Result<void> checked = checkFields(recipe.edits.back()); !checked)
-            return at(checked.error(), "edit", i);
+        Result<RecipeStep> step = recipeStepFromJson((*edits)[i]);
+        if (!step)
+            return at(step.error(), "edit", i);
+        recipe.steps.push_back(*std::move(step));
     }
     for (int i = 0; i < exports->size(); ++i) {
         const Result<RecipeExport> target = readExport((*exports)[i]);
@@ -153,18 +154,22 @@ Result<Recipe> readRecipe(const QString& path)
     return recipe;
 }
 
-Result<void> checkRecipe(const Recipe& recipe, const Volume& volume, bool replaceExisting)
+Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceExisting)
 {
-    Document document = initialDocument(volume);
     std::set<int> seeded;
-    for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
-        const Edit& edit = recipe.edits[i];
-        if (const Result<void> checked = checkAgainst(document, edit); !checked)
+    bool walks = false;
+    for (std::size_t i = 0; i < recipe.steps.size() && !walks; ++i) {
+        const auto* edit = std::get_if<Edit>(&recipe.steps[i]);
+        walks = !edit;
+        if (walks)
+            break;
+        if (const Result<void> checked = checkAgainst(document, *edit); !checked)
             return at(checked.error(), "edit", int(i));
-        static_cast<void>(applyToDocument(edit, document));
-        if (const auto* seed = std::get_if<SeedStroke>(&edit))
+        static_cast<void>(applyToDocument(*edit, document));
+        if (const auto* seed = std::get_if<SeedStroke>(edit))
             seeded.insert(seed->segment);
     }
+    const Volume& volume = document.volumes.front();
     std::set<QString> files;
     for (std::size_t i = 0; i < recipe.exports.size(); ++i) {
         const RecipeExport& target = recipe.exports[i];
@@ -174,7 +179,7 @@ Result<void> checkRecipe(const Recipe& recipe, const Volume& volume, bool replac
             return at({ErrorCode::InvalidField,
                           {QStringLiteral("export.file"), QStringLiteral("is named twice")}},
                 "export", int(i));
-        if (target.format != ExportFormat::DicomSeg)
+        if (target.format != ExportFormat::DicomSeg || walks)
             continue;
         for (const int label : seeded) {
             if (!document.segment(label)->code.isSet())

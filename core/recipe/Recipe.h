@@ -2,11 +2,14 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/Edits.h"
+#include "core/document/Document.h"
 #include "core/export/ExportMask.h"
+#include "core/recipe/RecipeStep.h"
+#include "core/session/SessionSource.h"
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -16,22 +19,24 @@ struct RecipeExport {
     QString file;
 };
 
-/// What `burin run` carries out: edits, then exports.
+/// What `burin run` carries out: steps, then exports.
 struct Recipe {
     QString path;
-    std::vector<Edit> edits; ///< quantised
+    std::optional<SessionSource> study; ///< what it was recorded on, where it says so
+    std::vector<RecipeStep> steps;
     std::vector<RecipeExport> exports;
 };
 
-/// Reads {"edits": […], "export": […]}; "export" may be missing.
+/// Reads {"edits": […], "export": […], "study": {…}}; all but the edits may be missing.
 /// Errors: FileNotFound, FileUnreadable, InvalidRecipe (no JSON: the line), UnknownEdit and
 /// InvalidField, whose reason names the entry ("edit 3").
 [[nodiscard]] Result<Recipe> readRecipe(const QString& path);
 
-/// Everything about a recipe that can be wrong on this volume and known before it is carried out.
+/// Everything about a recipe that can be wrong on this document (with its volume) and known before
+/// it is carried out; edits behind a walk through the history are checked when their turn comes.
 /// Errors: those of checkAgainst(), with the entry; of exports UnsupportedFormat, FileExists,
 /// FileUnwritable, SegmentNotCoded (a segment that is seeded and goes into a DICOM SEG).
 [[nodiscard]] Result<void> checkRecipe(
-    const Recipe& recipe, const Volume& volume, bool replaceExisting);
+    const Recipe& recipe, Document document, bool replaceExisting);
 
 } // namespace core

@@ -5,6 +5,7 @@
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/BurinProgram.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 
@@ -20,29 +21,10 @@
 #include <QTest>
 
 using namespace core;
+using test::burin;
+using test::Outcome;
 
 namespace {
-
-struct Outcome {
-    int status = -1;
-    QList<QJsonObject> lines; ///< of stdout
-    QString complaint; ///< stderr
-};
-
-Outcome burin(const QStringList& arguments)
-{
-    QProcess process;
-    process.start(QStringLiteral(BURIN_PROGRAM), arguments);
-    process.waitForFinished(300000);
-    Outcome outcome;
-    outcome.status = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-    outcome.complaint = QString::fromUtf8(process.readAllStandardError());
-    for (const QByteArray& line : process.readAllStandardOutput().split('\n')) {
-        if (!line.isEmpty())
-            outcome.lines.append(QJsonDocument::fromJson(line).object());
-    }
-    return outcome;
-}
 
 QJsonArray json(const std::vector<Edit>& edits)
 {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/HistoryCommand.h"
+
+#include "app/Arguments.h"
+#include "core/session/HistoryListing.h"
+#include "core/session/SessionFile.h"
+
+#include <QJsonDocument>
+
+#include <cstdio>
+
+namespace app {
+
+namespace {
+
+void printRow(const core::HistoryRow& row, bool isPosition)
+{
+    std::printf("%c %5lld  %10lld  %s\n", isPosition ? '>' : ' ', static_cast<long long>(row.id),
+        static_cast<long long>(row.statistics.voxelsChanged), qUtf8Printable(row.name));
+}
+
+void printTable(const core::SessionContents& contents)
+{
+    const core::History history =
+        core::History::restored(contents.rows, contents.visited, contents.position);
+    std::printf("    row      voxels  what\n");
+    for (const core::HistoryBranch& branch : core::branchesOf(history)) {
+        if (!branch.current)
+            std::printf("\n  branch behind row %lld\n", static_cast<long long>(branch.forksAt));
+        for (const core::RowId id : branch.rows)
+            printRow(history.row(id), id == contents.position);
+    }
+}
+
+} // namespace
+
+int runHistory(const QStringList& words)
+{
+    const Arguments arguments(words, {}, {QStringLiteral("json"), QStringLiteral("as-recipe")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("history", arguments.problem());
+    if (arguments.rest().size() != 1)
+        return tellUsage("history", QStringLiteral("it needs one session file"));
+    const bool asJson = arguments.has("json");
+    const bool asRecipe = arguments.has("as-recipe");
+    if (asJson && asRecipe)
+        return tellUsage("history", QStringLiteral("--json and --as-recipe exclude each other"));
+
+    const core::Result<std::unique_ptr<core::SessionFile>> file =
+        core::SessionFile::open(arguments.rest().first(), core::SessionFile::Access::ReadOnly);
+    if (!file)
+        return tellFailure(file.error());
+    const core::SessionContents& contents = (*file)->contents();
+    if (!asJson && !asRecipe) {
+        printTable(contents);
+        return 0;
+    }
+    const QJsonObject object =
+        asJson ? core::historyListing(contents) : core::historyAsRecipe(contents);
+    std::fputs(QJsonDocument(object).toJson().constData(), stdout);
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recipe/RecipeStep.h"
+
+#include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
+
+#include <QJsonObject>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace core {
+
+namespace {
+
+struct MoveWord {
+    HistoryMove::Kind kind;
+    const char* name;
+    const char* meaning;
+};
+
+constexpr std::array<MoveWord, 3> moveWords{{
+    {HistoryMove::Kind::Undo, "undo", "Takes back the step that the history stands at."},
+    {HistoryMove::Kind::Redo, "redo", "Brings back the step that was taken back last."},
+    {HistoryMove::Kind::GoTo, "goTo", "Walks to any row of the history, on any branch."},
+}};
+
+const MoveWord* moveNamed(const QString& name)
+{
+    for (const MoveWord& word : moveWords) {
+        if (name == QLatin1String(word.name))
+            return &word;
+    }
+    return nullptr;
+}
+
+Result<RecipeStep> readMove(const MoveWord& word, QJsonObject object)
+{
+    HistoryMove move{.kind = word.kind, .row = 0};
+    if (word.kind == HistoryMove::Kind::GoTo) {
+        const QJsonValue seq = object.take(QStringLiteral("seq"));
+        const double number = seq.toDouble(-1.0);
+        if (number < 0.0 || number != std::floor(number) || number > 1e9)
+            return failure(ErrorCode::InvalidField, QStringLiteral("goTo.seq"),
+                seq.isUndefined() ? QStringLiteral("missing")
+                                  : QStringLiteral("must be the number of a row, or 0"));
+        move.row = RowId(number);
+    }
+    if (!object.isEmpty())
+        return failure(ErrorCode::InvalidField,
+            QLatin1String(word.name) + QLatin1Char('.') + object.constBegin().key(),
+            QStringLiteral("unknown field"));
+    return RecipeStep(move);
+}
+
+} // namespace
+
+Result<RecipeStep> recipeStepFromJson(const QJsonValue& json)
+{
+    QJsonObject object = json.toObject();
+    if (const MoveWord* word = moveNamed(object.value(QStringLiteral("edit")).toString())) {
+        object.remove(QStringLiteral("edit"));
+        return readMove(*word, std::move(object));
+    }
+    const Result<Edit> edit = editFromJson(json);
+    if (!edit)
+        return tl::unexpected(edit.error());
+    Edit rounded = quantised(*edit);
+    // A number just inside its range may have been rounded out of it.
+    if (const Result<void> checked = checkFields(rounded); !checked)
+        return tl::unexpected(checked.error());
+    return RecipeStep(std::move(rounded));
+}
+
+QString stepName(const RecipeStep& step)
+{
+    if (const auto* edit = std::get_if<Edit>(&step))
+        return editName(*edit);
+    for (const MoveWord& word : moveWords) {
+        if (word.kind == std::get<HistoryMove>(step).kind)
+            return QLatin1String(word.name);
+    }
+    return {};
+}
+
+bool isBoundToStudy(const RecipeStep& step)
+{
+    const auto* edit = std::get_if<Edit>(&step);
+    return !edit || std::holds_alternative<SeedStroke>(*edit)
+        || std::holds_alternative<DrillStroke>(*edit);
+}
+
+std::vector<EditDocumentation> recipeStepDocumentation()
+{
+    std::vector<EditDocumentation> all = editDocumentation();
+    for (const MoveWord& word : moveWords) {
+        EditDocumentation entry{.name = QLatin1String(word.name),
+            .meaning = QString::fromUtf8(word.meaning),
+            .fields = {}};
+        if (word.kind == HistoryMove::Kind::GoTo)
+            entry.fields.push_back({.name = QStringLiteral("seq"),
+                .type = QStringLiteral("whole number, 0 or more"),
+                .unit = {},
+                .fallback = {},
+                .meaning = QStringLiteral("the row; 0: the beginning")});
+        all.push_back(std::move(entry));
+    }
+    return all;
+}
+
+} // namespace core

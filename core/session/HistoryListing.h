@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/SessionContents.h"
+
+#include <QJsonObject>
+
+#include <vector>
+
+namespace core {
+
+/// One line of rows from the beginning to a row without children.
+struct HistoryBranch {
+    RowId tip = 0;
+    RowId forksAt = 0; ///< the last row it shares with the line undo and redo walk; 0: none
+    std::vector<RowId> rows; ///< its own, behind the fork, oldest first
+    bool current = false; ///< it is the line that undo and redo walk
+};
+
+/// Every branch, the current one first, then by tip.
+[[nodiscard]] std::vector<HistoryBranch> branchesOf(const History& history);
+
+/// What `burin history --json` prints: {"position", "source": {"studyUid", "seriesUid",
+/// "voxelsSha256"}, "commands": [{"seq", "parent", "name", "edit", "voxels", "bytes", "hashBefore",
+/// "hashAfter"}], "branches": [{"tip", "forksAt", "seqs", "current"}]}. A row whose second half
+/// never reached the disk has null as its hash.
+[[nodiscard]] QJsonObject historyListing(const SessionContents& contents);
+
+/// The rows up to the position as a recipe, with the study they were recorded on. Carried out on
+/// that study it ends at the same hash.
+[[nodiscard]] QJsonObject historyAsRecipe(const SessionContents& contents);
+
+} // namespace core

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/nifti/NiftiReader.h"
+#include "core/nifti/NiftiWriter.h"
+#include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
+#include "core/study/StudyLoader.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/BurinProgram.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace core;
+using test::burin;
+using test::Outcome;
+
+namespace {
+
+QString key(const char* name)
+{
+    return QLatin1String(name);
+}
+
+QJsonObject move(const char* name)
+{
+    return {{key("edit"), key(name)}};
+}
+
+QJsonObject goTo(int seq)
+{
+    return {{key("edit"), key("goTo")}, {key("seq"), seq}};
+}
+
+QJsonArray json(const std::vector<Edit>& edits)
+{
+    QJsonArray list;
+    for (const Edit& edit : edits)
+        list.append(editToJson(edit));
+    return list;
+}
+
+} // namespace
+
+/// `burin history`, and what `run` and `replay` do with past states.
+class HistoryCommandGlTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_studies;
+    QString m_study;
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    QString recipe(const char* name, const QJsonObject& content) const
+    {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly))
+            qFatal("cannot write %s", name);
+        file.write(QJsonDocument(content).toJson());
+        return file.fileName();
+    }
+    Outcome run(const QString& recipeFile, const char* session, const QStringList& more = {}) const
+    {
+        return burin(QStringList{key("run"), recipeFile, key("--study"), m_study, key("--session"),
+                         path(session)}
+            + more);
+    }
+    QJsonObject history(const char* session) const
+    {
+        const Outcome outcome = burin({key("history"), path(session), key("--json")});
+        return QJsonDocument::fromJson(outcome.output).object();
+    }
+    QString lastHash(const Outcome& outcome) const
+    {
+        return outcome.lines.isEmpty() ? QString() : outcome.lines.last()[key("hash")].toString();
+    }
+    QString writeStudy(const char* name, const LoadedVolume& study) const
+    {
+        std::vector<std::int16_t> values;
+        for (const std::uint16_t code : study.codes)
+            values.push_back(std::int16_t(code - 1024));
+        const QString file = m_studies.filePath(QLatin1String(name));
+        const auto written = writeNifti(file,
+            {.geometry = study.volume.geometry,
+                .voxels = std::span<const std::int16_t>(values),
+                .description = {}});
+        return written ? file : QString();
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_study = writeStudy("small.nii.gz", test::smallStudy());
+        QVERIFY(!m_study.isEmpty());
+    }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
+
+    void recipesWalkAndBranch()
+    {
+        QJsonArray steps = json(test::manyEdits()); // rows 1 … 10
+        steps.append(move("undo")); // at 9
+        steps.append(move("undo")); // at 8
+        steps.append(move("redo")); // at 9
+        steps.append(goTo(5));
+        steps.append(editToJson(test::drillAt(2))); // row 11, behind 5
+        steps.append(goTo(0));
+        steps.append(goTo(11));
+        const Outcome outcome = run(recipe("r.json", {{key("edits"), steps}}), "a.burin");
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), steps.size());
+        const auto hashAfter = [&outcome](int line) { return outcome.lines[line][key("hash")]; };
+        QCOMPARE(hashAfter(10), hashAfter(8));
+        QCOMPARE(hashAfter(11), hashAfter(7));
+        QCOMPARE(hashAfter(12), hashAfter(8));
+        QCOMPARE(hashAfter(13), hashAfter(4));
+        QCOMPARE(hashAfter(16), hashAfter(14));
+        QVERIFY(hashAfter(14) != hashAfter(5));
+
+        const QJsonObject listing = history("a.burin");
+        QCOMPARE(listing[key("position")].toInt(), 11);
+        const QJsonArray commands = listing[key("commands")].toArray();
+        QCOMPARE(commands.size(), 11);
+        for (int i = 0; i < commands.size(); ++i) {
+            const QJsonObject command = commands[i].toObject();
+            const int parent = command[key("parent")].toInt();
+            QCOMPARE(command[key("seq")].toInt(), i + 1);
+            QCOMPARE(command[key("hashAfter")], hashAfter(i < 10 ? i : 14));
+            QCOMPARE(command[key("hashBefore")],
+                parent == 0 ? QJsonValue(outcome.lines[15][key("hash")])
+                            : commands[parent - 1].toObject()[key("hashAfter")]);
+            QVERIFY(command[key("edit")].isObject());
+        }
+        const QJsonArray branches = listing[key("branches")].toArray();
+        QCOMPARE(branches.size(), 2);
+        QCOMPARE(branches[0].toObject()[key("seqs")].toArray(), (QJsonArray{1, 2, 3, 4, 5, 11}));
+        QCOMPARE(branches[0].toObject()[key("current")].toBool(), true);
+        QCOMPARE(branches[1].toObject()[key("seqs")].toArray(), (QJsonArray{6, 7, 8, 9, 10}));
+        QCOMPARE(branches[1].toObject()[key("forksAt")].toInt(), 5);
+
+        const Outcome table = burin({key("history"), path("a.burin")});
+        QCOMPARE(table.status, 0);
+        QVERIFY(table.output.contains("branch behind row 5"));
+        const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
+    }
+
+    void asRecipeEndsAtTheSameHash()
+    {
+        const Outcome first =
+            run(recipe("r.json", {{key("edits"), json(test::manyEdits())}}), "a.burin");
+        QCOMPARE(first.status, 0);
+        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
+        QCOMPARE(written.status, 0);
+        QFile file(path("again.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(written.output);
+        file.close();
+        const Outcome again = run(file.fileName(), "b.burin");
+        QVERIFY2(again.status == 0, qPrintable(again.complaint));
+        QCOMPARE(lastHash(again), lastHash(first));
+    }
+
+    void appendGoesOn()
+    {
+        const std::vector<Edit> all = test::manyEdits();
+        const std::vector<Edit> start(all.begin(), all.begin() + 4);
+        const std::vector<Edit> rest(all.begin() + 4, all.end());
+        const Outcome whole = run(recipe("w.json", {{key("edits"), json(all)}}), "whole.burin");
+        QCOMPARE(run(recipe("s.json", {{key("edits"), json(start)}}), "a.burin").status, 0);
+        // The session knows its study.
+        const Outcome appended = burin({key("run"), recipe("t.json", {{key("edits"), json(rest)}}),
+            key("--session"), path("a.burin"), key("--append")});
+        QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
+        QCOMPARE(appended.lines.first()[key("row")].toInt(), 5);
+        QCOMPARE(lastHash(appended), lastHash(whole));
+
+        const Outcome missing = burin(
+            {key("run"), path("t.json"), key("--session"), path("none.burin"), key("--append")});
+        QCOMPARE(missing.status, 1);
+        QVERIFY(missing.complaint.contains(key("none.burin")));
+        QCOMPARE(run(path("t.json"), "a.burin", {key("--append"), key("--force")}).status, 2);
+    }
+
+    void whatFailsLaterLeavesWhatWasPrinted()
+    {
+        QCOMPARE(run(recipe("s.json", {{key("edits"), json({test::addSegment("A")})}}), "a.burin")
+                     .status,
+            0);
+        QJsonArray steps = json({test::addSegment("B")});
+        steps.append(goTo(99));
+        const Outcome outcome =
+            run(recipe("t.json", {{key("edits"), steps}}), "a.burin", {key("--append")});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(key("99")), qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), 1);
+        QCOMPARE(history("a.burin")[key("commands")].toArray().size(), 2);
+
+        // A recipe that is known to be wrong from the start changes nothing.
+        const QJsonArray wrong = json({test::addSegment("C"), test::seedInBrain(9)});
+        QCOMPARE(
+            run(recipe("t.json", {{key("edits"), wrong}}), "a.burin", {key("--append")}).status, 1);
+        QCOMPARE(history("a.burin")[key("commands")].toArray().size(), 2);
+    }
+
+    void aRecipeOfAnotherStudyAsksFirst()
+    {
+        QCOMPARE(
+            run(recipe("r.json", {{key("edits"), json(test::manyEdits())}}), "a.burin").status, 0);
+        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
+        const QString file = recipe("again.json", QJsonDocument::fromJson(written.output).object());
+        LoadedVolume other = test::smallStudy();
+        other.codes[0] += 1;
+        const QString study = writeStudy("other.nii.gz", other);
+        const QStringList arguments{
+            key("run"), file, key("--study"), study, key("--session"), path("b.burin")};
+
+        const Outcome asked = burin(arguments);
+        QCOMPARE(asked.status, 1);
+        QVERIFY2(asked.complaint.contains(key("2 addSegment")), qPrintable(asked.complaint));
+        QVERIFY2(asked.complaint.contains(key("2 drill")), qPrintable(asked.complaint));
+        QVERIFY(!QFile::exists(path("b.burin")));
+
+        const Outcome done = burin(arguments + QStringList{key("--apply-elsewhere")});
+        QVERIFY2(done.status == 0, qPrintable(done.complaint));
+        for (const QJsonObject& line : done.lines)
+            QVERIFY(line[key("edit")] != key("drill") && line[key("edit")] != key("seed"));
+        QCOMPARE(history("b.burin")[key("commands")].toArray().size(), 3);
+    }
+
+    void replayExportsAPastState()
+    {
+        QJsonArray steps = json(test::manyEdits());
+        steps.append(goTo(4));
+        QCOMPARE(run(recipe("r.json",
+                         {{key("edits"), steps},
+                             {key("export"),
+                                 QJsonArray{QJsonObject{{key("format"), key("nifti")},
+                                     {key("file"), path("at4.nii.gz")}}}}}),
+                     "a.burin")
+                     .status,
+            0);
+        const auto exported = [this](const char* row, const char* file) {
+            return burin({key("replay"), path("a.burin"), key("--to"), key(row), key("--export"),
+                path(file)});
+        };
+        const Outcome fourth = exported("4", "replayed4.nii.gz");
+        QVERIFY2(fourth.status == 0, qPrintable(fourth.complaint));
+        QCOMPARE(exported("10", "replayed10.nii.gz").status, 0);
+        const auto voxels = [this](const char* file) {
+            const Result<LoadedVolume> volume = loadVolume(path(file));
+            return volume ? volume->codes : std::vector<std::uint16_t>();
+        };
+        QVERIFY(!voxels("at4.nii.gz").empty());
+        QCOMPARE(voxels("replayed4.nii.gz"), voxels("at4.nii.gz"));
+        QVERIFY(voxels("replayed10.nii.gz") != voxels("at4.nii.gz"));
+        QCOMPARE(exported("11", "no.nii.gz").status, 2);
+        QCOMPARE(exported("4", "replayed4.nii.gz").status, 1); // exists
+    }
+
+    void badMovesAreNamed_data()
+    {
+        QTest::addColumn<QJsonObject>("step");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("goTo without seq") << move("goTo") << key("goTo.seq");
+        QTest::newRow("half a row")
+            << QJsonObject{{key("edit"), key("goTo")}, {key("seq"), 1.5}} << key("goTo.seq");
+        QTest::newRow("undo with more")
+            << QJsonObject{{key("edit"), key("undo")}, {key("times"), 2}} << key("undo.times");
+        QTest::newRow("nothing to undo") << move("undo") << key("undo");
+        QTest::newRow("nothing to redo") << move("redo") << key("redo");
+    }
+    void badMovesAreNamed()
+    {
+        QFETCH(QJsonObject, step);
+        QFETCH(QString, named);
+        const Outcome outcome =
+            run(recipe("r.json", {{key("edits"), QJsonArray{step}}}), "a.burin");
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(named), qPrintable(outcome.complaint));
+        QVERIFY(!QFile::exists(path("a.burin")));
+    }
+
+    void historyRefusesWhatIsNoSession()
+    {
+        QFile empty(path("empty.burin"));
+        QVERIFY(empty.open(QIODevice::WriteOnly));
+        empty.close();
+        for (const QString& file : {path("none.burin"), path("empty.burin"), m_study}) {
+            const Outcome outcome = burin({key("history"), file, key("--json")});
+            QCOMPARE(outcome.status, 1);
+            QVERIFY2(outcome.complaint.contains(file), qPrintable(outcome.complaint));
+            QCOMPARE(outcome.complaint.count(QLatin1Char('\n')), 1);
+        }
+        QCOMPARE(burin({key("history")}).status, 2);
+        QCOMPARE(burin({key("history"), path("x"), key("--json"), key("--as-recipe")}).status, 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(HistoryCommandGlTest)
+#include "HistoryCommandGlTest.moc"
