@@ -97,6 +97,8 @@ QStringList clippedTexts(const QWidget& window)
     for (const auto* box : window.findChildren<QAbstractSpinBox*>()) {
         const auto* edit = box->findChild<QLineEdit*>();
         check(box, edit->text(), edit->width());
+        if (box->isVisible() && !box->parentWidget()->rect().contains(box->geometry()))
+            clipped += QStringLiteral("%1 reaches over its panel").arg(box->objectName());
     }
     return clipped;
 }

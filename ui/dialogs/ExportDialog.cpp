@@ -21,6 +21,7 @@
 #include <QRadioButton>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -45,6 +46,20 @@ QString suffixOf(core::ExportFormat format)
     return format == core::ExportFormat::DicomSeg ? QStringLiteral(".dcm")
                                                   : QStringLiteral(".nii.gz");
 }
+
+/// Numbers at the right, with a gap to the words of the next column.
+class NumberDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+        const QModelIndex& index) const override
+    {
+        QStyleOptionViewItem narrower = option;
+        narrower.rect.setRight(option.rect.right() - theme::padding);
+        QStyledItemDelegate::paint(painter, narrower, index);
+    }
+};
 
 QLabel* line(QWidget* parent, const QString& text, const QString& role = {})
 {
@@ -132,6 +147,7 @@ void ExportDialog::build()
     m_segments->setUniformRowHeights(true);
     m_segments->setSelectionMode(QAbstractItemView::NoSelection);
     m_segments->header()->setSectionResizeMode(RemarkColumn, QHeaderView::Stretch);
+    m_segments->setItemDelegateForColumn(VolumeColumn, new NumberDelegate(m_segments));
     m_segments->setColumnWidth(NameColumn, 200);
     m_segments->setColumnWidth(VolumeColumn, 90);
     m_segments->setColumnWidth(CodeColumn, 190);

@@ -33,7 +33,7 @@ QDoubleSpinBox* numberBox(QWidget* parent, const QString& name, const QString& a
     box->setFixedHeight(theme::controlHeight);
     box->setKeyboardTracking(false);
     box->setStyleSheet(QStringLiteral("padding: 2px 4px"));
-    box->setMinimumWidth(78);
+    box->setMinimumWidth(75);
     return box;
 }
 
