@@ -70,7 +70,12 @@ StatusLine::StatusLine(Workspace& workspace, QWidget* parent)
         m_saidTimer.stop();
         showHint();
     });
-    connect(&workspace, &Workspace::sessionChanged, this, &StatusLine::showHint);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_frameMilliseconds = 0.0;
+        m_pressure = -1.0;
+        showHint();
+        showMachine();
+    });
     connect(&workspace, &Workspace::documentChanged, this, [this] {
         if (!m_saidTimer.isActive())
             showHint();
