@@ -11,6 +11,8 @@ namespace {
 constexpr glm::ivec3 pageSize(2048, 2, 1);
 constexpr std::uint32_t pagesPerSlice = 1024;
 
+constexpr std::uint32_t firstPages = 4096;
+
 glm::ivec3 pageOrigin(std::uint32_t page)
 {
     return glm::ivec3(0, page % pagesPerSlice, page / pagesPerSlice) * pageSize;
@@ -25,17 +27,24 @@ BrickField::BrickField(const BrickFieldOptions& options)
 {
 }
 
-void BrickField::enlarge()
+void BrickField::reserve()
 {
-    const int held = int(m_pageCount / pagesPerSlice);
-    const int slices = held + std::max(1, held / 2);
+    if (m_pageCount == 0)
+        enlarge(std::min(std::uint32_t(m_entries.size()), firstPages));
+}
+
+void BrickField::enlarge(std::uint32_t pages)
+{
+    // One slice is as high as it must be; more than one are whole.
+    const std::uint32_t slices = (pages + pagesPerSlice - 1) / pagesPerSlice;
+    const std::uint32_t rows = slices > 1 ? pagesPerSlice : pages;
     Texture3D larger({.label = m_options.label,
-        .size = {pageSize.x, pageSize.y * int(pagesPerSlice), slices},
+        .size = pageSize * glm::ivec3(1, int(rows), int(slices)),
         .format = m_options.format});
     if (m_atlas)
         m_atlas.copyTo(larger, glm::ivec3(0), glm::ivec3(0), m_atlas.size());
     m_atlas = std::move(larger);
-    const std::uint32_t count = std::uint32_t(slices) * pagesPerSlice;
+    const std::uint32_t count = slices * rows;
     for (std::uint32_t page = count; page > m_pageCount; --page)
         m_freePages.push_back(page - 1);
     m_pageCount = count;
@@ -51,8 +60,9 @@ void BrickField::ensure(std::span<const std::uint32_t> bricks)
     for (const std::uint32_t brick : bricks) {
         if (m_entries[brick] != 0)
             continue;
+        reserve();
         if (m_freePages.empty())
-            enlarge();
+            enlarge(std::min(std::uint32_t(m_entries.size()), 2 * m_pageCount));
         const std::uint32_t page = m_freePages.back();
         m_freePages.pop_back();
         fresh.push_back(page);

@@ -30,6 +30,9 @@ public:
 
     [[nodiscard]] bool created() const { return bool(m_pageTable); }
     [[nodiscard]] bool holds(std::uint32_t brick) const { return m_entries[brick] != 0; }
+    /// Takes the memory of the first 4096 pages, at most one a brick, so that no stroke waits for
+    /// it.
+    void reserve();
     /// Gives every listed brick a page; new pages are empty. May enlarge the atlas.
     void ensure(std::span<const std::uint32_t> bricks);
     /// Takes the pages away again; their content is lost.
@@ -47,7 +50,7 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    void enlarge();
+    void enlarge(std::uint32_t pages);
     void clear(std::vector<std::uint32_t> pages);
 
     BrickFieldOptions m_options;

@@ -11,6 +11,8 @@ VoxelFields::VoxelFields(const ShaderLibrary& library, VolumeTextures& shared)
     , m_copier(library, m_grid)
     , m_radiationKernel(library, m_grid)
 {
+    coverage(0).reserve();
+    seedWords(0).reserve();
 }
 
 BrickField& VoxelFields::coverage(std::uint8_t layer)

@@ -7,6 +7,9 @@
 // A voxel is asked for by up to six neighbours and claimed once, so looking comes first: all six
 // words, then the criterion of those that are open, then the claims.
 //
+// Loops ask at their end: a device without branches (a software renderer) walks a loop once more
+// for lanes that are all done when it asks at the start.
+//
 // SEVERAL_RINGS: one work group runs ring after ring while the front is small, since a dispatch
 // costs more than such a ring.
 
@@ -51,7 +54,7 @@ void growFrom(uint entry, uint ring)
         if (there != 0u && word > memberWord(generation, label, direction))
             open |= 1u << direction;
     }
-    while (open != 0u) {
+    if (open != 0u) do {
         uint direction = uint(findLSB(open));
         open &= open - 1u;
         ivec3 step = ivec3(0);
@@ -65,7 +68,7 @@ void growFrom(uint entry, uint ring)
             if (!isMember(before))
                 enqueue(ring, neighbour, there - 1u);
         }
-    }
+    } while (open != 0u);
 }
 
 #ifdef SEVERAL_RINGS
@@ -77,8 +80,11 @@ void main()
         uint count = state.counts[ring];
         if (count == 0u || count > min(largestFront, queueCapacity))
             break;
-        for (uint i = gl_LocalInvocationID.x; i < count; i += gl_WorkGroupSize.x)
+        uint i = gl_LocalInvocationID.x;
+        if (i < count) do {
             growFrom(queues[frontSlot(ring, i)], ring);
+            i += gl_WorkGroupSize.x;
+        } while (i < count);
         memoryBarrier();
         barrier();
     }
@@ -98,8 +104,11 @@ void main()
     if (count > queueCapacity)
         return;
     uint stride = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride)
+    uint i = gl_GlobalInvocationID.x;
+    if (i < count) do {
         growFrom(queues[frontSlot(ring, i)], ring);
+        i += stride;
+    } while (i < count);
 }
 
 #endif

@@ -73,12 +73,14 @@ void enqueue(uint ring, ivec3 voxel, uint page)
 void showFront(uint ring, uint first, uint stride)
 {
     uint count = min(state.counts[ring], queueCapacity);
-    for (uint i = first; i < count; i += stride) {
+    uint i = first;
+    if (i < count) do {
         uint entry = queues[frontSlot(ring, i)];
         uint page = entry >> 12;
         int offset = int(entry & 4095u);
         uint word = imageLoad(words, pageTexel(page, offset)).r;
         imageStore(labels, ownerOrigin(page) + voxelInBrick(offset), uvec4(labelOf(word)));
         reached[page] = holdsFront;
-    }
+        i += stride;
+    } while (i < count);
 }
