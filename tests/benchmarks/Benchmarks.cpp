@@ -41,7 +41,7 @@ int main(int argc, char** argv)
     }
 
     std::array<char, 12> program{"burin_bench"};
-    std::array<char, 32> repetitions{"--benchmark_repetitions=3"};
+    std::array<char, 32> repetitions{"--benchmark_repetitions=5"};
     std::array<char, 48> interleaved{"--benchmark_enable_random_interleaving=true"};
     std::array<char*, 3> options{program.data(), repetitions.data(), interleaved.data()};
     int count = int(options.size());

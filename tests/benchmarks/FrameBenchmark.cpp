@@ -43,6 +43,9 @@ public:
         const std::chrono::duration<double, std::milli> spent = m_end - m_start;
         return {*m_full, spent.count()};
     }
+    /// Draws nothing more: neither the refinement of the last frame nor what a growth changes is to
+    /// run beside what is timed next.
+    void rest() { m_frames.forget(1); }
 
 private:
     void arrived(const gpu::Frame& frame)
@@ -134,6 +137,7 @@ void registerBurin(const Work& work, std::shared_ptr<FrameClock> clock)
             (void)clock->draw(nudged(scene)); // another mode was shown before
             for (auto _ : state)
                 state.SetIterationTime(clock->draw(nudged(scene)).milliseconds / 1000.0);
+            clock->rest();
         })
         ->UseManualTime()
         ->Iterations(1);
@@ -158,6 +162,7 @@ QString registerFrames(gpu::GpuEngine& engine, const core::DemoStudy& study)
              Work{"frame.mip", sceneOf(gpu::RenderMode::Mip), 0.98, 0.01, 12},
          }) {
         const gpu::Frame frame = clock->draw(work.scene).frame;
+        clock->rest();
         const Picture ours = Picture::fromRgba(frame.sizePixels, frame.rgba->data());
         for (const auto mapper : {VtkVolumeView::Mapper::Gpu, VtkVolumeView::Mapper::FixedPoint}) {
             const bool onGpu = mapper == VtkVolumeView::Mapper::Gpu;
