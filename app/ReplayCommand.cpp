@@ -5,6 +5,7 @@
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
 #include "core/session/EditSession.h"
+#include "core/session/HistoryListing.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionStudy.h"
 #include "gpu/GpuEngine.h"
@@ -29,16 +30,17 @@ tl::unexpected<core::Error> disagrees(
         QStringLiteral("row %1 ('%2') does not agree: %3").arg(row.id).arg(row.name, how));
 }
 
-/// Carries out one row behind @p parent, a row of @p session, and compares.
-Result<void> replay(const core::HistoryRow& row, core::RowId parent, core::SessionFile& file,
-    core::EditSession& session)
+/// Carries out one row in @p session and compares.
+/// @param numbers rows of the file and what they are in the session
+Result<void> replay(const core::HistoryRow& row, const std::map<core::RowId, core::RowId>& numbers,
+    core::SessionFile& file, core::EditSession& session)
 {
-    if (const Result<void> moved = session.goTo(parent); !moved)
+    if (const Result<void> moved = session.goTo(numbers.at(row.parent)); !moved)
         return moved;
     if (const Result<void> settled = session.settle(); !settled)
         return settled;
     const std::size_t before = session.history().rows().size();
-    if (const Result<void> applied = session.apply(row.edit); !applied)
+    if (const Result<void> applied = session.apply(core::renumbered(row.edit, numbers)); !applied)
         return disagrees(file, row, QStringLiteral("it is refused now"));
     if (const Result<void> settled = session.settle(); !settled)
         return settled;
@@ -98,7 +100,7 @@ int replayRows(core::SessionFile& file, core::LoadedVolume volume, const Task& t
     int unfinished = 0;
     for (const core::RowId id : rows) {
         const core::HistoryRow& row = file.contents().rows[std::size_t(id - 1)];
-        if (const Result<void> done = replay(row, replayed.at(row.parent), file, **session); !done)
+        if (const Result<void> done = replay(row, replayed, file, **session); !done)
             return tellFailure(done.error());
         replayed[id] = (*session)->history().position();
         unfinished += row.stateHash.isEmpty() ? 1 : 0;

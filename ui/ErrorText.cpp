@@ -37,6 +37,8 @@ QString errorText(const core::Error& error)
         return QStringLiteral("unknown edit '%1'%2").arg(first, reason);
     case ErrorCode::InvalidField:
         return QStringLiteral("field '%1'%2").arg(first, reason);
+    case ErrorCode::StepsEntangled:
+        return QStringLiteral("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:
         return QStringLiteral("seed outside the volume: %1%2").arg(first, reason);
     case ErrorCode::UnknownSegment:

@@ -31,6 +31,7 @@ enum class ErrorCode {
     ExportMismatch,
     SegmentNotCoded,
     NothingToExport,
+    StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,
     SessionMismatch,

@@ -6,7 +6,9 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace core::editFields {
 
@@ -340,6 +342,40 @@ SampleList::Value SampleList::rounded(const Value& value) const
             .tSeconds = sampleSeconds.rounded(sample.tSeconds)});
     }
     return result;
+}
+
+// --- RowList
+// --------------------------------------------------------------------
+
+QJsonValue RowList::write(const Value& value) const
+{
+    QJsonArray array;
+    for (const std::int64_t row : value)
+        array.append(qint64(row));
+    return array;
+}
+QString RowList::read(const QJsonValue& json, Value& value) const
+{
+    if (!json.isArray())
+        return QStringLiteral("must be a list of rows");
+    value.clear();
+    for (const QJsonValue& entry : json.toArray()) {
+        const double number = entry.toDouble(-1.0);
+        if (number < 1.0 || number > 1e15 || number != std::floor(number))
+            return QStringLiteral("must be numbers of rows, 1 or more");
+        value.push_back(std::int64_t(number));
+    }
+    return {};
+}
+QString RowList::check(const Value& value) const
+{
+    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+        return reason;
+    if (value.front() < 1)
+        return QStringLiteral("must be numbers of rows, 1 or more");
+    if (std::adjacent_find(value.begin(), value.end(), std::greater_equal<>()) != value.end())
+        return QStringLiteral("must ascend");
+    return {};
 }
 
 // --- StepCount

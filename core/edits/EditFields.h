@@ -134,6 +134,18 @@ struct SampleList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
+/// [row, …]: rows of the history, at least one, each greater than the one before.
+struct RowList {
+    using Value = std::vector<std::int64_t>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[row, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 /// A count of growth steps, or "toClosure".
 struct StepCount {
     using Value = std::optional<int>;

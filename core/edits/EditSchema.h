@@ -26,6 +26,7 @@ template <> inline constexpr const char* editName<ChangeSegment> = "changeSegmen
 template <> inline constexpr const char* editName<SeedStroke> = "seed";
 template <> inline constexpr const char* editName<GrowSteps> = "grow";
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
+template <> inline constexpr const char* editName<RevertRows> = "revert";
 
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
@@ -43,6 +44,9 @@ inline constexpr const char* editMeaning<GrowSteps> =
 template <>
 inline constexpr const char* editMeaning<DrillStroke> =
     "Carves with a round drill along the view direction, from the visible surface inward.";
+template <>
+inline constexpr const char* editMeaning<RevertRows> =
+    "Undoes older strokes and growths only, where nothing wrote or read the same place since.";
 
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
 inline constexpr editFields::Number modalityValue{
@@ -125,6 +129,12 @@ template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
         "whether the drill goes on behind a gap in the material");
     visit.field("samples", Presence::Required, edit.samples, SampleList{},
         "pen path in the view plane, relative to the target: right, up, pressure, time");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
+{
+    visit.field("rows", Presence::Required, edit.rows, editFields::RowList{},
+        "rows of the history before this one, ascending (burin history: seq)");
 }
 
 } // namespace core::editSchema

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -69,6 +70,13 @@ struct DrillStroke {
     std::vector<PenSample> samples{};
 };
 
-using Edit = std::variant<AddSegment, ChangeSegment, SeedStroke, GrowSteps, DrillStroke>;
+/// "Undo only here": takes back older rows of the history and leaves what came after them. Their
+/// bricks must not have been written or read since (session/RowReach.h).
+struct RevertRows {
+    std::vector<std::int64_t> rows{}; ///< RowId, ascending
+};
+
+using Edit =
+    std::variant<AddSegment, ChangeSegment, SeedStroke, GrowSteps, DrillStroke, RevertRows>;
 
 } // namespace core

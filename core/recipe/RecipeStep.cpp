@@ -88,7 +88,8 @@ bool isBoundToStudy(const RecipeStep& step)
 {
     const auto* edit = std::get_if<Edit>(&step);
     return !edit || std::holds_alternative<SeedStroke>(*edit)
-        || std::holds_alternative<DrillStroke>(*edit);
+        || std::holds_alternative<DrillStroke>(*edit)
+        || std::holds_alternative<RevertRows>(*edit);
 }
 
 std::vector<EditDocumentation> recipeStepDocumentation()

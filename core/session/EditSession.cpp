@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
 
-#include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
-#include "core/session/DocumentOperation.h"
+#include "core/session/EditOperation.h"
 #include "core/session/OperationQueue.h"
 #include "core/session/ReadLabels.h"
 #include "core/session/RestoreSession.h"
@@ -90,10 +89,7 @@ Result<void> EditSession::apply(const Edit& edit)
     m_queue->closeGrowth();
     if (const Result<void> checked = m_queue->check(rounded); !checked)
         return checked;
-    if (changesDocumentOnly(rounded))
-        m_queue->submit(std::make_unique<DocumentOperation>(rounded));
-    else
-        m_queue->submit(std::make_unique<VoxelOperation>(rounded, VoxelOperation::Kind::Whole));
+    m_queue->submit(operationOf(rounded));
     return {};
 }
 

@@ -110,12 +110,28 @@ QJsonObject historyAsRecipe(const SessionContents& contents)
 {
     const History history = historyOf(contents);
     QJsonArray edits;
-    for (const RowId id : history.pathTo(contents.position))
-        edits.append(editToJson(history.row(id).edit));
+    std::map<RowId, RowId> numbers;
+    for (const RowId id : history.pathTo(contents.position)) {
+        edits.append(editToJson(renumbered(history.row(id).edit, numbers)));
+        numbers.emplace(id, RowId(numbers.size()) + 1);
+    }
     return {
         {QStringLiteral("study"), contents.source.toJson()},
         {QStringLiteral("edits"), edits},
     };
+}
+
+Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers)
+{
+    const auto* revert = std::get_if<RevertRows>(&edit);
+    if (!revert)
+        return edit;
+    RevertRows result;
+    for (const RowId row : revert->rows) {
+        const auto number = numbers.find(row);
+        result.rows.push_back(number == numbers.end() ? row : number->second);
+    }
+    return result;
 }
 
 } // namespace core

@@ -5,6 +5,7 @@
 
 #include <QJsonObject>
 
+#include <map>
 #include <vector>
 
 namespace core {
@@ -29,5 +30,9 @@ struct HistoryBranch {
 /// The rows up to the position as a recipe, with the study they were recorded on. Carried out on
 /// that study it ends at the same hash.
 [[nodiscard]] QJsonObject historyAsRecipe(const SessionContents& contents);
+
+/// The edit as it reads where rows have other numbers: RevertRows names rows.
+/// @param numbers keeps the order of rows; a row that it does not know keeps its number
+[[nodiscard]] Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers);
 
 } // namespace core

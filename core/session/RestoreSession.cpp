@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/RestoreSession.h"
 
-#include "core/edits/DocumentEdits.h"
-#include "core/session/DocumentOperation.h"
-#include "core/session/VoxelOperation.h"
+#include "core/session/EditOperation.h"
 #include "core/session/WalkOperation.h"
 
 #include <map>
@@ -102,11 +100,7 @@ std::vector<std::unique_ptr<Operation>> unfinishedRows(const SessionState& state
         if (!row.stateHash.isEmpty())
             continue;
         walkTo(row.parent);
-        if (changesDocumentOnly(row.edit))
-            operations.push_back(std::make_unique<DocumentOperation>(row.edit, row.id));
-        else
-            operations.push_back(
-                std::make_unique<VoxelOperation>(row.edit, VoxelOperation::Kind::Whole, row.id));
+        operations.push_back(operationOf(row.edit, row.id));
     }
     if (!operations.empty() || contents.position != state.history.position())
         walkTo(contents.position);

@@ -67,6 +67,20 @@ QString changeName(const ChangeSegment& edit, const Document& document)
     return QStringLiteral("Recolour segment '%1'").arg(name);
 }
 
+QString revertName(const RevertRows& edit, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes)
+{
+    QStringList rows;
+    for (const std::int64_t row : edit.rows)
+        rows.append(QString::number(row));
+    const QString what = rows.size() == 1 ? QStringLiteral("step ") : QStringLiteral("steps ");
+    const std::int64_t voxels = statistics.voxelsChanged;
+    return QStringLiteral("Undo only ") + what + rows.join(QStringLiteral(" + "))
+        + QStringLiteral(", ")
+        + (voxels > 0 ? counted(voxels, "voxel")
+                      : counted(seedWordsChanged(changes), "seed voxel"));
+}
+
 } // namespace
 
 QString rowName(const Edit& edit, const EditStatistics& statistics,
@@ -82,6 +96,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("Grow %1, +%2")
             .arg(counted(statistics.generations, "step"),
                 counted(statistics.voxelsChanged, "voxel"));
+    if (const auto* revert = std::get_if<RevertRows>(&edit))
+        return revertName(*revert, statistics, changes);
     return QStringLiteral("Drill %1 mm, %2")
         .arg(QString::number(deepestMm(std::get<DrillStroke>(edit)), 'f', 1),
             counted(statistics.bricks, "brick"));

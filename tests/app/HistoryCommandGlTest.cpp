@@ -107,7 +107,9 @@ private Q_SLOTS:
 
     void recipesWalkAndBranch()
     {
-        QJsonArray steps = json(test::manyEdits()); // rows 1 … 10
+        std::vector<Edit> edits = test::manyEdits();
+        edits.resize(10);
+        QJsonArray steps = json(edits); // rows 1 … 10
         steps.append(move("undo")); // at 9
         steps.append(move("undo")); // at 8
         steps.append(move("redo")); // at 9
@@ -161,6 +163,40 @@ private Q_SLOTS:
         QCOMPARE(first.status, 0);
         const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
         QCOMPARE(written.status, 0);
+        QFile file(path("again.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(written.output);
+        file.close();
+        const Outcome again = run(file.fileName(), "b.burin");
+        QVERIFY2(again.status == 0, qPrintable(again.complaint));
+        QCOMPARE(lastHash(again), lastHash(first));
+    }
+
+    void undoOnlyFindsItsRowsUnderNewNumbers()
+    {
+        QJsonArray steps = json({test::addSegment("A"), test::drillAt(-6)}); // rows 1, 2
+        steps.append(move("undo"));
+        for (const QJsonValue& step : json({test::drillAt(5), test::seedInBrain(1),
+                 test::growBrain(2), RevertRows{{3}}})) // rows 3 … 6, behind 1
+            steps.append(step);
+        const Outcome first = run(recipe("r.json", {{key("edits"), steps}}), "a.burin");
+        QVERIFY2(first.status == 0, qPrintable(first.complaint));
+        QCOMPARE(history("a.burin")[key("position")].toInt(), 6);
+        const QJsonArray seeds = json({RevertRows{{4}}});
+        const Outcome refused =
+            run(recipe("s.json", {{key("edits"), seeds}}), "a.burin", {key("--append")});
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.complaint.contains("step 5 ('Grow "), qPrintable(refused.complaint));
+        QCOMPARE(history("a.burin")[key("position")].toInt(), 6);
+
+        const Outcome verified = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
+        const Outcome past = burin({key("replay"), path("a.burin"), key("--to"), key("6"),
+            key("--export"), path("past.nii.gz")});
+        QVERIFY2(past.status == 0, qPrintable(past.complaint));
+
+        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
+        QVERIFY(written.output.contains("revert"));
         QFile file(path("again.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(written.output);
@@ -263,7 +299,7 @@ private Q_SLOTS:
         QVERIFY(!voxels("at4.nii.gz").empty());
         QCOMPARE(voxels("replayed4.nii.gz"), voxels("at4.nii.gz"));
         QVERIFY(voxels("replayed10.nii.gz") != voxels("at4.nii.gz"));
-        QCOMPARE(exported("11", "no.nii.gz").status, 2);
+        QCOMPARE(exported("12", "no.nii.gz").status, 2);
         QCOMPARE(exported("4", "replayed4.nii.gz").status, 1); // exists
     }
 

@@ -83,7 +83,7 @@ std::vector<core::Edit> manyEdits()
 {
     return {addSegment("Brain"), addSegment("Skull"), seedInBrain(1), growBrain(3), drillAt(-6),
         core::ChangeSegment{.segment = 2, .name = QStringLiteral("Bone")}, growBrain(), drillAt(5),
-        seedInBone(2), growBone()};
+        seedInBone(2), growBone(), core::RevertRows{{8}}};
 }
 
 } // namespace test

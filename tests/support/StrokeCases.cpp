@@ -271,6 +271,12 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"drill", volume, {}, drill});
     cases.push_back({"drill in a drill", volume, {drill}, drill});
     cases.push_back({"drill on a segment", volume, {first, seeds, all}, drill});
+    cases.push_back(
+        {"undo only a drill", volume, {first, drill, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"undo only two growths", volume, {first, seeds, some, all, drill},
+        core::RevertRows{{3, 4}}});
+    cases.push_back({"undo only what was undone only", volume,
+        {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
 
     for (int number = 0; number < randomCount; ++number) {
         Random own(std::uint32_t(700 + number));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
 
+#include "core/edits/DocumentEdits.h"
 #include "ui/CountText.h"
 #include "ui/Workspace.h"
 
@@ -26,9 +27,8 @@ struct RowText {
 
 RowText textOf(const core::HistoryRow& row)
 {
-    const bool changesVoxels = !std::holds_alternative<core::AddSegment>(row.edit)
-        && !std::holds_alternative<core::ChangeSegment>(row.edit);
-    const qsizetype comma = changesVoxels ? row.name.indexOf(QLatin1String(", ")) : -1;
+    const qsizetype comma =
+        core::changesDocumentOnly(row.edit) ? -1 : row.name.lastIndexOf(QLatin1String(", "));
     if (comma < 0)
         return {row.name, {}};
     return {row.name.left(comma), row.name.mid(comma + 2)};
@@ -126,6 +126,8 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
         return row ? textOf(*row).detail : QString();
     case CurrentRole:
         return id == m_position;
+    case VoxelsRole:
+        return row && !core::changesDocumentOnly(row->edit);
     case UndoneRole:
         return index.row() > currentRow();
     case RowIdRole:

@@ -19,6 +19,7 @@ public:
         DetailRole = Qt::UserRole, ///< QString, right-aligned: "57 bricks", "+7 204 voxels"
         CurrentRole, ///< bool: the state that is shown
         UndoneRole, ///< bool: redo brings it back
+        VoxelsRole, ///< bool: a step that changed voxels
         RowIdRole, ///< qlonglong: core::RowId, 0 for the opened study
     };
 

@@ -7,6 +7,7 @@
 #include "ui/panels/HistoryDelegate.h"
 
 #include <QListView>
+#include <QMenu>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -31,6 +32,8 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
 
     // activated: double click and Return alike.
     connect(m_view, &QListView::activated, this, &HistoryPanel::goTo);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QListView::customContextMenuRequested, this, &HistoryPanel::showMenu);
     connect(m_model, &HistoryModel::currentRowChanged, this, [this](int row) {
         if (row >= 0)
             m_view->scrollTo(m_model->index(row));
@@ -56,6 +59,32 @@ void HistoryPanel::goTo(const QModelIndex& index)
     const auto row = core::RowId(index.data(HistoryModel::RowIdRole).toLongLong());
     if (const auto gone = session->goTo(row); !gone)
         m_workspace.fail(gone.error());
+}
+
+void HistoryPanel::undoOnly(const QModelIndex& index)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || !index.isValid())
+        return;
+    const auto row = core::RowId(index.data(HistoryModel::RowIdRole).toLongLong());
+    if (const auto applied = session->apply(core::RevertRows{{row}}); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void HistoryPanel::showMenu(const QPoint& position)
+{
+    const QModelIndex index = m_view->indexAt(position);
+    if (!index.isValid())
+        return;
+    const bool current = index.data(HistoryModel::CurrentRole).toBool();
+    const bool changedVoxels = index.data(HistoryModel::VoxelsRole).toBool();
+    const bool undone = index.data(HistoryModel::UndoneRole).toBool();
+    QMenu menu(this);
+    menu.addAction(tr("Go to this step"), this, [this, index] { goTo(index); })
+        ->setEnabled(!current);
+    menu.addAction(tr("Undo only this step"), this, [this, index] { undoOnly(index); })
+        ->setEnabled(changedVoxels && !undone);
+    menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 
 } // namespace ui

@@ -10,7 +10,8 @@ namespace ui {
 class HistoryModel;
 class Workspace;
 
-/// What was done, oldest first; a double click (or Return) walks there.
+/// What was done, oldest first; a double click (or Return) walks there. The menu of a row also
+/// undoes that step alone.
 class HistoryPanel : public Panel {
     Q_OBJECT
 
@@ -23,6 +24,8 @@ public:
 
 private:
     void goTo(const QModelIndex& index);
+    void undoOnly(const QModelIndex& index);
+    void showMenu(const QPoint& position);
 
     Workspace& m_workspace;
     HistoryModel* m_model = nullptr;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/EditOperation.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/session/DocumentOperation.h"
+#include "core/session/RevertOperation.h"
+#include "core/session/VoxelOperation.h"
+
+namespace core {
+
+std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
+{
+    if (changesDocumentOnly(edit))
+        return std::make_unique<DocumentOperation>(edit, again);
+    if (const auto* revert = std::get_if<RevertRows>(&edit))
+        return std::make_unique<RevertOperation>(*revert, again);
+    return std::make_unique<VoxelOperation>(edit, VoxelOperation::Kind::Whole, again);
+}
+
+} // namespace core

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/RowReach.h"
+
+#include "core/edits/EngineEdits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+double distanceToPath(const glm::dvec2& point, const std::vector<glm::dvec2>& path)
+{
+    double nearest = glm::distance(point, path.front());
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const glm::dvec2 along = path[i] - path[i - 1];
+        const double squared = glm::dot(along, along);
+        const double t = squared > 0.0
+            ? std::clamp(glm::dot(point - path[i - 1], along) / squared, 0.0, 1.0)
+            : 0.0;
+        nearest = std::min(nearest, glm::distance(point, path[i - 1] + t * along));
+    }
+    return nearest;
+}
+
+glm::dvec2 millimetres(const Fixed3& fixed30)
+{
+    return glm::dvec2(double(fixed30[0]), double(fixed30[1])) / 1073741824.0;
+}
+
+} // namespace
+
+RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written)
+{
+    const BrickGrid grid{document.volumes.front().geometry.size};
+    if (const auto* seed = std::get_if<SeedStroke>(&edit)) {
+        Bricks bricks;
+        // Its segment was there when it was carried out, and segments stay.
+        if (const Result<SeedPlacement> placement = seedPlacement(*seed, document)) {
+            for (const glm::ivec3& voxel : placement->voxels)
+                bricks.keys.insert(
+                    {Field::SeedWords, placement->plane, std::uint32_t(grid.brickOf(voxel))});
+        }
+        m_reach = std::move(bricks);
+    } else if (std::holds_alternative<GrowSteps>(edit)) {
+        m_reach = Plane{document.growths.front().plane};
+    } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
+        SweptMask mask;
+        mask.grid = grid;
+        if (const Result<DrillCut> cut = drillCut(*drill, document)) {
+            const DrillFrame& frame = cut->frame;
+            mask.origin = millimetres(frame.planeOrigin);
+            mask.perVoxel = glm::dmat3x2(millimetres(frame.planePerI), millimetres(frame.planePerJ),
+                millimetres(frame.planePerK));
+        }
+        for (const PenSample& sample : drill->samples)
+            mask.path.emplace_back(sample.xMm, sample.yMm);
+        // A brick and one brick of blur around it, as a ball of the longest projected diagonal.
+        double halfDiagonalMm = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            halfDiagonalMm += 1.5 * BrickGrid::side * glm::length(mask.perVoxel[axis]);
+        mask.reachMm = drill->radiusMm + halfDiagonalMm;
+        m_reach = std::move(mask);
+    } else {
+        m_reach = Bricks{{written.begin(), written.end()}};
+    }
+}
+
+bool RowReach::covers(const BrickKey& key) const
+{
+    return std::visit([&key](const auto& reach) { return covers(reach, key); }, m_reach);
+}
+
+bool RowReach::covers(const Bricks& bricks, const BrickKey& key)
+{
+    return bricks.keys.count(key) != 0;
+}
+
+bool RowReach::covers(const Plane& plane, const BrickKey& key)
+{
+    return key.field != Field::Coverage && key.plane == plane.plane;
+}
+
+bool RowReach::covers(const SweptMask& mask, const BrickKey& key)
+{
+    if (key.field != Field::Coverage || mask.path.empty())
+        return false;
+    const glm::dvec3 middle = glm::dvec3(mask.grid.brickPosition(int(key.brick)) * BrickGrid::side)
+        + (BrickGrid::side - 1) / 2.0;
+    return distanceToPath(mask.origin + mask.perVoxel * middle, mask.path) <= mask.reachMm;
+}
+
+} // namespace core

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+#include "core/edits/Edits.h"
+
+#include <set>
+#include <variant>
+#include <vector>
+
+namespace core {
+
+/// Which bricks the result of a row depends on, those it wrote included: what "undo only here" must
+/// leave as they were when the row was carried out. Rather too many than too few.
+///
+/// - a seed stroke: the seed words of the bricks that its points lie in;
+/// - a growth: every seed word and label of its plane, since a burst goes on from all members;
+/// - a drill stroke: the coverage that its rays can meet, one brick of blur around (seed A §4.2):
+///   all layers, from front to back under the swept mask;
+/// - "undo only": the bricks of the rows that it took back.
+class RowReach {
+public:
+    /// @param written the bricks that the row changed; looked at for RevertRows only
+    RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written);
+
+    [[nodiscard]] bool covers(const BrickKey& key) const;
+
+private:
+    struct Bricks {
+        std::set<BrickKey> keys;
+    };
+    struct Plane {
+        std::uint8_t plane = 0;
+    };
+    /// In the plane of the drill's view.
+    struct SweptMask {
+        glm::dvec2 origin{0.0}; ///< of voxel (0, 0, 0), mm
+        glm::dmat3x2 perVoxel{0.0}; ///< mm
+        BrickGrid grid;
+        std::vector<glm::dvec2> path; ///< mm
+        double reachMm = 0.0; ///< from the path to the middle of a brick
+    };
+    [[nodiscard]] static bool covers(const Bricks& bricks, const BrickKey& key);
+    [[nodiscard]] static bool covers(const Plane& plane, const BrickKey& key);
+    [[nodiscard]] static bool covers(const SweptMask& mask, const BrickKey& key);
+
+    std::variant<Bricks, Plane, SweptMask> m_reach;
+};
+
+} // namespace core

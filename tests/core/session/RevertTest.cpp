@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/EditSession.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QTest>
+
+using namespace core;
+
+namespace {
+
+/// The small study with air to its right: a second ball would be out of the first one's reach.
+LoadedVolume twoBalls()
+{
+    const LoadedVolume one = test::smallStudy();
+    LoadedVolume two = one;
+    const glm::ivec3 size = one.volume.geometry.size;
+    const int gap = 64;
+    two.volume.geometry.size.x = 2 * size.x + gap;
+    two.codes.clear();
+    for (int row = 0; row < size.y * size.z; ++row) {
+        const auto from = one.codes.begin() + row * size.x;
+        two.codes.insert(two.codes.end(), from, from + size.x);
+        two.codes.insert(two.codes.end(), std::size_t(gap), std::uint16_t(24));
+        two.codes.insert(two.codes.end(), from, from + size.x);
+    }
+    return two;
+}
+constexpr double secondBallMm = 40 + 64;
+
+struct Bench {
+    explicit Bench(LoadedVolume volume = test::smallStudy())
+    {
+        session = *EditSession::create(engine, std::move(volume), {});
+    }
+    Bench(LoadedVolume volume, const std::vector<Edit>& edits)
+        : Bench(std::move(volume))
+    {
+        for (const Edit& edit : edits)
+            run(edit);
+    }
+    void run(const Edit& edit)
+    {
+        const Result<void> applied = session->apply(edit);
+        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
+        const Result<void> settled = session->settle();
+        QVERIFY2(settled, qPrintable(settled ? QString() : settled.error().arguments.join(u' ')));
+    }
+    /// What is said against an edit; nothing may have changed then.
+    [[nodiscard]] QString refusal(const Edit& edit)
+    {
+        const QByteArray before = session->stateHash();
+        const std::size_t rows = session->history().rows().size();
+        Result<void> result = session->apply(edit);
+        if (result)
+            result = session->settle();
+        if (result || session->stateHash() != before || session->history().rows().size() != rows)
+            return QStringLiteral("was not refused");
+        if (result.error().code != ErrorCode::StepsEntangled)
+            return QStringLiteral("another error: ") + result.error().arguments.join(u' ');
+        return result.error().arguments.value(0);
+    }
+
+    reference::ReferenceEngine engine;
+    std::unique_ptr<EditSession> session;
+};
+
+QByteArray hashOf(const LoadedVolume& volume, const std::vector<Edit>& edits)
+{
+    const Bench bench(volume, edits);
+    return bench.session->stateHash();
+}
+
+} // namespace
+
+class RevertTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void leavesWhatCameAfter()
+    {
+        const Edit segment = test::addSegment("Brain");
+        Bench bench(test::smallStudy(),
+            {segment, test::drillAt(0), test::seedInBrain(1), test::growBrain(4)});
+        bench.run(RevertRows{{2}});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf(test::smallStudy(), {segment, test::seedInBrain(1), test::growBrain(4)}));
+        const HistoryRow& row = bench.session->history().rows().back();
+        QCOMPARE(row.parent, RowId(4)); // the drill itself stays in the history
+        QVERIFY2(row.name.startsWith(QStringLiteral("Undo only step 2, ")), qPrintable(row.name));
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->stateHash(),
+            hashOf(test::smallStudy(),
+                {segment, test::drillAt(0), test::seedInBrain(1), test::growBrain(4)}));
+    }
+
+    void isTakenBackLikeAnyStep()
+    {
+        const std::vector<Edit> edits{
+            test::addSegment("Brain"), test::drillAt(0), test::seedInBrain(1)};
+        Bench bench(test::smallStudy(), edits);
+        bench.run(RevertRows{{2}});
+        bench.run(RevertRows{{4}});
+        QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), edits));
+    }
+
+    void severalAtOnceWhereOneAloneIsRefused()
+    {
+        Bench bench(test::smallStudy(),
+            {test::addSegment("Brain"), test::drillAt(-2), test::drillAt(0), test::drillAt(1)});
+        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("step 3 ")));
+        QVERIFY(bench.refusal(RevertRows{{2, 3}}).contains(QStringLiteral("step 4 ")));
+        QVERIFY(bench.refusal(RevertRows{{2, 4}}).contains(QStringLiteral("step 3 ")));
+        bench.run(RevertRows{{3, 4}});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf(test::smallStudy(), {test::addSegment("Brain"), test::drillAt(-2)}));
+    }
+
+    void aGrowthHoldsItsSeeds()
+    {
+        Bench bench(test::smallStudy(),
+            {test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(3)});
+        const QString refusal = bench.refusal(RevertRows{{2}});
+        QVERIFY2(refusal.startsWith(QStringLiteral("step 3 ('Grow ")), qPrintable(refusal));
+        QVERIFY2(
+            refusal.contains(QStringLiteral("after step 2 ('Seed stroke")), qPrintable(refusal));
+        bench.run(RevertRows{{2, 3}});
+        // The counter of generations never goes back but with its row.
+        bench.run(RevertRows{{4}});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf(test::smallStudy(),
+                {test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(3)}));
+    }
+
+    void strokesApartDoNotHoldEachOther()
+    {
+        Bench bench(twoBalls(), {test::drillAt(0), test::drillAt(secondBallMm)});
+        QVERIFY(bench.session->history().rows().at(1).statistics.voxelsChanged > 100);
+        bench.run(RevertRows{{1}});
+        QCOMPARE(bench.session->stateHash(), hashOf(twoBalls(), {test::drillAt(secondBallMm)}));
+    }
+
+    void onlyStepsThatWereDoneAndChangedVoxels()
+    {
+        Bench bench(test::smallStudy(), {test::addSegment("Brain"), test::drillAt(0)});
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("step 2 is not among")));
+        QVERIFY(bench.refusal(RevertRows{{77}}).contains(QStringLiteral("step 77 is not among")));
+        QVERIFY(bench.refusal(RevertRows{{1}}).contains(QStringLiteral("changed no voxel")));
+        for (const RevertRows& wrong : {RevertRows{}, RevertRows{{0}}, RevertRows{{2, 1}},
+                 RevertRows{{1, 1}}, RevertRows{{-3}}}) {
+            const Result<void> applied = bench.session->apply(wrong);
+            QVERIFY(!applied);
+            QCOMPARE(applied.error().code, ErrorCode::InvalidField);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(RevertTest)
+#include "RevertTest.moc"

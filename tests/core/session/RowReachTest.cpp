@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/RowReach.h"
+#include "core/edits/EngineEdits.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace core;
+
+namespace {
+
+std::vector<BrickChange> changesOf(
+    reference::ReferenceEngine& engine, const DrillStroke& stroke, const Document& document)
+{
+    const DrillCut cut = test::drillCutOf(stroke, document);
+    const Ticket ticket = submitWhole(engine, cut, {DrillPath{test::drillSamplesOf(stroke, cut)}});
+    engine.finish();
+    for (EngineResult& result : engine.collect()) {
+        if (result.ticket == ticket)
+            return std::move(result.changes);
+    }
+    return {};
+}
+
+bool equal(const std::vector<BrickChange>& a, const std::vector<BrickChange>& b)
+{
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(), [](const BrickChange& x, const BrickChange& y) {
+            return x.key == y.key && x.before == y.before && x.after == y.after;
+        });
+}
+
+} // namespace
+
+class RowReachTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// Whatever was cut outside a stroke's reach, the stroke comes out the same; so it may be taken
+    /// away again.
+    void aStrokeDoesNotSeeBeyondItsReach()
+    {
+        int bricksOutside = 0;
+        int strokesThatCut = 0;
+        const int count = test::longRun() ? 300 : 16;
+        for (int number = 0; number < count; ++number) {
+            test::Random random{std::uint32_t(4000 + number)};
+            const glm::ivec3 size(test::randomInt(random, 90, 200), test::randomInt(random, 20, 60),
+                test::randomInt(random, 20, 60));
+            const Document document = test::randomDocument(size, random, number % 2 != 0);
+            const std::vector<std::uint16_t> codes = test::balls(size, 9, random).values;
+            DrillStroke stroke = test::randomDrill(document, random);
+            stroke.layer = 1;
+            const RowReach reach(stroke, document, {});
+
+            reference::ReferenceEngine engine;
+            QVERIFY(engine.openVolume(size, codes));
+            const std::vector<BrickChange> alone = changesOf(engine, stroke, document);
+            for (const BrickChange& change : alone)
+                QVERIFY(reach.covers(change.key));
+            strokesThatCut += alone.empty() ? 0 : 1;
+
+            QVERIFY(engine.openVolume(size, codes));
+            SwapBricks cuts;
+            const BrickGrid grid{size};
+            for (int brick = 0; brick < grid.brickCount(); ++brick) {
+                const BrickKey key{Field::Coverage, 1, std::uint32_t(brick)};
+                if (reach.covers(key))
+                    continue;
+                std::vector<std::uint8_t> bytes(BrickGrid::voxelsPerBrick, 0);
+                const VoxelBox box = grid.boxOf(brick);
+                for (int z = box.minimum.z; z < box.maximum.z; ++z)
+                    for (int y = box.minimum.y; y < box.maximum.y; ++y)
+                        for (int x = box.minimum.x; x < box.maximum.x; ++x)
+                            bytes[std::size_t(BrickGrid::offsetInBrick({x, y, z}))] =
+                                std::uint8_t(128 + random() % 128);
+                cuts.bricks.push_back({key, std::move(bytes)});
+                ++bricksOutside;
+            }
+            engine.submit(std::move(cuts));
+            engine.finish();
+            static_cast<void>(engine.collect());
+            QVERIFY2(equal(changesOf(engine, stroke, document), alone),
+                qPrintable(QString::number(number)));
+        }
+        // Otherwise nothing was asked.
+        QVERIFY2(bricksOutside > 5 * count, qPrintable(QString::number(bricksOutside)));
+        QVERIFY(strokesThatCut > count / 3);
+    }
+
+    void seedsReachTheirBricksOnly()
+    {
+        test::Random random{7};
+        const Document document = [&] {
+            Document made = test::randomDocument({48, 32, 32}, random, false);
+            made.segments.push_back({.label = 1, .name = {}, .rgb = 0, .code = {}});
+            if (made.growths.empty())
+                made.growths.push_back({.plane = 0, .generation = 0});
+            return made;
+        }();
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const SeedStroke seed{1, {geometry.toWorld(glm::dvec3(20, 3, 17))}};
+        const RowReach reach(seed, document, {});
+        const BrickGrid grid{geometry.size};
+        for (int brick = 0; brick < grid.brickCount(); ++brick) {
+            QCOMPARE(reach.covers({Field::SeedWords, 0, std::uint32_t(brick)}),
+                brick == grid.brickOf({20, 3, 17}));
+            QVERIFY(!reach.covers({Field::Coverage, 1, std::uint32_t(brick)}));
+        }
+        const RowReach growth(GrowSteps{}, document, {});
+        QVERIFY(growth.covers({Field::SeedWords, 0, 3}));
+        QVERIFY(growth.covers({Field::Labels, 0, 3}));
+        QVERIFY(!growth.covers({Field::Labels, 1, 3}));
+        QVERIFY(!growth.covers({Field::Coverage, 0, 3}));
+        const BrickKey written{Field::Labels, 0, 2};
+        const RowReach revert(RevertRows{{1}}, document, {written});
+        QVERIFY(revert.covers(written));
+        QVERIFY(!revert.covers({Field::Labels, 0, 3}));
+    }
+};
+
+QTEST_GUILESS_MAIN(RowReachTest)
+#include "RowReachTest.moc"
