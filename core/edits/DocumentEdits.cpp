@@ -41,7 +41,24 @@ Result<bool> change(const ChangeSegment& edit, Document& document)
     assign(segment->name, edit.name);
     assign(segment->rgb, edit.rgb);
     assign(segment->code, edit.code);
+    assign(segment->locked, edit.locked);
     return changed;
+}
+
+Result<bool> move(const MoveSegment& edit, Document& document)
+{
+    std::vector<Segment>& segments = document.segments;
+    const auto from = std::find_if(segments.begin(), segments.end(),
+        [&edit](const Segment& segment) { return segment.label == edit.segment; });
+    if (from == segments.end())
+        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment));
+    const auto to =
+        segments.begin() + (std::min<std::ptrdiff_t>(edit.place, std::ssize(segments)) - 1);
+    if (from < to)
+        std::rotate(from, from + 1, to + 1);
+    else
+        std::rotate(to, from, from + 1);
+    return from != to;
 }
 
 template <class T> Result<void> discardValue(const Result<T>& result)
@@ -55,7 +72,8 @@ template <class T> Result<void> discardValue(const Result<T>& result)
 
 bool changesDocumentOnly(const Edit& edit)
 {
-    return std::holds_alternative<AddSegment>(edit) || std::holds_alternative<ChangeSegment>(edit);
+    return std::holds_alternative<AddSegment>(edit) || std::holds_alternative<ChangeSegment>(edit)
+        || std::holds_alternative<MoveSegment>(edit);
 }
 
 Result<bool> applyToDocument(const Edit& edit, Document& document)
@@ -64,6 +82,8 @@ Result<bool> applyToDocument(const Edit& edit, Document& document)
         return add(*addSegment, document);
     if (const auto* changeSegment = std::get_if<ChangeSegment>(&edit))
         return change(*changeSegment, document);
+    if (const auto* moveSegment = std::get_if<MoveSegment>(&edit))
+        return move(*moveSegment, document);
     return false;
 }
 

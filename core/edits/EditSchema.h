@@ -23,6 +23,7 @@ enum class Presence { Required, Optional };
 template <class E> inline constexpr const char* editName = nullptr;
 template <> inline constexpr const char* editName<AddSegment> = "addSegment";
 template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
+template <> inline constexpr const char* editName<MoveSegment> = "moveSegment";
 template <> inline constexpr const char* editName<SeedStroke> = "seed";
 template <> inline constexpr const char* editName<GrowSteps> = "grow";
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
@@ -35,6 +36,9 @@ inline constexpr const char* editMeaning<AddSegment> =
 template <>
 inline constexpr const char* editMeaning<ChangeSegment> =
     "Renames, recolours or codes a segment; fields left out stay as they are.";
+template <>
+inline constexpr const char* editMeaning<MoveSegment> =
+    "Puts a segment at another place of the list.";
 template <>
 inline constexpr const char* editMeaning<SeedStroke> =
     "Marks the voxels nearest to some points as seeds of a segment; the next growth starts there.";
@@ -69,6 +73,15 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
     visit.maybe("name", edit.name, editFields::Text{}, "new name");
     visit.maybe("color", edit.rgb, editFields::Colour{}, "new display colour");
     visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
+    visit.maybe("locked", edit.locked, editFields::Flag{},
+        "whether its voxels are kept from every tool and growth");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("place", Presence::Required, edit.place, segmentNumber,
+        "its new place in the list, 1 is the first");
 }
 
 template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)

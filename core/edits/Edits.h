@@ -22,12 +22,19 @@ struct AddSegment {
     CodedConcept code{};
 };
 
-/// Rename, recolour or code a segment; absent fields stay.
+/// Rename, recolour, code or lock a segment; absent fields stay.
 struct ChangeSegment {
     int segment = 0; ///< label
     std::optional<QString> name{};
     std::optional<std::uint32_t> rgb{};
     std::optional<CodedConcept> code{};
+    std::optional<bool> locked{};
+};
+
+/// Put a segment at another place of the list.
+struct MoveSegment {
+    int segment = 0; ///< label
+    int place = 0; ///< 1: first; beyond the end: last
 };
 
 /// Sketched seeds: the voxels nearest to these points.
@@ -76,7 +83,7 @@ struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
 
-using Edit =
-    std::variant<AddSegment, ChangeSegment, SeedStroke, GrowSteps, DrillStroke, RevertRows>;
+using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, SeedStroke, GrowSteps,
+    DrillStroke, RevertRows>;
 
 } // namespace core

@@ -13,8 +13,14 @@ namespace core {
 // From an edit in millimetres and modality units to the integers an engine works with. Doubles are
 // used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.
 
-/// Errors: UnknownSegment, SeedOutsideVolume (names the point).
-[[nodiscard]] Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document);
+/// The voxels nearest to a stroke's points, each once, slices first. Errors: SeedOutsideVolume
+/// (names the point).
+[[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(
+    const SeedStroke& stroke, const VolumeGeometry& geometry);
+
+/// Errors: UnknownSegment, InvalidField (it is locked), SeedOutsideVolume.
+[[nodiscard]] Result<SeedPlacement> seedPlacement(
+    const SeedStroke& stroke, const Document& document);
 
 /// Errors: InvalidField (connectivity other than 6, lower > upper).
 [[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);

@@ -26,9 +26,17 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
         return failure(ErrorCode::InvalidField, QStringLiteral("seed.segment"),
             QStringLiteral("segment %1 is locked").arg(stroke.segment));
 
-    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke, document.volumes.front().geometry);
+    if (!voxels)
+        return tl::unexpected(voxels.error());
+    return SeedPlacement{
+        .plane = segment->plane, .label = segment->label, .voxels = *std::move(voxels)};
+}
+
+Result<std::vector<glm::ivec3>> seedVoxels(const SeedStroke& stroke, const VolumeGeometry& geometry)
+{
     const glm::dmat4 worldToIndex = geometry.worldToIndex();
-    SeedPlacement placement{.plane = segment->plane, .label = segment->label, .voxels = {}};
+    std::vector<glm::ivec3> voxels;
     for (const glm::dvec3& point : stroke.pointsLps) {
         // Cells reach half a voxel around their centres; a border belongs to the cell above it.
         const glm::dvec3 nearest =
@@ -38,15 +46,14 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
                 && glm::all(glm::lessThan(nearest, size))))
             return failure(ErrorCode::SeedOutsideVolume, pointText(point),
                 QStringLiteral("in field 'seed.pointsLps'"));
-        placement.voxels.emplace_back(nearest);
+        voxels.emplace_back(nearest);
     }
     const auto slicesFirst = [](const glm::ivec3& a, const glm::ivec3& b) {
         return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
     };
-    std::sort(placement.voxels.begin(), placement.voxels.end(), slicesFirst);
-    placement.voxels.erase(
-        std::unique(placement.voxels.begin(), placement.voxels.end()), placement.voxels.end());
-    return placement;
+    std::sort(voxels.begin(), voxels.end(), slicesFirst);
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+    return voxels;
 }
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
@@ -65,14 +72,15 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
         .highCode = encoding.highestCodeAtMost(grow.upper),
         .connectivity = grow.connectivity,
         .generation = 0,
-        .overwritable = {}};
+        .overwritable = {},
+        .frozen = {}};
     if (const Growth* growth = document.growth(plane))
         burst.generation = growth->generation;
-    if (grow.overwriteUnlocked) {
-        for (const Segment& segment : document.segments) {
-            if (segment.plane == plane && !segment.locked)
-                burst.overwritable.set(segment.label);
-        }
+    for (const Segment& segment : document.segments) {
+        if (segment.plane != plane)
+            continue;
+        burst.frozen[segment.label] = segment.locked;
+        burst.overwritable[segment.label] = grow.overwriteUnlocked && !segment.locked;
     }
     return burst;
 }

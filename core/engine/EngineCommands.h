@@ -28,8 +28,8 @@ struct SeedPlacement {
 
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
 ///
-/// accept(label, q): lowCode ≤ code(q) ≤ highCode, and the label plane as it was at the opening
-/// holds at q 0, the label itself, or a label in `overwritable`.
+/// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label plane
+/// as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
 /// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
 /// was one, the generation is now one more. Then each step: every voxel that is no member and has a
 /// face neighbour that was a member before the step and whose label it accepts becomes
@@ -48,6 +48,7 @@ struct GrowBurst {
     int connectivity = 6;
     std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
     std::bitset<256> overwritable {};
+    std::bitset<256> frozen {}; ///< labels that do not grow: locked segments
 };
 
 /// Cut with the drill into the coverage of one sculpt layer (rules: DrillCut.h).

@@ -5,6 +5,7 @@
 #include "core/session/RowReach.h"
 
 #include <algorithm>
+#include <bitset>
 #include <utility>
 
 namespace core {
@@ -141,8 +142,8 @@ void RevertOperation::takeResult(SessionState& state, EngineResult&& result)
         return finish(state, std::move(result));
 
     std::map<BrickKey, BrickImage> images;
-    for (BrickChange& now : result.changes)
-        images[now.key] = {now.key, std::move(now.after)};
+    for (const BrickChange& now : result.changes)
+        images[now.key] = {now.key, now.after};
     for (const auto& [row, differences] : m_differences) {
         if (!isTakenBack(row))
             continue;
@@ -150,11 +151,35 @@ void RevertOperation::takeResult(SessionState& state, EngineResult&& result)
             images[difference.key] = exclusiveOr(images[difference.key], difference);
     }
     m_differences.clear();
+    if (const Result<void> checked = checkLocks(state, images, result.changes); !checked)
+        return giveUp(state, checked.error());
     SwapBricks swap;
     for (auto& [key, image] : images)
         swap.bricks.push_back(std::move(image));
     m_reading.reset();
     m_swapping = state.engine.submit(std::move(swap));
+}
+
+Result<void> RevertOperation::checkLocks(const SessionState& state,
+    const std::map<BrickKey, BrickImage>& images, const std::vector<BrickChange>& now) const
+{
+    std::bitset<256> touched; // labels that lose or gain a voxel
+    for (const BrickChange& brick : now) {
+        if (brick.key.field != Field::Labels)
+            continue;
+        const std::vector<std::uint8_t>& then = images.at(brick.key).bytes;
+        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
+            const std::uint8_t a = brick.after.empty() ? 0 : brick.after[i];
+            const std::uint8_t b = then.empty() ? 0 : then[i];
+            if (a != b)
+                touched.set(a).set(b);
+        }
+    }
+    for (const Segment& segment : state.document.segments) {
+        if (segment.locked && touched.test(segment.label))
+            return refused(QStringLiteral("segment '%1' is locked").arg(segment.name));
+    }
+    return {};
 }
 
 void RevertOperation::finish(SessionState& state, EngineResult&& result)

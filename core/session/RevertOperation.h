@@ -24,6 +24,8 @@ private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
     [[nodiscard]] Result<void> checkReach(const SessionState& state) const;
     [[nodiscard]] bool isTakenBack(RowId row) const;
+    [[nodiscard]] Result<void> checkLocks(const SessionState& state,
+        const std::map<BrickKey, BrickImage>& images, const std::vector<BrickChange>& now) const;
     void loadNext(SessionState& state);
     void read(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);

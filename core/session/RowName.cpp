@@ -64,6 +64,10 @@ QString changeName(const ChangeSegment& edit, const Document& document)
         return edit.code->isSet()
             ? QStringLiteral("Code segment '%1' as %2").arg(name, edit.code->meaning)
             : QStringLiteral("Take the code from segment '%1'").arg(name);
+    if (edit.locked)
+        return (*edit.locked ? QStringLiteral("Lock segment '%1'")
+                             : QStringLiteral("Unlock segment '%1'"))
+            .arg(name);
     return QStringLiteral("Recolour segment '%1'").arg(name);
 }
 
@@ -90,6 +94,10 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("Add segment '%1'").arg(add->name);
     if (const auto* change = std::get_if<ChangeSegment>(&edit))
         return changeName(*change, document);
+    if (const auto* move = std::get_if<MoveSegment>(&edit))
+        return QStringLiteral("Move segment '%1' to place %2")
+            .arg(segmentName(move->segment, document))
+            .arg(move->place);
     if (std::holds_alternative<SeedStroke>(edit))
         return QStringLiteral("Seed stroke, ") + counted(seedWordsChanged(changes), "voxel");
     if (std::holds_alternative<GrowSteps>(edit))

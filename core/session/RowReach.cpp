@@ -36,11 +36,11 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
     const BrickGrid grid{document.volumes.front().geometry.size};
     if (const auto* seed = std::get_if<SeedStroke>(&edit)) {
         Bricks bricks;
-        // Its segment was there when it was carried out, and segments stay.
-        if (const Result<SeedPlacement> placement = seedPlacement(*seed, document)) {
-            for (const glm::ivec3& voxel : placement->voxels)
-                bricks.keys.insert(
-                    {Field::SeedWords, placement->plane, std::uint32_t(grid.brickOf(voxel))});
+        const Segment* segment = document.segment(seed->segment);
+        const std::uint8_t plane = segment ? segment->plane : std::uint8_t(0);
+        if (const auto voxels = seedVoxels(*seed, document.volumes.front().geometry)) {
+            for (const glm::ivec3& voxel : *voxels)
+                bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(grid.brickOf(voxel))});
         }
         m_reach = std::move(bricks);
     } else if (std::holds_alternative<GrowSteps>(edit)) {

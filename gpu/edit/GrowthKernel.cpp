@@ -19,6 +19,16 @@ Program program(const ShaderLibrary& library, const char* path, const ShaderDefi
 constexpr std::uint32_t holdsFront = 2; // growth.glsl
 constexpr std::uint32_t smallFront = 256; // voxels that one work group grows from
 
+std::array<unsigned, 8> words(const std::bitset<256>& bits)
+{
+    std::array<unsigned, 8> result{};
+    for (std::size_t bit = 0; bit < bits.size(); ++bit) {
+        if (bits[bit])
+            result[bit / 32] |= 1u << (bit % 32);
+    }
+    return result;
+}
+
 Buffer listBuffer(std::span<const std::uint32_t> list)
 {
     Buffer buffer({.label = "growth bricks", .bytes = std::max<std::size_t>(list.size_bytes(), 4)});
@@ -87,16 +97,14 @@ void GrowthKernel::setCriterion(Program& each) const
 {
     // An empty interval is one whose low end no code reaches.
     const bool none = m_burst.lowCode > m_burst.highCode || m_burst.highCode < 0;
-    std::array<unsigned, 8> overwritable{};
-    for (std::size_t label = 0; label < 256; ++label) {
-        if (m_burst.overwritable[label])
-            overwritable[label / 32] |= 1u << (label % 32);
-    }
+    const std::array<unsigned, 8> overwritable = words(m_burst.overwritable);
+    const std::array<unsigned, 8> frozen = words(m_burst.frozen);
     each.set("volumeSize", m_fields.grid().volumeSize)
         .set("volumeBricks", m_fields.grid().bricks())
         .set("lowCode", none ? 65536u : unsigned(std::max(m_burst.lowCode, 0)))
         .set("highCode", none ? 0u : unsigned(m_burst.highCode))
         .set("overwritable", std::span<const unsigned>(overwritable))
+        .set("frozen", std::span<const unsigned>(frozen))
         .set("queueCapacity", m_queueCapacity);
 }
 

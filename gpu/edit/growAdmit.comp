@@ -19,7 +19,7 @@ void main()
             continue;
         ivec3 texel = atlasTexel(entry, voxel);
         uint word = imageLoad(words, texel).r;
-        if (!isPendingSeed(word) || !accepts(labelOf(word), voxel))
+        if (!isPendingSeed(word) || !mayGrow(labelOf(word)) || !accepts(labelOf(word), voxel))
             continue;
         imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), seedDirection)));
         imageStore(labels, voxel, uvec4(labelOf(word)));

@@ -37,7 +37,7 @@ void main()
             continue;
         if (generationOf(word) > openGeneration)
             imageStore(labels, voxel, uvec4(labelOf(word)));
-        if (!canGoOn(voxel, labelOf(word)))
+        if (!mayGrow(labelOf(word)) || !canGoOn(voxel, labelOf(word)))
             continue;
         enqueue(0u, voxel, entry - 1u);
         reached[entry - 1u] = holdsFront;

@@ -29,6 +29,7 @@ uniform ivec3 volumeBricks;
 uniform uint lowCode;
 uniform uint highCode;
 uniform uint overwritable[8]; // one bit a label
+uniform uint frozen[8]; // likewise: labels that do not grow
 uniform uint queueCapacity; // of each
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
@@ -52,6 +53,12 @@ bool accepts(uint label, ivec3 voxel)
     if (!mayEnter)
         mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
     return mayEnter && code >= lowCode && code <= highCode;
+}
+
+// Asked where a front begins; those whom a front claims have its label.
+bool mayGrow(uint label)
+{
+    return (frozen[label >> 5] >> (label & 31u) & 1u) == 0u;
 }
 
 // Entry i of the front that a ring of the batch (from 0) starts from.

@@ -65,7 +65,7 @@ bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
 {
     const int code = m_codes.at(voxel);
     const std::uint8_t held = m_labels.at(voxel); // changes only where members are
-    return m_burst.lowCode <= code && code <= m_burst.highCode
+    return !m_burst.frozen.test(label) && m_burst.lowCode <= code && code <= m_burst.highCode
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
 

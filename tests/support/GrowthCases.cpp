@@ -111,6 +111,7 @@ glm::ivec3 randomSize(Random& random)
 EngineCase randomGrowth(int number)
 {
     Random random(std::uint32_t(1000 + number));
+    Random locks(std::uint32_t(9000 + number));
     const glm::ivec3 size = randomSize(random);
     EngineCase made{"random growth " + QByteArray::number(number), randomCodes(size, random), {}};
     if (random() % 2)
@@ -146,6 +147,8 @@ EngineCase randomGrowth(int number)
             }
             for (int label = 1; label <= 4; ++label)
                 burst.overwritable[std::size_t(label)] = random() % 3 == 0;
+            if (locks() % 4 == 0)
+                burst.frozen.set(std::size_t(randomInt(locks, 1, 4)));
             std::vector<int> portions;
             for (int i = randomInt(random, 0, 3); i > 0; --i)
                 portions.push_back(randomInt(random, 0, 4));
@@ -205,6 +208,20 @@ std::vector<EngineCase> growthCases(int randomCount)
     appendWhole(atCorners.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
     appendGrowth(atCorners.steps, wholeRange, {1, 2, closure});
     cases.push_back(atCorners);
+
+    EngineCase thawed{"frozen, then thawed", constantVolume(size, tissueCode), {}};
+    appendWhole(thawed.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
+    appendWhole(thawed.steps, SeedPlacement{.label = 200, .voxels = {size / 2}});
+    GrowBurst frozen = wholeRange;
+    frozen.frozen.set(200);
+    appendGrowth(thawed.steps, frozen, {3});
+    frozen.generation = 4;
+    frozen.frozen.reset().set(1);
+    appendGrowth(thawed.steps, frozen, {2});
+    frozen.generation = 7;
+    frozen.frozen.reset();
+    appendGrowth(thawed.steps, frozen, {closure});
+    cases.push_back(thawed);
 
     for (const bool overwrite : {false, true}) {
         EngineCase painted{overwrite ? "painted labels, overwritable" : "painted labels",

@@ -42,7 +42,8 @@ QString sharedDataFolder()
 {
     const QString named = qEnvironmentVariable("BURIN_SHARED_DATA");
     const QDir folder(named.isEmpty() ? QStringLiteral(BURIN_SOURCE_DIR "/../shared/data") : named);
-    return folder.exists() ? folder.absolutePath() : QString();
+    // A mount point without its mount holds nothing.
+    return folder.exists() && !folder.isEmpty() ? folder.absolutePath() : QString();
 }
 
 SharedCase sharedCase(const QString& name)

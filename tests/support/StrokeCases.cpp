@@ -253,6 +253,8 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     const core::Edit others = randomSeeds(document, 2, random);
     core::DrillStroke drill = randomDrill(document, random);
     drill.layer = 1;
+    const core::Edit lock =
+        core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true};
     core::GrowSteps some{.lower = 0, .upper = 700, .steps = 5};
     core::GrowSteps all{.lower = 0, .upper = 240, .steps = {}};
     core::GrowSteps none{.lower = 60000, .upper = 60001, .steps = {}};
@@ -261,6 +263,11 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"add a segment", volume, {}, first});
     cases.push_back({"rename a segment", volume, {first},
         core::ChangeSegment{.segment = 1, .name = QStringLiteral("Other"), .rgb = {}, .code = {}}});
+    cases.push_back({"lock a segment", volume, {first}, lock});
+    cases.push_back(
+        {"move a segment", volume, {first, second}, core::MoveSegment{.segment = 1, .place = 2}});
+    cases.push_back(
+        {"growth beside a locked one", volume, {first, seeds, some, second, others, lock}, over});
     cases.push_back({"seeds", volume, {first}, seeds});
     cases.push_back({"seeds beside seeds", volume, {first, second, seeds}, others});
     cases.push_back({"growth in steps", volume, {first, seeds}, some});

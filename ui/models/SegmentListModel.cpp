@@ -146,6 +146,10 @@ bool SegmentListModel::change(const core::Segment& segment, const QVariant& valu
         if (rgb == segment.rgb)
             return false;
         edit.rgb = rgb;
+    } else if (role == LockedRole) {
+        if (value.toBool() == segment.locked)
+            return false;
+        edit.locked = value.toBool();
     } else if (role == CodeRole) {
         const QStringList code = value.toStringList();
         const core::CodedConcept coded{code.value(0), code.value(1), code.value(2)};

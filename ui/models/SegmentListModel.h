@@ -19,7 +19,7 @@ public:
         LabelRole = Qt::UserRole, ///< int
         ColourRole, ///< QColor; can be set
         VisibleRole, ///< bool; can be set
-        LockedRole, ///< bool
+        LockedRole, ///< bool; can be set
         VolumeRole, ///< QString: "9.8 mL", "—" while empty
         CodeRole, ///< QStringList {scheme, value, meaning}, empty if not coded; can be set
         CodeTextRole, ///< QString: the meaning, or "not coded yet"

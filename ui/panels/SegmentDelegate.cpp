@@ -39,6 +39,11 @@ QRect SegmentDelegate::codeRect(const QRect& row)
     return {row.left() + nameLeft, row.top() + 21, row.width() - nameLeft - lockWidth - 8, 16};
 }
 
+QRect SegmentDelegate::lockRect(const QRect& row)
+{
+    return {row.right() - lockWidth, row.top() + 4, 16, 16};
+}
+
 QSize SegmentDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
 {
     return {160, rowHeight};
@@ -82,9 +87,12 @@ void SegmentDelegate::paint(
     const QRect volume(row.right() - lockWidth - volumeWidth, row.top() + 3, volumeWidth - 4, 18);
     painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter,
         index.data(SegmentListModel::VolumeRole).toString());
-    if (index.data(SegmentListModel::LockedRole).toBool()) {
-        painter->drawPixmap(QRect(row.right() - lockWidth, row.top() + 4, 16, 16),
-            tintedIcon(QStringLiteral("lock"), theme::secondary, 16, ratio));
+    const bool locked = index.data(SegmentListModel::LockedRole).toBool();
+    // An open lock says where to click, to who is looking there.
+    if (locked || option.state.testFlag(QStyle::State_MouseOver)) {
+        painter->drawPixmap(lockRect(row),
+            tintedIcon(locked ? QStringLiteral("lock") : QStringLiteral("unlock"),
+                locked ? theme::text : theme::secondary, 16, ratio));
     }
     painter->restore();
 }
@@ -101,18 +109,22 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
         const bool eye = eyeRect(option.rect).adjusted(-6, -10, 4, 10).contains(at);
         const bool colour = colourRect(option.rect).adjusted(-5, -13, 5, 13).contains(at);
         const bool code = codeRect(option.rect).contains(at);
-        if (mouse->button() == Qt::LeftButton && (eye || colour || code)) {
+        const bool lock = lockRect(option.rect).adjusted(-3, -4, 4, 3).contains(at);
+        if (mouse->button() == Qt::LeftButton && (eye || colour || code || lock)) {
             // On release, so that a click begun elsewhere does nothing; a double click is two
             // clicks.
             if (release && eye) {
                 model->setData(index, !index.data(SegmentListModel::VisibleRole).toBool(),
                     SegmentListModel::VisibleRole);
+            } else if (release && lock) {
+                model->setData(index, !index.data(SegmentListModel::LockedRole).toBool(),
+                    SegmentListModel::LockedRole);
             } else if (release && colour) {
                 Q_EMIT colourAsked(index);
             } else if (release && code) {
                 Q_EMIT codeAsked(index);
             }
-            return eye || colour || twice;
+            return eye || colour || lock || twice;
         }
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);

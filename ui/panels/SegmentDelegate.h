@@ -27,6 +27,7 @@ public:
     /// Where the parts of a row lie.
     [[nodiscard]] static QRect eyeRect(const QRect& row);
     [[nodiscard]] static QRect colourRect(const QRect& row);
+    [[nodiscard]] static QRect lockRect(const QRect& row);
     [[nodiscard]] static QRect codeRect(const QRect& row);
 
 Q_SIGNALS:

@@ -123,6 +123,14 @@ void SegmentsPanel::chooseCode(const QModelIndex& index)
         row, QStringList{code.scheme, code.value, code.meaning}, SegmentListModel::CodeRole);
 }
 
+void SegmentsPanel::move(const QModelIndex& index, int by)
+{
+    const core::MoveSegment edit{
+        .segment = index.data(SegmentListModel::LabelRole).toInt(), .place = index.row() + 1 + by};
+    if (const auto moved = m_workspace.session()->apply(edit); !moved)
+        m_workspace.fail(moved.error());
+}
+
 void SegmentsPanel::showMenu(const QPoint& position)
 {
     const QModelIndex index = m_view->indexAt(position);
@@ -133,9 +141,17 @@ void SegmentsPanel::showMenu(const QPoint& position)
     menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
     menu.addAction(tr("Colour …"), this, [this, index] { chooseColour(index); });
     menu.addAction(tr("Code …"), this, [this, index] { chooseCode(index); });
+    const bool locked = index.data(SegmentListModel::LockedRole).toBool();
+    menu.addAction(locked ? tr("Unlock") : tr("Lock"), this,
+        [this, index, locked] { m_model->setData(index, !locked, SegmentListModel::LockedRole); });
     menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, index, visible] {
         m_model->setData(index, !visible, SegmentListModel::VisibleRole);
     });
+    menu.addSeparator();
+    QAction* up = menu.addAction(tr("Move up"), this, [this, index] { move(index, -1); });
+    up->setEnabled(index.row() > 0);
+    QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
+    down->setEnabled(index.row() + 1 < m_model->rowCount());
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 

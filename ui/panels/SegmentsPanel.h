@@ -24,6 +24,7 @@ public:
 private:
     void chooseColour(const QModelIndex& index);
     void chooseCode(const QModelIndex& index);
+    void move(const QModelIndex& index, int by);
     void showMenu(const QPoint& position);
     void refresh();
 

@@ -321,6 +321,63 @@ private Q_SLOTS:
         QCOMPARE(bench.lastRow().parent, RowId(3));
     }
 
+    void aLockedSegmentIsNeitherGrownNorOvergrown()
+    {
+        Bench bench;
+        for (const Edit& edit :
+            {Edit(test::addSegment("A")), Edit(test::addSegment("B")), Edit(test::seedInBrain(1)),
+                Edit(test::growBrain(3)), Edit(ChangeSegment{.segment = 1, .locked = true})})
+            bench.run(edit);
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Lock segment 'A'"));
+        const std::int64_t locked = bench.voxels(1);
+        QVERIFY(locked > 10);
+        QCOMPARE(bench.session->apply(test::seedInBrain(1)).error().code, ErrorCode::InvalidField);
+        SeedStroke beside = test::seedInBrain(2);
+        beside.pointsLps = {beside.pointsLps.back() + glm::dvec3(6, 0, 0)};
+        bench.run(beside);
+        GrowSteps grow = test::growBrain();
+        grow.overwriteUnlocked = true;
+        bench.run(grow);
+        QCOMPARE(bench.voxels(1), locked);
+        QVERIFY(bench.voxels(2) > 10 * locked);
+
+        bench.run(ChangeSegment{.segment = 1, .locked = false});
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Unlock segment 'A'"));
+        bench.run(test::seedInBone(1));
+        bench.run(test::growBone());
+        QVERIFY(bench.voxels(1) > locked);
+    }
+
+    void segmentsAreMovedWithinTheirList()
+    {
+        Bench bench;
+        for (const char* name : {"A", "B", "C"})
+            bench.run(test::addSegment(name));
+        const auto order = [&bench] {
+            QString names;
+            for (const Segment& segment : bench.session->document().segments)
+                names += segment.name;
+            return names;
+        };
+        bench.run(MoveSegment{.segment = 1, .place = 2});
+        QCOMPARE(order(), QStringLiteral("BAC"));
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Move segment 'A' to place 2"));
+        bench.run(MoveSegment{.segment = 3, .place = 1});
+        QCOMPARE(order(), QStringLiteral("CBA"));
+        bench.run(MoveSegment{.segment = 3, .place = 99});
+        QCOMPARE(order(), QStringLiteral("BAC"));
+        const std::size_t rows = bench.session->history().rows().size();
+        bench.run(MoveSegment{.segment = 3, .place = 3}); // it is there: no step
+        QCOMPARE(bench.session->history().rows().size(), rows);
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(order(), QStringLiteral("CBA"));
+        QCOMPARE(bench.session->apply(MoveSegment{.segment = 9, .place = 1}).error().code,
+            ErrorCode::UnknownSegment);
+        bench.run(test::addSegment("D"));
+        QCOMPARE(bench.session->document().segments.back().label, std::uint8_t(4));
+    }
+
     void refusesBeforeAnythingChanges()
     {
         Bench bench;

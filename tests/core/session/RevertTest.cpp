@@ -144,6 +144,18 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), hashOf(twoBalls(), {test::drillAt(secondBallMm)}));
     }
 
+    void aLockedSegmentKeepsItsVoxels()
+    {
+        Bench bench(test::smallStudy(),
+            {test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(3), test::drillAt(0),
+                ChangeSegment{.segment = 1, .locked = true}});
+        QCOMPARE(bench.refusal(RevertRows{{2, 3}}), QStringLiteral("segment 'Brain' is locked"));
+        bench.run(RevertRows{{4}}); // the drill has nothing to do with it
+        bench.run(ChangeSegment{.segment = 1, .locked = false});
+        bench.run(RevertRows{{2, 3}});
+        QCOMPARE(bench.session->document().segment(1)->voxels, 0);
+    }
+
     void onlyStepsThatWereDoneAndChangedVoxels()
     {
         Bench bench(test::smallStudy(), {test::addSegment("Brain"), test::drillAt(0)});

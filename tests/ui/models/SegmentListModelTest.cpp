@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include <array>
+
 using test::WorkspaceFixture;
 using ui::SegmentListModel;
 
@@ -71,12 +73,35 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(row.data(SegmentListModel::CodeTextRole).toString(), QStringLiteral("Skull"));
 
+        QVERIFY(!row.data(SegmentListModel::LockedRole).toBool());
+        QVERIFY(model.setData(row, true, SegmentListModel::LockedRole));
+        QVERIFY(!model.setData(row, true, SegmentListModel::LockedRole));
+        fixture.settle();
+        QVERIFY(row.data(SegmentListModel::LockedRole).toBool());
+        QCOMPARE(position(), before + 4);
+
         const auto shown = position();
         QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
         QVERIFY(model.setData(row, false, SegmentListModel::VisibleRole));
         QVERIFY(!row.data(SegmentListModel::VisibleRole).toBool());
         QVERIFY(changed.count() > 0);
         QCOMPARE(position(), shown);
+    }
+
+    void followsTheOrder()
+    {
+        WorkspaceFixture fixture;
+        SegmentListModel model(fixture.workspace);
+        QAbstractItemModelTester tester(
+            &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.settle();
+        fixture.apply(core::MoveSegment{.segment = 3, .place = 1});
+        for (int row = 0; row < 3; ++row)
+            QCOMPARE(model.index(row).data(SegmentListModel::LabelRole).toInt(),
+                (std::array{3, 1, 2})[std::size_t(row)]);
+        QCOMPARE(model.rowOf(2), 2);
     }
 
     void tellsVolumes()
