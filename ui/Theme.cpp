@@ -56,9 +56,8 @@ QPalette palette()
     result.setColor(QPalette::Mid, line);
     result.setColor(QPalette::Dark, window);
     result.setColor(QPalette::Shadow, Qt::black);
-    const QColor disabled(0x5d, 0x65, 0x70);
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        result.setColor(QPalette::Disabled, role, disabled);
+        result.setColor(QPalette::Disabled, role, faint);
     return result;
 }
 
@@ -86,8 +85,8 @@ QString styleSheet()
     QString sheet = QString::fromUtf8(file.readAll());
     const std::pair<const char*, QColor> names[] = {{"@window", window}, {"@panel", panel},
         {"@raised", raised}, {"@line", line}, {"@text", text}, {"@secondary", secondary},
-        {"@accent", accent}, {"@selected", selected}, {"@good", good}, {"@caution", caution},
-        {"@bad", bad}};
+        {"@faint", faint}, {"@accent", accent}, {"@selected", selected}, {"@good", good},
+        {"@caution", caution}, {"@bad", bad}};
     for (const auto& [name, colour] : names)
         sheet.replace(QLatin1String(name), colour.name());
     return sheet;

@@ -16,6 +16,7 @@ inline constexpr QColor raised{0x25, 0x29, 0x30};
 inline constexpr QColor line{0x34, 0x3a, 0x43};
 inline constexpr QColor text{0xd7, 0xdc, 0xe3};
 inline constexpr QColor secondary{0x8b, 0x94, 0xa1};
+inline constexpr QColor faint{0x5d, 0x65, 0x70}; ///< what is off, and marks that go with it
 inline constexpr QColor accent{0x4a, 0xa3, 0xff};
 inline constexpr QColor selected{0x21, 0x36, 0x4f}; ///< a row or tool that is chosen
 inline constexpr QColor good{0x59, 0xc0, 0x7a};

@@ -6,11 +6,6 @@
 
 namespace core {
 
-RowId History::redoTarget() const
-{
-    return m_lastChild[std::size_t(m_position)];
-}
-
 std::vector<RowId> History::pathTo(RowId id) const
 {
     std::vector<RowId> path;

@@ -41,7 +41,12 @@ public:
     [[nodiscard]] bool canUndo() const { return m_position != 0; }
     [[nodiscard]] bool canRedo() const { return redoTarget() != 0; }
     /// The child of the position that was visited last; 0 if there is none.
-    [[nodiscard]] RowId redoTarget() const;
+    [[nodiscard]] RowId redoTarget() const { return childLastVisited(m_position); }
+    /// Where redo goes from @p row (0: the beginning); 0 if it has no children.
+    [[nodiscard]] RowId childLastVisited(RowId row) const
+    {
+        return m_lastChild.at(std::size_t(row));
+    }
     /// Rows from the beginning to @p id, oldest first.
     [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
     /// The line that undo and redo walk: pathTo(position), then the rows that redo would bring

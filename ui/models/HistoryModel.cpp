@@ -34,6 +34,12 @@ RowText textOf(const core::HistoryRow& row)
     return {row.name.left(comma), row.name.mid(comma + 2)};
 }
 
+bool isSameEntry(const HistoryEntry& a, const HistoryEntry& b)
+{
+    return a.row == b.row && a.branch == b.branch && a.depth == b.depth
+        && a.isHeading() == b.isHeading();
+}
+
 } // namespace
 
 HistoryModel::HistoryModel(Workspace& workspace, QObject* parent)
@@ -42,13 +48,7 @@ HistoryModel::HistoryModel(Workspace& workspace, QObject* parent)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         beginResetModel();
-        m_rows.clear();
-        m_position = 0;
-        if (const core::History* rows = history()) {
-            m_rows = rows->line();
-            m_rows.insert(m_rows.begin(), 0);
-            m_position = rows->position();
-        }
+        reset();
         endResetModel();
         Q_EMIT currentRowChanged(currentRow());
     });
@@ -58,11 +58,7 @@ HistoryModel::HistoryModel(Workspace& workspace, QObject* parent)
                 || change.what == core::DocumentChange::What::Segments)
                 refresh();
         });
-    if (const core::History* rows = history()) {
-        m_rows = rows->line();
-        m_rows.insert(m_rows.begin(), 0);
-        m_position = rows->position();
-    }
+    reset();
 }
 
 const core::History* HistoryModel::history() const
@@ -71,49 +67,122 @@ const core::History* HistoryModel::history() const
     return session ? &session->history() : nullptr;
 }
 
+void HistoryModel::reset()
+{
+    const core::History* rows = history();
+    m_unfolded.clear();
+    m_outline = rows ? HistoryOutline::of(*rows, m_unfolded) : HistoryOutline();
+    m_position = rows ? rows->position() : 0;
+    findPosition();
+}
+
 void HistoryModel::refresh()
 {
     const core::History* rows = history();
     if (!rows)
         return;
-    std::vector<core::RowId> line = rows->line();
-    line.insert(line.begin(), 0);
-    const auto apart = std::mismatch(m_rows.begin(), m_rows.end(), line.begin(), line.end());
-    const int kept = int(apart.first - m_rows.begin());
-    if (kept < int(m_rows.size())) {
-        beginRemoveRows({}, kept, int(m_rows.size()) - 1);
-        m_rows.resize(std::size_t(kept));
+    m_position = rows->position();
+    list(HistoryOutline::of(*rows, m_unfolded));
+    Q_EMIT currentRowChanged(currentRow());
+}
+
+void HistoryModel::list(HistoryOutline outline)
+{
+    std::vector<HistoryEntry>& old = m_outline.entries;
+    const std::vector<HistoryEntry>& now = outline.entries;
+    const auto kept =
+        std::mismatch(old.begin(), old.end(), now.begin(), now.end(), isSameEntry).first
+        - old.begin();
+    // What follows a change is the same again when something was folded, or forked further up.
+    const auto tail =
+        std::mismatch(old.rbegin(), old.rend() - kept, now.rbegin(), now.rend() - kept, isSameEntry)
+            .first
+        - old.rbegin();
+    const int removed = int(old.size()) - int(kept + tail);
+    const int inserted = int(now.size()) - int(kept + tail);
+    if (removed > 0) {
+        beginRemoveRows({}, int(kept), int(kept) + removed - 1);
+        old.erase(old.begin() + kept, old.begin() + kept + removed);
+        findPosition();
         endRemoveRows();
     }
-    if (kept < int(line.size())) {
-        beginInsertRows({}, kept, int(line.size()) - 1);
-        m_rows = std::move(line);
+    if (inserted > 0)
+        beginInsertRows({}, int(kept), int(kept) + inserted - 1);
+    m_outline = std::move(outline);
+    findPosition();
+    if (inserted > 0)
         endInsertRows();
-    }
-    m_position = rows->position();
-    if (!m_rows.empty())
-        Q_EMIT dataChanged(index(0), index(int(m_rows.size()) - 1));
-    Q_EMIT currentRowChanged(currentRow());
+    if (!m_outline.entries.empty())
+        Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+}
+
+void HistoryModel::findPosition()
+{
+    const std::vector<HistoryEntry>& entries = m_outline.entries;
+    const auto found = std::find_if(entries.begin(), entries.end(),
+        [this](const HistoryEntry& entry) { return entry.depth == 0 && entry.row == m_position; });
+    m_currentRow = found == entries.end() ? -1 : int(found - entries.begin());
+    m_linePosition = found == entries.end() ? -1 : found->lineIndex;
 }
 
 int HistoryModel::rowCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int HistoryModel::currentRow() const
-{
-    const auto found = std::find(m_rows.begin(), m_rows.end(), m_position);
-    return found == m_rows.end() ? -1 : int(found - m_rows.begin());
+    return parent.isValid() ? 0 : int(m_outline.entries.size());
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
 {
-    const core::History* rows = history();
-    if (!rows || !checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!history() || !checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const core::RowId id = m_rows[std::size_t(index.row())];
-    const core::HistoryRow* row = id == 0 ? nullptr : &rows->row(id);
+    const HistoryEntry& entry = m_outline.entries[std::size_t(index.row())];
+    switch (role) {
+    case CurrentRole:
+        return index.row() == m_currentRow;
+    case UndoneRole:
+        return entry.depth == 0 && entry.lineIndex > m_linePosition;
+    case RowIdRole:
+        return qlonglong(entry.row);
+    case DepthRole:
+        return entry.depth;
+    case HeadingRole:
+        return entry.isHeading();
+    case FoldedRole:
+        return entry.folded;
+    case LastRole:
+        return entry.last;
+    case DoneBelowRole:
+        return entry.lineIndex < m_linePosition;
+    default:
+        return entry.isHeading() ? headingData(entry, role) : rowData(entry, role);
+    }
+}
+
+QVariant HistoryModel::headingData(const HistoryEntry& entry, int role) const
+{
+    const QString last = textOf(history()->row(entry.row)).name;
+    const QString steps = counted(entry.steps, tr("1 step"), tr("%1 steps"));
+    switch (role) {
+    case Qt::AccessibleTextRole:
+        return entry.folded ? tr("Branch, folded: %1, last '%2'").arg(steps, last)
+                            : tr("Branch, unfolded: %1, last '%2'").arg(steps, last);
+    case Qt::DisplayRole:
+        return tr("Branch to %1").arg(last);
+    case DetailRole:
+        return steps;
+    case Qt::ToolTipRole:
+        return tr("Branch: %1, last '%2'\n"
+                  "The arrow shows its steps, a double click goes to its end")
+            .arg(steps, history()->row(entry.row).name);
+    case VoxelsRole:
+        return false;
+    default:
+        return {};
+    }
+}
+
+QVariant HistoryModel::rowData(const HistoryEntry& entry, int role) const
+{
+    const core::HistoryRow* row = entry.row == 0 ? nullptr : &history()->row(entry.row);
     switch (role) {
     case Qt::AccessibleTextRole:
         return row ? row->name : tr("Study opened");
@@ -124,17 +193,49 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
                    : tr("Double click goes back to the beginning");
     case DetailRole:
         return row ? textOf(*row).detail : QString();
-    case CurrentRole:
-        return id == m_position;
     case VoxelsRole:
         return row && !core::changesDocumentOnly(row->edit);
-    case UndoneRole:
-        return index.row() > currentRow();
-    case RowIdRole:
-        return qlonglong(id);
     default:
         return {};
     }
+}
+
+bool HistoryModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (role != FoldedRole || !history() || !checkIndex(index, CheckIndexOption::IndexIsValid))
+        return false;
+    const HistoryEntry entry = m_outline.entries[std::size_t(index.row())];
+    if (!entry.isHeading() || entry.folded == value.toBool())
+        return false;
+    if (value.toBool())
+        m_unfolded.erase(entry.branch);
+    else
+        m_unfolded.insert(entry.branch);
+    list(HistoryOutline::of(*history(), m_unfolded));
+    return true;
+}
+
+QModelIndex HistoryModel::indexOnLine(int lineIndex) const
+{
+    const std::vector<HistoryEntry>& entries = m_outline.entries;
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [lineIndex](const HistoryEntry& entry) {
+            return entry.depth == 0 && entry.lineIndex == lineIndex;
+        });
+    return found == entries.end() ? QModelIndex() : index(int(found - entries.begin()));
+}
+
+QModelIndex HistoryModel::headingOf(const QModelIndex& index) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const core::RowId branch = m_outline.entries[std::size_t(index.row())].branch;
+    for (int row = index.row(); branch != 0 && row >= 0; --row) {
+        const HistoryEntry& entry = m_outline.entries[std::size_t(row)];
+        if (entry.isHeading() && entry.branch == branch)
+            return this->index(row);
+    }
+    return {};
 }
 
 QString HistoryModel::summary() const
@@ -145,9 +246,12 @@ QString HistoryModel::summary() const
     std::size_t bytes = 0;
     for (const core::HistoryRow& row : rows->rows())
         bytes += row.deltaBytes;
-    const QString steps = counted(currentRow(), tr("1 step"), tr("%1 steps"));
-    return bytes == 0 ? steps
-                      : tr("%1 · %2").arg(steps, QLocale().formattedDataSize(qint64(bytes), 0));
+    QStringList parts{counted(m_linePosition, tr("1 step"), tr("%1 steps"))};
+    if (m_outline.branches > 0)
+        parts += counted(m_outline.branches, tr("1 branch"), tr("%1 branches"));
+    if (bytes > 0)
+        parts += QLocale().formattedDataSize(qint64(bytes), 0);
+    return parts.join(QStringLiteral(" · "));
 }
 
 } // namespace ui

@@ -6,6 +6,7 @@
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryDelegate.h"
 
+#include <QKeyEvent>
 #include <QListView>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -34,11 +35,8 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     connect(m_view, &QListView::activated, this, &HistoryPanel::goTo);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QListView::customContextMenuRequested, this, &HistoryPanel::showMenu);
-    connect(m_model, &HistoryModel::currentRowChanged, this, [this](int row) {
-        if (row >= 0)
-            m_view->scrollTo(m_model->index(row));
-        Q_EMIT summaryChanged(summary());
-    });
+    m_view->installEventFilter(this);
+    connect(m_model, &HistoryModel::currentRowChanged, this, &HistoryPanel::followPosition);
 }
 
 QString HistoryPanel::title() const
@@ -49,6 +47,51 @@ QString HistoryPanel::title() const
 QString HistoryPanel::summary() const
 {
     return m_model->summary();
+}
+
+void HistoryPanel::followPosition(int row)
+{
+    std::optional<core::RowId> position;
+    if (row >= 0)
+        position = core::RowId(m_model->index(row).data(HistoryModel::RowIdRole).toLongLong());
+    // What is only written to the list later (sizes, names) leaves it where the user looks.
+    if (position && position != m_shownPosition)
+        m_view->scrollTo(m_model->index(row));
+    m_shownPosition = position;
+    Q_EMIT summaryChanged(summary());
+}
+
+bool HistoryPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_view && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->modifiers() == Qt::NoModifier && takeFoldKey(key->key()))
+            return true;
+    }
+    return Panel::eventFilter(watched, event);
+}
+
+bool HistoryPanel::takeFoldKey(int key)
+{
+    const QModelIndex index = m_view->currentIndex();
+    const QModelIndex heading = m_model->headingOf(index);
+    if (!heading.isValid() || (key != Qt::Key_Left && key != Qt::Key_Right))
+        return false;
+    const bool folded = heading.data(HistoryModel::FoldedRole).toBool();
+    if (index != heading) {
+        if (key == Qt::Key_Left)
+            m_view->setCurrentIndex(heading);
+    } else if (folded == (key == Qt::Key_Right)) {
+        fold(heading, !folded);
+    } else if (key == Qt::Key_Right) {
+        m_view->setCurrentIndex(m_model->index(heading.row() + 1));
+    }
+    return true;
+}
+
+void HistoryPanel::fold(const QModelIndex& heading, bool folded)
+{
+    m_model->setData(heading, folded, HistoryModel::FoldedRole);
 }
 
 void HistoryPanel::goTo(const QModelIndex& index)
@@ -73,17 +116,25 @@ void HistoryPanel::undoOnly(const QModelIndex& index)
 
 void HistoryPanel::showMenu(const QPoint& position)
 {
-    const QModelIndex index = m_view->indexAt(position);
+    const QPersistentModelIndex index = m_view->indexAt(position);
     if (!index.isValid())
         return;
     const bool current = index.data(HistoryModel::CurrentRole).toBool();
-    const bool changedVoxels = index.data(HistoryModel::VoxelsRole).toBool();
-    const bool undone = index.data(HistoryModel::UndoneRole).toBool();
     QMenu menu(this);
-    menu.addAction(tr("Go to this step"), this, [this, index] { goTo(index); })
-        ->setEnabled(!current);
-    menu.addAction(tr("Undo only this step"), this, [this, index] { undoOnly(index); })
-        ->setEnabled(changedVoxels && !undone);
+    if (index.data(HistoryModel::HeadingRole).toBool()) {
+        const bool folded = index.data(HistoryModel::FoldedRole).toBool();
+        menu.addAction(tr("Go to the end of this branch"), this, [this, index] { goTo(index); });
+        menu.addAction(folded ? tr("Show its steps") : tr("Hide its steps"), this,
+            [this, index, folded] { fold(index, !folded); });
+    } else {
+        const bool done = index.data(HistoryModel::DepthRole).toInt() == 0
+            && !index.data(HistoryModel::UndoneRole).toBool();
+        const bool changedVoxels = index.data(HistoryModel::VoxelsRole).toBool();
+        menu.addAction(tr("Go to this step"), this, [this, index] { goTo(index); })
+            ->setEnabled(!current);
+        menu.addAction(tr("Undo only this step"), this, [this, index] { undoOnly(index); })
+            ->setEnabled(changedVoxels && done);
+    }
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 

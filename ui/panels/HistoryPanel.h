@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/history/History.h"
 #include "ui/panels/Panel.h"
 
+#include <optional>
+
 class QListView;
+class QModelIndex;
 
 namespace ui {
 
 class HistoryModel;
 class Workspace;
 
-/// What was done, oldest first; a double click (or Return) walks there. The menu of a row also
-/// undoes that step alone.
+/// What was done, oldest first, with the old futures as branches that unfold (click on the arrow,
+/// Right and Left); a double click (or Return) walks there. The menu of a row also undoes that step
+/// alone.
 class HistoryPanel : public Panel {
     Q_OBJECT
 
@@ -22,7 +27,14 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool stretches() const override { return true; }
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void followPosition(int row);
+    void fold(const QModelIndex& heading, bool folded);
+    /// Left: folds, or goes to the heading. Right: unfolds, or goes to the first row.
+    bool takeFoldKey(int key);
     void goTo(const QModelIndex& index);
     void undoOnly(const QModelIndex& index);
     void showMenu(const QPoint& position);
@@ -30,6 +42,7 @@ private:
     Workspace& m_workspace;
     HistoryModel* m_model = nullptr;
     QListView* m_view = nullptr;
+    std::optional<core::RowId> m_shownPosition; ///< what the list was last scrolled to
 };
 
 } // namespace ui

@@ -2,13 +2,20 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "ui/PanelSection.h"
+#include "ui/models/HistoryModel.h"
+#include "ui/panels/HistoryDelegate.h"
 #include "ui/panels/HistoryPanel.h"
 
 #include <QApplication>
+#include <QDir>
+#include <QLabel>
 #include <QListView>
 #include <QMenu>
 #include <QTimer>
 #include <QtTest>
+
+#include <algorithm>
 
 class HistoryPanelUiTest : public QObject {
     Q_OBJECT
@@ -54,7 +61,195 @@ private Q_SLOTS:
         QCOMPARE(enabledIn(list, 2), QStringList{tr("Go to this step")}); // undone
     }
 
+    void branchesUnfoldAndAreReturnedTo()
+    {
+        Panel panel;
+        core::EditSession& session = panel.session();
+        QListView* list = panel.list;
+        panel.applyAll({test::addSegment("Brain"), test::drillAt(0), test::seedInBrain(1)});
+        panel.goTo(1);
+        panel.applyAll({test::addSegment("Bone"), test::addSegment("Skin")});
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 3 4 5"));
+
+        // By a click on the arrow; beside it a click only chooses.
+        panel.click(panel.arrowOf(2));
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 3 >2 >3 4 5"));
+        panel.click(list->visualRect(panel.index(2)).center());
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 3 >2 >3 4 5"));
+        panel.click(panel.arrowOf(2));
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 3 4 5"));
+        QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, panel.arrowOf(2));
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().position(), core::RowId(5));
+
+        // By keys, as trees do.
+        list->setFocus();
+        list->setCurrentIndex(panel.index(2));
+        panel.setFolded(2, true);
+        QTest::keyClick(list, Qt::Key_Right);
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 3 >2 >3 4 5"));
+        QTest::keyClick(list, Qt::Key_Right);
+        QCOMPARE(list->currentIndex().row(), 3);
+        QTest::keyClick(list, Qt::Key_Down);
+        QTest::keyClick(list, Qt::Key_Left);
+        QCOMPARE(list->currentIndex().row(), 2);
+        QTest::keyClick(list, Qt::Key_Left);
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 3 4 5"));
+        QTest::keyClick(list, Qt::Key_Right);
+
+        // A double click on one of its rows walks there; the rest of it can be redone.
+        panel.doubleClick(3);
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().position(), core::RowId(2));
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 5 2 3"));
+        // Return on a heading goes to the branch's end.
+        list->setCurrentIndex(panel.index(2));
+        QTest::keyClick(list, Qt::Key_Return);
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().position(), core::RowId(5));
+    }
+
+    void theMenuKnowsBranches()
+    {
+        Panel panel;
+        panel.applyAll({test::drillAt(-4), test::drillAt(4)});
+        panel.goTo(1);
+        panel.applyAll({test::drillAt(0)});
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 2 3"));
+        QCOMPARE(enabledIn(panel.list, 2),
+            (QStringList{tr("Go to the end of this branch"), tr("Show its steps")}));
+        choose(panel.list, 2, tr("Show its steps"));
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 2 >2 3"));
+        // Nothing of a branch is undone alone: it is not done.
+        QCOMPARE(enabledIn(panel.list, 3), QStringList{tr("Go to this step")});
+        QCOMPARE(enabledIn(panel.list, 4), QStringList{tr("Undo only this step")});
+        choose(panel.list, 3, tr("Go to this step"));
+        QVERIFY(panel.session().settle());
+        QCOMPARE(panel.session().history().position(), core::RowId(2));
+        choose(panel.list, 2, tr("Go to the end of this branch"));
+        QVERIFY(panel.session().settle());
+        QCOMPARE(panel.session().history().position(), core::RowId(3));
+        choose(panel.list, 2, tr("Show its steps"));
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 2 >2 3"));
+        choose(panel.list, 2, tr("Hide its steps"));
+        QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 2 3"));
+    }
+
+    void saysHowManyBranchesThereAre()
+    {
+        Panel panel;
+        panel.applyAll({test::addSegment("A"), test::drillAt(0)});
+        for (int branch = 0; branch < 11; ++branch) {
+            panel.goTo(1);
+            panel.applyAll({test::drillAt(branch % 5 - 2)});
+        }
+        QTest::qWait(50);
+        const auto* section = panel.fixture.window.findChild<ui::PanelSection*>();
+        const auto labels = section->findChildren<QLabel*>();
+        const auto summary = std::find_if(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->text().startsWith(QStringLiteral("2 steps · 11 branches · "));
+        });
+        QVERIFY(summary != labels.end());
+        const QLabel& label = **summary;
+        QVERIFY(
+            label.fontMetrics().horizontalAdvance(label.text()) <= label.contentsRect().width());
+    }
+
+    /// For people who want to look: the folder is named by BURIN_SCREENSHOTS.
+    void looksLikeATree()
+    {
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (folder.isEmpty())
+            QSKIP("BURIN_SCREENSHOTS names no folder");
+        Panel panel;
+        panel.applyAll({test::addSegment("Brain"), test::drillAt(0), test::drillAt(3),
+            test::seedInBrain(1), test::growBrain(2), test::growBrain(4)});
+        panel.goTo(3);
+        panel.applyAll({test::drillAt(-6), test::seedInBrain(1), test::growBrain(3),
+            test::drillAt(6), test::addSegment("Skull, outer table")});
+        panel.goTo(9);
+        panel.applyAll({test::growBrain(1), test::drillAt(9)});
+        panel.goTo(0);
+        panel.applyAll({test::addSegment("Something else")});
+        panel.goTo(5);
+        for (int row = 0; row < panel.list->model()->rowCount(); ++row)
+            panel.setFolded(row, row == 1);
+        panel.list->setFocus();
+        panel.list->setCurrentIndex(panel.index(6));
+        QTest::qWait(200);
+        panel.fixture.window.grab().save(QDir(folder).filePath(QStringLiteral("history.png")));
+    }
+
 private:
+    /// The panel in the real window, with a small study open.
+    struct Panel {
+        Panel()
+            : fixture(test::smallStudy())
+        {
+            fixture.window.addPanel(new ui::HistoryPanel(fixture.workspace));
+            fixture.window.showPanels(true);
+            fixture.window.activateWindow();
+            if (!QTest::qWaitForWindowActive(&fixture.window))
+                qFatal("the window does not show");
+            list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
+        }
+        [[nodiscard]] core::EditSession& session() { return *fixture.workspace.session(); }
+        void settle()
+        {
+            if (!session().settle())
+                qFatal("the session does not settle");
+        }
+        void applyAll(const std::vector<core::Edit>& edits)
+        {
+            for (const core::Edit& edit : edits) {
+                if (!session().apply(edit))
+                    qFatal("an edit is refused");
+                settle();
+            }
+        }
+        void goTo(core::RowId row)
+        {
+            if (!session().goTo(row))
+                qFatal("no such row");
+            settle();
+        }
+        [[nodiscard]] QModelIndex index(int row) const { return list->model()->index(row, 0); }
+        void setFolded(int row, bool folded) const
+        {
+            list->model()->setData(index(row), folded, ui::HistoryModel::FoldedRole);
+        }
+        [[nodiscard]] QPoint arrowOf(int row) const
+        {
+            const int depth = index(row).data(ui::HistoryModel::DepthRole).toInt();
+            return ui::HistoryDelegate::arrowRect(list->visualRect(index(row)), depth).center();
+        }
+        void click(const QPoint& at) const
+        {
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+        }
+        void doubleClick(int row) const
+        {
+            const QPoint at = list->visualRect(index(row)).center();
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+            QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
+        }
+        /// Row numbers, ">" in front for each branch that they lie on.
+        [[nodiscard]] QString listed() const
+        {
+            QStringList entries;
+            for (int row = 0; row < list->model()->rowCount(); ++row) {
+                const bool heading = index(row).data(ui::HistoryModel::HeadingRole).toBool();
+                entries += QString(index(row).data(ui::HistoryModel::DepthRole).toInt(), u'>')
+                    + (heading ? QStringLiteral("branch to ") : QString())
+                    + index(row).data(ui::HistoryModel::RowIdRole).toString();
+            }
+            return entries.join(u' ');
+        }
+
+        test::WindowFixture fixture;
+        QListView* list = nullptr;
+    };
+
     /// Opens the menu of a row and hands it to @p look, which runs while it is open.
     static void withMenu(QListView* list, int row, const std::function<void(QMenu&)>& look)
     {
