@@ -186,6 +186,11 @@ void EditSession::poll()
     m_queue->poll();
 }
 
+bool EditSession::idle() const
+{
+    return m_queue->idle();
+}
+
 Result<void> EditSession::settle()
 {
     return m_queue->settle();

@@ -78,6 +78,8 @@ public:
 
     /// Take in what the engine has finished; call it when the engine wakes you.
     void poll();
+    /// Nothing is under way or waits; a stroke under the pen or a growth that runs is under way.
+    [[nodiscard]] bool idle() const;
     /// Wait until every command is carried out and on disk. The only member that waits.
     Result<void> settle();
 

@@ -5,6 +5,7 @@
 #include "ui/Workspace.h"
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryDelegate.h"
+#include "ui/panels/HistoryTimeline.h"
 
 #include <QKeyEvent>
 #include <QListView>
@@ -18,6 +19,7 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_model(new HistoryModel(workspace, this))
     , m_view(new QListView(this))
+    , m_timeline(new HistoryTimeline(workspace, *m_model, this))
 {
     m_view->setObjectName(QStringLiteral("historyList"));
     m_view->setAccessibleName(tr("History"));
@@ -25,11 +27,14 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     m_view->setItemDelegate(new HistoryDelegate(m_view));
     m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_view->setMouseTracking(true);
+    m_view->setUniformItemSizes(true);
     m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_view->setMinimumHeight(2 * theme::rowHeight);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
     layout->addWidget(m_view);
+    layout->addWidget(m_timeline);
 
     // activated: double click and Return alike.
     connect(m_view, &QListView::activated, this, &HistoryPanel::goTo);
@@ -37,6 +42,8 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     connect(m_view, &QListView::customContextMenuRequested, this, &HistoryPanel::showMenu);
     m_view->installEventFilter(this);
     connect(m_model, &HistoryModel::currentRowChanged, this, &HistoryPanel::followPosition);
+    connect(m_timeline, &HistoryTimeline::scrubbed, this,
+        [this](int lineIndex) { m_view->setCurrentIndex(m_model->indexOnLine(lineIndex)); });
 }
 
 QString HistoryPanel::title() const
@@ -54,8 +61,9 @@ void HistoryPanel::followPosition(int row)
     std::optional<core::RowId> position;
     if (row >= 0)
         position = core::RowId(m_model->index(row).data(HistoryModel::RowIdRole).toLongLong());
-    // What is only written to the list later (sizes, names) leaves it where the user looks.
-    if (position && position != m_shownPosition)
+    // What is only written to the list later (sizes, names) leaves it where the user looks, and
+    // what the timeline passes on its way where its handle is.
+    if (position && position != m_shownPosition && !m_timeline->isScrubbing())
         m_view->scrollTo(m_model->index(row));
     m_shownPosition = position;
     Q_EMIT summaryChanged(summary());

@@ -12,11 +12,12 @@ class QModelIndex;
 namespace ui {
 
 class HistoryModel;
+class HistoryTimeline;
 class Workspace;
 
 /// What was done, oldest first, with the old futures as branches that unfold (click on the arrow,
 /// Right and Left); a double click (or Return) walks there. The menu of a row also undoes that step
-/// alone.
+/// alone. Below, the timeline walks along the current line.
 class HistoryPanel : public Panel {
     Q_OBJECT
 
@@ -42,6 +43,7 @@ private:
     Workspace& m_workspace;
     HistoryModel* m_model = nullptr;
     QListView* m_view = nullptr;
+    HistoryTimeline* m_timeline = nullptr;
     std::optional<core::RowId> m_shownPosition; ///< what the list was last scrolled to
 };
 

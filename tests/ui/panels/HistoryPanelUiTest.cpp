@@ -6,6 +6,7 @@
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryDelegate.h"
 #include "ui/panels/HistoryPanel.h"
+#include "ui/panels/HistoryTimeline.h"
 
 #include <QApplication>
 #include <QDir>
@@ -155,6 +156,94 @@ private Q_SLOTS:
             label.fontMetrics().horizontalAdvance(label.text()) <= label.contentsRect().width());
     }
 
+    void theTimelineIsThereWhenThereIsAChoice()
+    {
+        Panel panel;
+        QVERIFY(!panel.timeline->isVisible());
+        panel.applyAll({test::addSegment("Brain")});
+        QVERIFY(!panel.timeline->isVisible());
+        panel.applyAll({test::drillAt(0)});
+        QVERIFY(panel.timeline->isVisible());
+        QCOMPARE(panel.timeline->caption(), QStringLiteral("step 2 of 2: Drill 5.0 mm"));
+        panel.goTo(1);
+        QCOMPARE(panel.timeline->caption(), QStringLiteral("step 1 of 2: Add segment 'Brain'"));
+        QCOMPARE(panel.timeline->value(), 1);
+        panel.fixture.workspace.setSession(nullptr);
+        QVERIFY(!panel.timeline->isVisible());
+    }
+
+    void theTimelineIsDragged()
+    {
+        std::vector<core::RowId> passed;
+        Panel panel;
+        panel.applyAll({test::addSegment("Brain")});
+        for (int step = 2; step <= 30; ++step)
+            panel.applyAll({step % 3 == 0 ? core::Edit(test::drillAt(step - 16))
+                                          : core::Edit(core::ChangeSegment{.segment = 1,
+                                              .name = QStringLiteral("name %1").arg(step)})});
+        QCOMPARE(panel.session().history().rows().size(), std::size_t(30));
+        connect(&panel.fixture.workspace, &ui::Workspace::documentChanged, panel.timeline, [&] {
+            const core::RowId position = panel.session().history().position();
+            if (passed.empty() || passed.back() != position)
+                passed.push_back(position);
+        });
+
+        // It follows while the handle is held, and the list is where the handle is.
+        panel.press(30);
+        panel.drag(3);
+        QCOMPARE(panel.timeline->caption(), QStringLiteral("step 3 of 30: Drill 5.0 mm"));
+        QCOMPARE(panel.list->currentIndex().row(), 3);
+        QVERIFY(panel.list->viewport()->rect().contains(
+            panel.list->visualRect(panel.list->currentIndex()).center()));
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(3));
+        QVERIFY(panel.timeline->isSliderDown());
+        QCOMPARE(panel.timeline->value(), 3);
+
+        // Turned round on the way, it does not first go to the end.
+        passed.clear();
+        panel.drag(28);
+        panel.drag(12);
+        panel.release(12);
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(12));
+        QTRY_VERIFY(!panel.timeline->isScrubbing());
+        QVERIFY(*std::max_element(passed.begin(), passed.end()) < 28);
+        QCOMPARE(panel.timeline->value(), 12);
+        QVERIFY(panel.list->currentIndex().data(ui::HistoryModel::CurrentRole).toBool());
+        QCOMPARE(panel.session().history().rows().size(), std::size_t(30)); // no step of its own
+
+        // Back to the beginning, and out of the widget to the end.
+        panel.press(0);
+        panel.release(0);
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(0));
+        QCOMPARE(panel.timeline->caption(), QStringLiteral("step 0 of 30: Study opened"));
+        panel.press(15);
+        QTest::mouseRelease(panel.timeline, Qt::LeftButton, {},
+            QPoint(panel.timeline->width() + 400, panel.timeline->height() / 2));
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(30));
+    }
+
+    void theTimelineWalksByKeys()
+    {
+        Panel panel;
+        panel.applyAll({test::addSegment("Brain"), test::drillAt(0), test::seedInBrain(1),
+            test::growBrain(2)});
+        panel.goTo(2);
+        panel.applyAll({test::drillAt(3)});
+        panel.timeline->setFocus();
+        QTest::keyClick(panel.timeline, Qt::Key_Left);
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(2));
+        QTest::keyClick(panel.timeline, Qt::Key_Left);
+        QTest::keyClick(panel.timeline, Qt::Key_Left);
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(0));
+        QTest::keyClick(panel.timeline, Qt::Key_Right);
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(1));
+        QTest::keyClick(panel.timeline, Qt::Key_End); // of the current line, not of a branch
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(5));
+        QCOMPARE(panel.timeline->maximum(), 3);
+        QTest::keyClick(panel.timeline, Qt::Key_Home);
+        QTRY_COMPARE(panel.polledPosition(), core::RowId(0));
+    }
+
     /// For people who want to look: the folder is named by BURIN_SCREENSHOTS.
     void looksLikeATree()
     {
@@ -192,6 +281,25 @@ private:
             if (!QTest::qWaitForWindowActive(&fixture.window))
                 qFatal("the window does not show");
             list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
+            timeline = fixture.window.findChild<ui::HistoryTimeline*>();
+        }
+        [[nodiscard]] core::RowId polledPosition()
+        {
+            session().poll();
+            return session().history().position();
+        }
+        [[nodiscard]] QPoint onTimeline(int step) const
+        {
+            return {qRound(timeline->xOf(step)), timeline->height() - 10};
+        }
+        void press(int step) const
+        {
+            QTest::mousePress(timeline, Qt::LeftButton, {}, onTimeline(step));
+        }
+        void drag(int step) const { QTest::mouseMove(timeline, onTimeline(step)); }
+        void release(int step) const
+        {
+            QTest::mouseRelease(timeline, Qt::LeftButton, {}, onTimeline(step));
         }
         [[nodiscard]] core::EditSession& session() { return *fixture.workspace.session(); }
         void settle()
@@ -248,6 +356,7 @@ private:
 
         test::WindowFixture fixture;
         QListView* list = nullptr;
+        ui::HistoryTimeline* timeline = nullptr;
     };
 
     /// Opens the menu of a row and hands it to @p look, which runs while it is open.

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/HistoryTimeline.h"
+
+#include "ui/Workspace.h"
+#include "ui/models/HistoryModel.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+/// A walk cannot be turned round; while the handle is moved none is longer than this.
+constexpr int longestWalk = 8;
+constexpr int leastSteps = 2;
+
+} // namespace
+
+HistoryTimeline::HistoryTimeline(Workspace& workspace, const HistoryModel& model, QWidget* parent)
+    : StepSlider(parent)
+    , m_workspace(workspace)
+    , m_model(model)
+{
+    setObjectName(QStringLiteral("historyTimeline"));
+    setAccessibleName(tr("Timeline"));
+    connect(this, &QAbstractSlider::valueChanged, this, &HistoryTimeline::want);
+    connect(this, &QAbstractSlider::sliderReleased, this, &HistoryTimeline::finish);
+    connect(&model, &HistoryModel::currentRowChanged, this, &HistoryTimeline::follow);
+    connect(&workspace, &Workspace::sessionChanged, this, &HistoryTimeline::giveUp);
+    // Later: the session is still telling what it did.
+    connect(&workspace, &Workspace::failed, this, &HistoryTimeline::advance, Qt::QueuedConnection);
+    giveUp();
+}
+
+int HistoryTimeline::lineIndexOf(core::RowId row) const
+{
+    const std::vector<core::RowId>& line = m_model.line();
+    const auto found = std::find(line.begin(), line.end(), row);
+    return found == line.end() ? -1 : int(found - line.begin());
+}
+
+void HistoryTimeline::showStep(int lineIndex)
+{
+    const QSignalBlocker quiet(this);
+    const int steps = int(m_model.line().size()) - 1;
+    setVisible(steps >= leastSteps);
+    setRange(0, std::max(0, steps));
+    setValue(std::max(0, lineIndex));
+    setCaption(tr("step %1 of %2: %3")
+                   .arg(QString::number(value()), QString::number(maximum()),
+                       m_model.indexOnLine(value()).data().toString()));
+}
+
+void HistoryTimeline::want(int lineIndex)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || lineIndex >= int(m_model.line().size()))
+        return;
+    m_wanted = m_model.line()[std::size_t(lineIndex)];
+    showStep(lineIndex);
+    Q_EMIT scrubbed(lineIndex);
+    session->closeGrowth();
+    advance();
+}
+
+void HistoryTimeline::finish()
+{
+    if (m_wanted && m_walkingTo && m_walkingTo != m_wanted)
+        walkTo(*m_wanted);
+    else
+        advance();
+}
+
+void HistoryTimeline::follow()
+{
+    const int wanted = m_wanted ? lineIndexOf(*m_wanted) : -1;
+    if (wanted < 0)
+        return giveUp();
+    showStep(wanted);
+    QMetaObject::invokeMethod(this, &HistoryTimeline::advance, Qt::QueuedConnection);
+}
+
+core::RowId HistoryTimeline::nextTowards(core::RowId wanted) const
+{
+    const int to = lineIndexOf(wanted);
+    const int from = m_model.linePosition();
+    if (!isSliderDown() || to < 0 || from < 0)
+        return wanted;
+    const int next = from + std::clamp(to - from, -longestWalk, longestWalk);
+    return m_model.line()[std::size_t(next)];
+}
+
+void HistoryTimeline::advance()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !m_wanted || !session->idle())
+        return;
+    const core::RowId position = session->history().position();
+    // The walk failed, or somebody else went on from where it ended.
+    if (m_walkingTo && *m_walkingTo != position)
+        return giveUp();
+    m_walkingTo.reset();
+    if (position != *m_wanted)
+        return walkTo(nextTowards(*m_wanted));
+    m_wanted.reset();
+}
+
+void HistoryTimeline::walkTo(core::RowId row)
+{
+    m_walkingTo = row;
+    if (const auto walked = m_workspace.session()->goTo(row); !walked) {
+        m_workspace.fail(walked.error());
+        giveUp();
+    }
+}
+
+void HistoryTimeline::giveUp()
+{
+    m_wanted.reset();
+    m_walkingTo.reset();
+    showStep(m_model.linePosition());
+}
+
+} // namespace ui

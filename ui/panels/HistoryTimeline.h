@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/history/History.h"
+#include "ui/widgets/StepSlider.h"
+
+#include <optional>
+
+namespace ui {
+
+class HistoryModel;
+class Workspace;
+
+/// The current line of the history as a slider, one step per row. Dragged, it says where it stands,
+/// and the study follows as fast as it can: one short walk at a time, the next one to where the
+/// handle is by then. Released, or moved by keys, it walks there. Hidden where there is nothing to
+/// choose between.
+class HistoryTimeline : public StepSlider {
+    Q_OBJECT
+
+public:
+    HistoryTimeline(Workspace& workspace, const HistoryModel& model, QWidget* parent = nullptr);
+
+    /// The handle stands where the study is not yet.
+    [[nodiscard]] bool isScrubbing() const { return m_wanted.has_value(); }
+
+Q_SIGNALS:
+    /// The handle was moved to this place on the current line.
+    void scrubbed(int lineIndex);
+
+private:
+    void want(int lineIndex);
+    void finish();
+    void follow();
+    /// Walks on towards what is wanted, unless a walk is still under way.
+    void advance();
+    void walkTo(core::RowId row);
+    void giveUp();
+    void showStep(int lineIndex);
+    [[nodiscard]] core::RowId nextTowards(core::RowId wanted) const;
+    [[nodiscard]] int lineIndexOf(core::RowId row) const; ///< −1: not on the current line
+
+    Workspace& m_workspace;
+    const HistoryModel& m_model;
+    std::optional<core::RowId> m_wanted;
+    std::optional<core::RowId> m_walkingTo;
+};
+
+} // namespace ui
