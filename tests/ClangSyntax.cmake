@@ -24,7 +24,7 @@ foreach(room core gpu)
     string(REPLACE "/" "-" name ${name})
     set(stamp ${CMAKE_CURRENT_BINARY_DIR}/clang/${name}.ok)
     add_custom_command(OUTPUT ${stamp}
-      COMMAND ${CLANG} @${arguments} -MD -MF ${stamp}.d -MT ${stamp} ${source}
+      COMMAND ${CLANG} @${arguments} -MD -MF ${stamp}.d -MQ ${stamp} ${source}
       COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
       DEPENDS ${source} ${arguments} DEPFILE ${stamp}.d
       COMMENT "clang syntax ${name}" VERBATIM)

@@ -53,6 +53,11 @@ QString errorText(const core::Error& error)
         return QStringLiteral("%1: nothing to export%2").arg(first, reason);
     case ErrorCode::SessionDamaged:
         return QStringLiteral("%1: the session is damaged%2").arg(first, reason);
+    case ErrorCode::SessionUnwritten:
+        return QStringLiteral(
+            "%1 cannot be written now%2. Work goes on and is kept in memory; it is "
+            "written as soon as that is possible")
+            .arg(first, reason);
     case ErrorCode::SessionMismatch:
         return QStringLiteral("%1: the session was made on another volume%2").arg(first, reason);
     case ErrorCode::StudyMissing:

@@ -17,6 +17,7 @@
 #include "ui/WindowActions.h"
 #include "ui/dialogs/AboutDialog.h"
 #include "ui/dialogs/OpenStudyDialog.h"
+#include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/Panel.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/CautionStrip.h"
@@ -284,6 +285,10 @@ void MainWindow::restoreLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (!mayLoseUnwrittenSteps(m_workspace, this)) {
+        event->ignore();
+        return;
+    }
     if (m_keepsLayout) {
         QSettings settings;
         settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

@@ -4,6 +4,7 @@
 #include "ui/InitialDisplay.h"
 #include "ui/tools/Tool.h"
 
+#include <chrono>
 #include <utility>
 
 namespace ui {
@@ -12,6 +13,11 @@ Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     : QObject(parent)
     , m_frames(frames)
 {
+    m_retry.setInterval(std::chrono::seconds(5));
+    connect(&m_retry, &QTimer::timeout, this, [this] {
+        if (m_session)
+            m_session->retryWriting();
+    });
 }
 
 Workspace::~Workspace() = default;
@@ -31,10 +37,14 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         m_session->setListener({});
         m_session->setErrorListener({});
     }
+    m_retry.stop();
     m_session = std::move(session);
     if (m_session) {
-        m_session->setListener(
-            [this](const core::DocumentChange& change) { Q_EMIT documentChanged(change); });
+        m_session->setListener([this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Disk)
+                followDisk();
+            Q_EMIT documentChanged(change);
+        });
         m_session->setErrorListener([this](const core::Error& error) { fail(error); });
     }
     m_cautionAccepted = false;
@@ -56,6 +66,17 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT viewOptionsChanged();
     Q_EMIT activeSegmentChanged();
     Q_EMIT cautionAcceptedChanged();
+}
+
+void Workspace::followDisk()
+{
+    const bool troubled = m_session->diskTrouble().has_value();
+    if (!troubled && m_retry.isActive())
+        say(tr("Everything is on disk again."));
+    if (troubled)
+        m_retry.start();
+    else
+        m_retry.stop();
 }
 
 void Workspace::setCrosshairLps(const glm::dvec3& position)

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include <memory>
 #include <optional>
@@ -118,6 +119,8 @@ Q_SIGNALS:
     void pressureChanged(double pressure);
 
 private:
+    void followDisk();
+
     gpu::FrameSource& m_frames;
     std::unique_ptr<core::EditSession> m_session;
     glm::dvec3 m_crosshairLps{0.0};
@@ -130,6 +133,7 @@ private:
     bool m_cautionAccepted = false;
     std::optional<glm::dvec3> m_pointedLps;
     Tool* m_tool = nullptr;
+    QTimer m_retry; ///< runs while steps wait for the disk
 };
 
 } // namespace ui

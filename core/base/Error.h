@@ -35,6 +35,7 @@ enum class ErrorCode {
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,
     SessionMismatch,
+    SessionUnwritten, ///< work goes on in memory; argument 1 is what the disk said
     StudyMissing, ///< argument 1: where the session's study was
     // Machine.
     GraphicsUnavailable,

@@ -66,7 +66,7 @@ struct Document {
 
 /// News for views and item models.
 struct DocumentChange {
-    enum class What { Volume, Segments, Layers, Labels, Coverage, Growth, History };
+    enum class What { Volume, Segments, Layers, Labels, Coverage, Growth, History, Disk };
     What what = What::Volume;
     VoxelBox box; ///< where voxels changed; empty for the rest
 };

@@ -196,6 +196,18 @@ Result<void> EditSession::settle()
     return m_queue->settle();
 }
 
+std::optional<Error> EditSession::diskTrouble() const
+{
+    const SessionState& state = m_queue->state();
+    return state.file ? state.file->trouble() : std::nullopt;
+}
+
+void EditSession::retryWriting()
+{
+    if (SessionFile* file = m_queue->state().file.get())
+        file->retry();
+}
+
 QByteArray EditSession::stateHash() const
 {
     const SessionState& state = m_queue->state();

@@ -83,6 +83,12 @@ public:
     /// Wait until every command is carried out and on disk. The only member that waits.
     Result<void> settle();
 
+    /// Why steps wait in memory instead of standing on disk (a full disk, say); none: they do not.
+    /// A change is told as DocumentChange::What::Disk.
+    [[nodiscard]] std::optional<Error> diskTrouble() const;
+    /// Tries to write them now; every further step does so too. Never waits.
+    void retryWriting();
+
     /// The incremental state hash (core/session/README.md), hex. Expects a settled session.
     [[nodiscard]] QByteArray stateHash() const;
 

@@ -41,6 +41,8 @@ OperationQueue::OperationQueue(EditEngine& engine, Volume volume, std::unique_pt
     m_state.worker = std::make_unique<CommitWorker>(m_state.file.get(), m_wakeUp);
     if (m_wakeUp)
         engine.setWakeUp(m_wakeUp);
+    if (m_state.file && m_wakeUp)
+        m_state.file->setTroubleListener(m_wakeUp);
 }
 
 OperationQueue::~OperationQueue()
@@ -109,7 +111,20 @@ void OperationQueue::poll()
         advance();
     while (collect());
     m_polling = false;
+    noticeTrouble();
     tellNews();
+}
+
+/// Told once when writing begins to fail; settle() tells whoever waits for the disk each time.
+void OperationQueue::noticeTrouble()
+{
+    const std::optional<Error> trouble = m_state.file ? m_state.file->trouble() : std::nullopt;
+    if (trouble.has_value() == m_troubled)
+        return;
+    m_troubled = trouble.has_value();
+    if (trouble)
+        m_state.errors.push_back({ErrorCode::SessionUnwritten, trouble->arguments});
+    m_state.tell(DocumentChange::What::Disk);
 }
 
 bool OperationQueue::collect()
@@ -190,14 +205,14 @@ Result<void> OperationQueue::settle()
     }
     m_state.worker->finish();
     poll();
-    if (m_state.file) {
-        if (const Result<void> flushed = m_state.file->flush(); !flushed && !m_state.firstError)
-            m_state.fail(flushed.error());
-    }
+    Result<void> onDisk;
+    if (m_state.file)
+        onDisk = m_state.file->flush();
+    noticeTrouble();
     tellNews();
     if (const std::optional<Error> error = std::exchange(m_state.firstError, std::nullopt))
         return tl::unexpected(*error);
-    return {};
+    return onDisk;
 }
 
 Result<void> OperationQueue::check(const Edit& edit) const

@@ -55,6 +55,7 @@ public:
     void tellNews();
 
 private:
+    void noticeTrouble();
     void advance();
     bool collect();
     void take(EngineResult&& result);
@@ -70,6 +71,7 @@ private:
     bool m_started = false; ///< the first one is
     bool m_advancing = false;
     bool m_polling = false;
+    bool m_troubled = false; ///< the user knows that the file cannot be written
     std::map<Ticket, Answer> m_answers; ///< to questions that are with the engine
 };
 

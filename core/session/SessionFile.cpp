@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <utility>
 
 namespace core {
@@ -19,7 +20,11 @@ SessionFile::SessionFile(const QString& path)
 
 SessionFile::~SessionFile()
 {
-    m_writer.run([this] { m_tables.reset(); });
+    m_writer.run([this] {
+        m_troubleListener = {};
+        writeWaiting();
+        m_tables.reset();
+    });
 }
 
 Result<std::unique_ptr<SessionFile>> SessionFile::create(
@@ -90,36 +95,96 @@ bool SessionFile::isNamedAt(const QString& path)
 
 void SessionFile::addRow(const HistoryRow& row)
 {
-    m_writer.post([this, text = RowText::of(row)] { m_tables->addRow(text); });
+    post({.carryOut = [text = RowText::of(row)](
+                          SessionTables& tables) { return tables.addRow(text); }});
 }
 
 void SessionFile::completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta)
 {
-    m_writer.post([this, row, stateHash, delta] { m_tables->completeRow(row, stateHash, delta); });
+    const auto shared = std::make_shared<const BrickDelta>(delta);
+    post({.carryOut =
+              [row, stateHash, shared](
+                  SessionTables& tables) { return tables.completeRow(row, stateHash, *shared); },
+        .row = row,
+        .delta = shared});
 }
 
 void SessionFile::setPosition(RowId position)
 {
-    m_writer.post([this, position] { m_tables->setPosition(position); });
+    post({.carryOut = [position](SessionTables& tables) { return tables.setPosition(position); }});
 }
 
 void SessionFile::setHiddenSegments(const std::vector<int>& labels)
 {
-    m_writer.post([this, labels] { m_tables->setHiddenSegments(labels); });
+    post(
+        {.carryOut = [labels](SessionTables& tables) { return tables.setHiddenSegments(labels); }});
+}
+
+void SessionFile::post(Write write)
+{
+    m_writer.post([this, write = std::move(write)] {
+        m_waiting.push_back(write);
+        writeWaiting();
+    });
+}
+
+void SessionFile::retry()
+{
+    m_writer.post([this] { writeWaiting(); });
+}
+
+void SessionFile::writeWaiting()
+{
+    std::optional<Error> trouble;
+    while (!m_waiting.empty() && !trouble) {
+        if (const Result<void> written = m_waiting.front().carryOut(*m_tables); written)
+            m_waiting.pop_front();
+        else
+            trouble = written.error();
+    }
+    setTrouble(trouble);
+}
+
+void SessionFile::setTrouble(const std::optional<Error>& trouble)
+{
+    bool changed = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        changed = m_trouble.has_value() != trouble.has_value();
+        m_trouble = trouble;
+    }
+    if (changed && m_troubleListener)
+        m_troubleListener();
+}
+
+std::optional<Error> SessionFile::trouble() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_trouble;
+}
+
+void SessionFile::setTroubleListener(std::function<void()> listener)
+{
+    m_troubleListener = std::move(listener);
 }
 
 Result<BrickDelta> SessionFile::readDelta(RowId row)
 {
     Result<BrickDelta> result;
-    m_writer.run([&] { result = m_tables->readDelta(row); });
+    m_writer.run([&] {
+        const auto waits = std::find_if(m_waiting.begin(), m_waiting.end(),
+            [row](const Write& write) { return write.delta && write.row == row; });
+        result = waits == m_waiting.end() ? m_tables->readDelta(row) : *waits->delta;
+    });
     return result;
 }
 
 Result<void> SessionFile::flush()
 {
-    Result<void> result;
-    m_writer.run([&] { result = m_tables->written(); });
-    return result;
+    m_writer.run([this] { writeWaiting(); });
+    if (const std::optional<Error> why = trouble())
+        return tl::unexpected(*why);
+    return {};
 }
 
 } // namespace core

@@ -8,7 +8,11 @@
 
 #include <QString>
 
+#include <deque>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -16,8 +20,9 @@ namespace core {
 class SessionTables;
 
 /// The history on disk (README.md beside this file): an SQLite database behind one writer thread
-/// that owns the connection. Writing calls return at once and are carried out in order; the first
-/// one that fails is told by flush(). Any thread may call.
+/// that owns the connection. Writing calls return at once and are carried out in order. What cannot
+/// be written (a full disk, a folder that went away) waits in memory with all that follows it, and
+/// is tried again with every further call. Any thread may call.
 class SessionFile {
 public:
     /// A new file, readable by its owner only.
@@ -49,18 +54,40 @@ public:
     void setPosition(RowId position);
     void setHiddenSegments(const std::vector<int>& labels);
 
-    /// Waits. Errors: SessionDamaged.
+    /// Waits. What waits in memory is read from there. Errors: SessionDamaged.
     [[nodiscard]] Result<BrickDelta> readDelta(RowId row);
-    /// Waits until everything is on disk. Errors: FileUnwritable, from the first failure on
-    /// (nothing more is written then: a row must not stand on one that is missing).
+    /// Waits until everything is on disk. Errors: FileUnwritable; what is left waits on.
     [[nodiscard]] Result<void> flush();
+
+    /// Tries again what waits in memory. Never waits.
+    void retry();
+    /// Why something waits in memory; none: everything is on disk or on its way there.
+    [[nodiscard]] std::optional<Error> trouble() const;
+    /// Called on the writer's thread when writing begins to fail, and when all is written again.
+    /// Set it before the first write.
+    void setTroubleListener(std::function<void()> listener);
 
 private:
     explicit SessionFile(const QString& path);
 
+    struct Write {
+        std::function<Result<void>(SessionTables&)> carryOut;
+        RowId row = 0; ///< whose second half it is; 0: another write
+        std::shared_ptr<const BrickDelta> delta; ///< of that row
+    };
+    void post(Write write);
+    void writeWaiting();
+    void setTrouble(const std::optional<Error>& trouble);
+
     QString m_path;
     SessionContents m_contents;
-    std::unique_ptr<SessionTables> m_tables; ///< the writer's thread only
+    std::function<void()> m_troubleListener;
+    mutable std::mutex m_mutex;
+    std::optional<Error> m_trouble; ///< under m_mutex
+    // The writer's thread only:
+    std::unique_ptr<SessionTables> m_tables;
+    std::deque<Write> m_waiting;
+
     TaskThread m_writer; ///< last: it uses all of the above
 };
 

@@ -42,10 +42,9 @@ Result<void> SessionTables::create(const SessionSource& source)
     m_database = *std::move(made);
     const QString json = compact(source.toJson());
     m_chains = {firstChain(json)};
-    write([&] {
+    return write([&] {
         return m_database->run(QStringLiteral("INSERT INTO source VALUES (1, ?)"), {json});
     });
-    return written();
 }
 
 Result<SessionContents> SessionTables::open(bool readOnly)
@@ -70,10 +69,10 @@ Result<SessionContents> SessionTables::open(bool readOnly)
 
 // --- Writing -------------------------------------------------------------------------------------
 
-void SessionTables::addRow(const RowText& row)
+Result<void> SessionTables::addRow(const RowText& row)
 {
     const QString chain = row.chain(m_chains.back());
-    const bool stands = write([&] {
+    const Result<void> stands = write([&] {
         return m_database->run(
                    QStringLiteral("INSERT INTO row (id, parent, name, edit, statistics,"
                                   " growthGeneration, chain) VALUES (?, ?, ?, ?, ?, ?, ?)"),
@@ -83,11 +82,13 @@ void SessionTables::addRow(const RowText& row)
     });
     if (stands)
         m_chains.push_back(chain);
+    return stands;
 }
 
-void SessionTables::completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta)
+Result<void> SessionTables::completeRow(
+    RowId row, const QByteArray& stateHash, const BrickDelta& delta)
 {
-    write([&] {
+    return write([&] {
         for (std::size_t piece = 0; piece < delta.pieces.size(); ++piece) {
             if (!m_database->run(QStringLiteral("INSERT INTO delta VALUES (?, ?, ?)"),
                     {sqlId(row), int(piece), delta.pieces[piece]}))
@@ -101,35 +102,25 @@ void SessionTables::completeRow(RowId row, const QByteArray& stateHash, const Br
     });
 }
 
-void SessionTables::setPosition(RowId position)
+Result<void> SessionTables::setPosition(RowId position)
 {
-    write([&] { return writePosition(position); });
+    return write([&] { return writePosition(position); });
 }
 
-void SessionTables::setHiddenSegments(const std::vector<int>& labels)
+Result<void> SessionTables::setHiddenSegments(const std::vector<int>& labels)
 {
     QJsonArray list;
     for (const int label : labels)
         list.append(label);
     const QString text = QString::fromUtf8(QJsonDocument(list).toJson(QJsonDocument::Compact));
-    write([&] { return writeState(QStringLiteral("hiddenSegments"), text); });
+    return write([&] { return writeState(QStringLiteral("hiddenSegments"), text); });
 }
 
-Result<void> SessionTables::written() const
+Result<void> SessionTables::write(const std::function<bool()>& work)
 {
-    if (m_error)
-        return tl::unexpected(*m_error);
-    return {};
-}
-
-bool SessionTables::write(const std::function<bool()>& work)
-{
-    if (m_error)
-        return false;
     if (m_database->transaction(work))
-        return true;
-    m_error = Error{ErrorCode::FileUnwritable, {m_path, m_database->reason()}};
-    return false;
+        return {};
+    return failure(ErrorCode::FileUnwritable, m_path, m_database->reason());
 }
 
 bool SessionTables::writePosition(RowId position)

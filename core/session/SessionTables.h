@@ -21,19 +21,19 @@ public:
     [[nodiscard]] Result<void> create(const SessionSource& source);
     [[nodiscard]] Result<SessionContents> open(bool readOnly);
 
-    void addRow(const RowText& row);
-    void completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta);
-    void setPosition(RowId position);
-    void setHiddenSegments(const std::vector<int>& labels);
-    /// The first failure of those above. After it nothing more is written: a row must not stand on
-    /// one that is missing.
-    [[nodiscard]] Result<void> written() const;
+    // One transaction each; one that fails (FileUnwritable) leaves the file as it was and may be
+    // tried again. A row must not be written before the one ahead of it stands.
+    [[nodiscard]] Result<void> addRow(const RowText& row);
+    [[nodiscard]] Result<void> completeRow(
+        RowId row, const QByteArray& stateHash, const BrickDelta& delta);
+    [[nodiscard]] Result<void> setPosition(RowId position);
+    [[nodiscard]] Result<void> setHiddenSegments(const std::vector<int>& labels);
 
     [[nodiscard]] Result<BrickDelta> readDelta(RowId row);
 
 private:
     [[nodiscard]] tl::unexpected<Error> damaged(RowId row, const QString& reason) const;
-    bool write(const std::function<bool()>& work);
+    [[nodiscard]] Result<void> write(const std::function<bool()>& work);
     bool writePosition(RowId position);
     bool writeState(const QString& key, const QString& value);
 
@@ -45,7 +45,6 @@ private:
     QString m_path;
     std::unique_ptr<SessionDatabase> m_database;
     std::vector<QString> m_chains; ///< by row; [0] is the source's
-    std::optional<Error> m_error;
 };
 
 } // namespace core

@@ -3,6 +3,7 @@
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/FileSizeLimit.h"
 #include "tests/support/SmallStudy.h"
 
 #include <QDir>
@@ -365,6 +366,74 @@ private Q_SLOTS:
                      .error()
                      .code,
             ErrorCode::FileExists);
+    }
+
+    /// No step is lost while the disk is full, and all are there once it is not.
+    void aFullDiskKeepsWorkInMemory()
+    {
+        reference::ReferenceEngine engine;
+        const std::vector<Edit> edits = test::manyEdits();
+        QByteArray hash;
+        {
+            auto session = *EditSession::create(engine, test::smallStudy(), {.file = m_path});
+            std::vector<ErrorCode> told;
+            session->setErrorListener([&told](const Error& error) { told.push_back(error.code); });
+            for (std::size_t i = 0; i < 4; ++i)
+                QVERIFY(session->apply(edits[i]));
+            QVERIFY(session->settle());
+            {
+                const test::FileSizeLimit limit(1);
+                for (std::size_t i = 4; i < edits.size(); ++i) {
+                    QVERIFY(session->apply(edits[i]));
+                    const Result<void> settled = session->settle();
+                    QVERIFY(!settled);
+                    QCOMPARE(settled.error().code, ErrorCode::FileUnwritable);
+                    QCOMPARE(settled.error().arguments.value(0), m_path);
+                }
+                QVERIFY(session->diskTrouble());
+                QCOMPARE(told, std::vector<ErrorCode>{ErrorCode::SessionUnwritten}); // once
+                hash = session->stateHash();
+                QVERIFY(session->goTo(0));
+                static_cast<void>(session->settle());
+                QCOMPARE(session->history().position(), RowId(0));
+                QVERIFY(session->goTo(RowId(edits.size())));
+                static_cast<void>(session->settle());
+                QCOMPARE(session->stateHash(), hash);
+            }
+            session->retryWriting();
+            const Result<void> settled = session->settle();
+            QVERIFY2(
+                settled, qPrintable(settled ? QString() : settled.error().arguments.join(u' ')));
+            QVERIFY(!session->diskTrouble());
+            QCOMPARE(told.size(), std::size_t(1));
+        }
+        Opened opened;
+        const Result<void> result = openSession(opened, m_path);
+        QVERIFY2(result, qPrintable(result ? QString() : result.error().arguments.join(u' ')));
+        QCOMPARE(opened.session->stateHash(), hash);
+        QCOMPARE(opened.session->history().rows().size(), edits.size());
+    }
+
+    /// What stood on disk when it filled up opens again, even if the rest is lost with the process.
+    void whatWasWrittenBeforeTheDiskFilledUpStays()
+    {
+        reference::ReferenceEngine engine;
+        QByteArray hash;
+        {
+            auto session = *EditSession::create(engine, test::smallStudy(), {.file = m_path});
+            session->setErrorListener([](const Error&) {});
+            QVERIFY(session->apply(test::drillAt(0)));
+            QVERIFY(session->settle());
+            hash = session->stateHash();
+            const test::FileSizeLimit limit(1);
+            QVERIFY(session->apply(test::drillAt(3)));
+            QVERIFY(!session->settle());
+            session.reset();
+        }
+        Opened opened;
+        QVERIFY(openSession(opened, m_path));
+        QCOMPARE(opened.session->stateHash(), hash);
+        QCOMPARE(opened.session->history().rows().size(), std::size_t(1));
     }
 
     void readOnlyFoldersAreReadAndSaidToBe()
