@@ -60,6 +60,10 @@ QString errorText(const core::Error& error)
             .arg(first, reason);
     case ErrorCode::SessionMismatch:
         return QStringLiteral("%1: the session was made on another volume%2").arg(first, reason);
+    case ErrorCode::SessionReadOnly:
+        return QStringLiteral("%1 is open for looking only%2. 'Save session as …' gives a copy "
+                              "that can be edited")
+            .arg(first, reason);
     case ErrorCode::StudyMissing:
         return QStringLiteral("%1: its study is no longer at %2; name it with --study")
             .arg(first, second);

@@ -36,6 +36,7 @@ enum class ErrorCode {
     SessionDamaged,
     SessionMismatch,
     SessionUnwritten, ///< work goes on in memory; argument 1 is what the disk said
+    SessionReadOnly, ///< it is looked at only; argument 1: why
     StudyMissing, ///< argument 1: where the session's study was
     // Machine.
     GraphicsUnavailable,
