@@ -48,7 +48,7 @@ std::span<const Command> commands()
             false, runReplay},
         {"run",
             "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force | --append]"
-            " [--apply-elsewhere]",
+            " [--apply-elsewhere] [--author NAME]",
             "carries out a recipe without a window (burin edits: what it can hold)", false,
             runRecipe},
     };

@@ -205,6 +205,8 @@ int run(core::Recipe recipe, const Arguments& arguments)
             (*engine)->edits(), *std::move(loaded), {.file = file, .replaceExisting = force});
     if (!session)
         return tellFailure(session.error());
+    (*session)->setOrigin(
+        [author = arguments.value("author")] { return core::presentOrigin(author); });
     if (append) {
         if (const Result<void> fit = fits((*session)->document()); !fit)
             return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
@@ -228,7 +230,8 @@ int run(core::Recipe recipe, const Arguments& arguments)
 int runRecipe(const QStringList& words)
 {
     const Arguments arguments(words,
-        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("session")},
+        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("session"),
+            QStringLiteral("author")},
         {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere")});
     if (!arguments.problem().isEmpty())
         return tellUsage("run", arguments.problem());

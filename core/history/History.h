@@ -3,6 +3,7 @@
 
 #include "core/edits/Edits.h"
 #include "core/engine/EngineCommands.h"
+#include "core/history/RowOrigin.h"
 
 #include <QByteArray>
 #include <QString>
@@ -22,6 +23,7 @@ struct HistoryRow {
     QString name; ///< for people: "Drill 6.2 mm, 214 bricks"
     Edit edit; ///< quantised; what replay applies
     EditStatistics statistics;
+    RowOrigin origin;
     std::uint32_t growthGeneration = 0; ///< the counter of plane 0 after this row
     std::size_t deltaBytes = 0; ///< compressed before-image; 0 while it is still being made
     QByteArray stateHash; ///< hex, of the state after this row; empty while it is being made

@@ -3,6 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
+#include "core/session/AuditReport.h"
 #include "core/session/EditOperation.h"
 #include "core/session/OperationQueue.h"
 #include "core/session/ReadLabels.h"
@@ -217,6 +218,43 @@ QByteArray EditSession::stateHash() const
 Result<std::vector<std::uint8_t>> EditSession::labels(std::uint8_t plane)
 {
     return readLabels(*m_queue, plane);
+}
+
+void EditSession::setOrigin(std::function<RowOrigin()> origin)
+{
+    m_queue->state().origin = std::move(origin);
+}
+
+void EditSession::addKeyframe(RowId row, const QByteArray& png)
+{
+    SessionState& state = m_queue->state();
+    if (!state.file)
+        return;
+    state.keyframes.insert(row);
+    state.file->addKeyframe({.row = row, .at = state.origin().at, .png = png});
+}
+
+std::vector<RowId> EditSession::keyframes() const
+{
+    const std::set<RowId>& rows = m_queue->state().keyframes;
+    return {rows.begin(), rows.end()};
+}
+
+void EditSession::fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take) const
+{
+    if (const auto& file = m_queue->state().file)
+        file->fetchKeyframe(row, std::move(take));
+    else
+        take({});
+}
+
+void EditSession::audit(std::function<void(const Result<AuditReport>&)> take) const
+{
+    if (const auto& file = m_queue->state().file)
+        file->audit(std::move(take));
+    else
+        take(failure(ErrorCode::InvalidField, QStringLiteral("session"),
+            QStringLiteral("it is kept in no file")));
 }
 
 void EditSession::setSegmentVisible(int label, bool visible)

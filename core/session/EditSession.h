@@ -16,6 +16,7 @@
 namespace core {
 
 class OperationQueue;
+struct AuditReport;
 
 /// The controller (DESIGN §2): stroke → command → engine → history → session file.
 ///
@@ -95,6 +96,22 @@ public:
     /// Labels of a plane, x fastest, as they are after settle(): for export and checks. Waits; who
     /// must not asks a LabelReader's questions.
     [[nodiscard]] Result<std::vector<std::uint8_t>> labels(std::uint8_t plane);
+
+    /// Asked whenever a row is made. Until it is set: presentOrigin(), without a name.
+    void setOrigin(std::function<RowOrigin()> origin);
+
+    /// A picture of what is seen at a row, as PNG; one per row, the last one stays. Kept in the
+    /// session file, else nowhere. Never waits.
+    void addKeyframe(RowId row, const QByteArray& png);
+    /// Rows that have a picture, ascending.
+    [[nodiscard]] std::vector<RowId> keyframes() const;
+    /// Fetches the PNG of a row's picture (empty: it cannot be read). Never waits; @p take is
+    /// called once, on another thread, before the session is gone.
+    void fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take) const;
+
+    /// The session's file read again and checked. Never waits; @p take is called once, on another
+    /// thread, before the session is gone. A session without a file says so (InvalidField).
+    void audit(std::function<void(const Result<AuditReport>&)> take) const;
 
     /// Display state is no step of undo.
     void setSegmentVisible(int label, bool visible);

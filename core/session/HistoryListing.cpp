@@ -24,6 +24,12 @@ QJsonValue hashValue(const QByteArray& hash)
     return hash.isEmpty() ? QJsonValue() : QJsonValue(QString::fromLatin1(hash));
 }
 
+/// Rows that older versions wrote do not say who made them, and when.
+QJsonValue told(const HistoryRow& row, const QString& text)
+{
+    return row.origin.at.isValid() ? QJsonValue(text) : QJsonValue();
+}
+
 /// The state that every session begins with.
 QByteArray hashOfBeginning()
 {
@@ -74,6 +80,9 @@ QJsonObject historyListing(const SessionContents& contents)
             {QStringLiteral("seq"), qint64(row.id)},
             {QStringLiteral("parent"), qint64(row.parent)},
             {QStringLiteral("name"), row.name},
+            {QStringLiteral("at"), told(row, row.origin.at.toUTC().toString(Qt::ISODateWithMs))},
+            {QStringLiteral("author"), told(row, row.origin.author)},
+            {QStringLiteral("program"), told(row, row.origin.program)},
             {QStringLiteral("edit"), editToJson(row.edit)},
             {QStringLiteral("voxels"), qint64(row.statistics.voxelsChanged)},
             {QStringLiteral("bytes"), qint64(row.deltaBytes)},

@@ -81,6 +81,8 @@ Result<void> restoreSession(SessionState& state)
     }
     state.history.moveTo(base);
     state.hide(contents.hiddenSegments);
+    for (const Keyframe& keyframe : contents.keyframes)
+        state.keyframes.insert(keyframe.row);
     state.begin(*std::move(images));
     if (base != 0
         && state.worker->stateHash(state.documentJson()) != state.history.row(base).stateHash)

@@ -47,7 +47,10 @@ RowText RowText::of(const HistoryRow& row)
         .name = row.name,
         .edit = compact(editToJson(row.edit)),
         .statistics = toText(row.statistics),
-        .growthGeneration = row.growthGeneration};
+        .growthGeneration = row.growthGeneration,
+        .at = row.origin.at.toUTC().toString(Qt::ISODateWithMs),
+        .author = row.origin.author,
+        .program = row.origin.program};
 }
 
 Result<HistoryRow> RowText::row() const
@@ -62,13 +65,19 @@ Result<HistoryRow> RowText::row() const
     row.edit = *std::move(known);
     row.statistics = statisticsFrom(statistics);
     row.growthGeneration = std::uint32_t(growthGeneration);
+    row.origin = {.at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
+        .author = author,
+        .program = program};
     return row;
 }
 
 QString RowText::chain(const QString& previous) const
 {
-    return sha256({previous, QString::number(id), QString::number(parent), name, edit, statistics,
-        QString::number(growthGeneration)});
+    QStringList lines{previous, QString::number(id), QString::number(parent), name, edit,
+        statistics, QString::number(growthGeneration)};
+    if (!at.isEmpty())
+        lines += {at, author, program};
+    return sha256(lines);
 }
 
 QString firstChain(const QString& source)

@@ -19,6 +19,9 @@ struct RowText {
     QString edit; ///< compact JSON
     QString statistics; ///< compact JSON
     qint64 growthGeneration = 0;
+    QString at; ///< ISO 8601, UTC, with milliseconds; empty: a row as version 1 wrote them
+    QString author;
+    QString program;
 
     [[nodiscard]] static RowText of(const HistoryRow& row);
     /// Without the second half of the row. Errors: those of editFromJson().

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/history/History.h"
+#include "core/session/Keyframe.h"
 #include "core/session/SessionSource.h"
 
 #include <utility>
@@ -16,6 +17,8 @@ struct SessionContents {
     std::vector<std::pair<RowId, RowId>> visited; ///< parent, child
     RowId position = 0;
     std::vector<int> hiddenSegments;
+    std::vector<Keyframe> keyframes; ///< by row; without their pictures
+    QString chainEnd; ///< hex; it covers the source and every row
 };
 
 } // namespace core

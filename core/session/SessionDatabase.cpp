@@ -19,11 +19,22 @@ const char* const tables[]{
     "CREATE TABLE source (id INTEGER PRIMARY KEY CHECK (id = 1), json TEXT NOT NULL)",
     R"(CREATE TABLE row (id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, name TEXT NOT NULL,
         edit TEXT NOT NULL, statistics TEXT NOT NULL, growthGeneration INTEGER NOT NULL,
-        chain TEXT NOT NULL, stateHash TEXT, deltaSha256 TEXT, seal TEXT))",
+        chain TEXT NOT NULL, stateHash TEXT, deltaSha256 TEXT, seal TEXT,
+        at TEXT, author TEXT, program TEXT))",
     R"(CREATE TABLE delta (row INTEGER NOT NULL, piece INTEGER NOT NULL, bytes BLOB NOT NULL,
         PRIMARY KEY (row, piece)))",
     "CREATE TABLE visited (parent INTEGER PRIMARY KEY, child INTEGER NOT NULL)",
     "CREATE TABLE state (key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+    "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
+};
+
+/// What version 2 added.
+const char* const sinceVersion1[]{
+    "ALTER TABLE row ADD COLUMN at TEXT",
+    "ALTER TABLE row ADD COLUMN author TEXT",
+    "ALTER TABLE row ADD COLUMN program TEXT",
+    "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
+    "PRAGMA user_version=2",
 };
 
 QString newConnectionName()
@@ -133,7 +144,8 @@ Result<void> SessionDatabase::checkFormat()
         return failure(
             ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
     const int version = number("user_version");
-    if (version != schemaVersion)
+    m_version = version;
+    if (version < 1 || version > schemaVersion)
         return failure(ErrorCode::UnsupportedFormat, m_path,
             version > schemaVersion
                 ? QStringLiteral("a newer Burin wrote it (session format %1; this one reads %2)")
@@ -195,8 +207,21 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
     return good;
 }
 
+bool SessionDatabase::upgrade()
+{
+    if (m_version >= schemaVersion)
+        return true;
+    for (const char* statement : sinceVersion1) {
+        if (!run(QLatin1String(statement)))
+            return false;
+    }
+    m_version = schemaVersion;
+    return true;
+}
+
 bool SessionDatabase::transaction(const std::function<bool()>& work)
 {
+    const int version = m_version;
     if (!run(QStringLiteral("BEGIN IMMEDIATE")))
         return false;
     if (work() && run(QStringLiteral("COMMIT")))
@@ -204,6 +229,7 @@ bool SessionDatabase::transaction(const std::function<bool()>& work)
     const QString reason = m_reason;
     const QString code = m_code;
     run(QStringLiteral("ROLLBACK"));
+    m_version = version;
     m_reason = reason;
     m_code = code;
     return false;

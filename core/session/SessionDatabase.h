@@ -18,7 +18,7 @@ namespace core {
 class SessionDatabase {
 public:
     static constexpr int applicationId = 0x4275726E; // "Burn"
-    static constexpr int schemaVersion = 1;
+    static constexpr int schemaVersion = 2;
 
     /// @pre the file exists and is empty
     static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
@@ -32,6 +32,11 @@ public:
         const std::function<bool(const QSqlQuery&)>& take);
     /// @p work in one transaction, which is rolled back when it returns false.
     bool transaction(const std::function<bool()>& work);
+
+    /// The schema that the tables have now: an older file keeps its own until it is written to.
+    [[nodiscard]] int version() const { return m_version; }
+    /// Gives an older file what this schema has more. Part of a transaction.
+    bool upgrade();
 
     [[nodiscard]] QString reason() const { return m_reason; }
 
@@ -47,6 +52,7 @@ private:
     QString m_connection;
     QString m_reason;
     QString m_code; ///< SQLite's result code
+    int m_version = schemaVersion;
     bool m_readOnly = false;
 };
 

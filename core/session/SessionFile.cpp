@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionFile.h"
 
+#include "core/session/AuditReport.h"
 #include "core/session/SessionTables.h"
 
 #include <QDir>
@@ -118,6 +119,21 @@ void SessionFile::setHiddenSegments(const std::vector<int>& labels)
 {
     post(
         {.carryOut = [labels](SessionTables& tables) { return tables.setHiddenSegments(labels); }});
+}
+
+void SessionFile::addKeyframe(const Keyframe& keyframe)
+{
+    post({.carryOut = [keyframe](SessionTables& tables) { return tables.addKeyframe(keyframe); }});
+}
+
+void SessionFile::fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take)
+{
+    m_writer.post([this, row, take = std::move(take)] { take(m_tables->readKeyframe(row)); });
+}
+
+void SessionFile::audit(std::function<void(const Result<AuditReport>&)> take)
+{
+    m_writer.post([this, take = std::move(take)] { take(auditReport(*m_tables, m_path)); });
 }
 
 void SessionFile::post(Write write)

@@ -18,6 +18,7 @@
 namespace core {
 
 class SessionTables;
+struct AuditReport;
 
 /// The history on disk (README.md beside this file): an SQLite database behind one writer thread
 /// that owns the connection. Writing calls return at once and are carried out in order. What cannot
@@ -53,6 +54,15 @@ public:
     void completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta);
     void setPosition(RowId position);
     void setHiddenSegments(const std::vector<int>& labels);
+    /// Replaces the picture that the row may have.
+    void addKeyframe(const Keyframe& keyframe);
+    /// The PNG of a row's picture; empty if there is none. @p take is called on the writer's
+    /// thread.
+    void fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take);
+
+    /// Everything read again and checked, told on the writer's thread; what follows waits
+    /// meanwhile.
+    void audit(std::function<void(const Result<AuditReport>&)> take);
 
     /// Waits. What waits in memory is read from there. Errors: SessionDamaged.
     [[nodiscard]] Result<BrickDelta> readDelta(RowId row);

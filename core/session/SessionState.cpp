@@ -32,6 +32,7 @@ void count(const std::vector<std::uint8_t>& labels, std::int64_t sign,
 SessionState::SessionState(EditEngine& lentEngine, Volume volume)
     : engine(lentEngine)
     , document(initialDocument(std::move(volume)))
+    , origin([] { return presentOrigin(); })
 {
 }
 
@@ -47,6 +48,7 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     row.name = rowName(edit, statistics, changes, document);
     row.edit = edit;
     row.statistics = statistics;
+    row.origin = origin();
     row.growthGeneration = document.growths.front().generation;
     const RowId id = history.append(std::move(row));
     if (file)

@@ -8,6 +8,7 @@
 #include "core/session/SessionFile.h"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -49,6 +50,8 @@ public:
     History history;
     std::unique_ptr<SessionFile> file; ///< null: history in memory only
     std::unique_ptr<CommitWorker> worker; ///< after file: it writes there to the end
+    std::function<RowOrigin()> origin; ///< of a row that is made now
+    std::set<RowId> keyframes; ///< rows that have a picture in the file
 
     std::vector<DocumentChange> news; ///< not told yet
     std::vector<Error> errors; ///< not told yet

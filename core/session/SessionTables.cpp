@@ -16,6 +16,14 @@ QVariant sqlId(RowId id)
     return qint64(id);
 }
 
+/// Text that is there though it may be empty; rows of version 1 have none, which is NULL.
+QVariant sqlText(const QString& text, bool isThere)
+{
+    if (!isThere)
+        return QVariant(QMetaType(QMetaType::QString));
+    return text.isNull() ? QStringLiteral("") : text;
+}
+
 void takeState(const QString& key, const QString& value, SessionContents& contents)
 {
     if (key == QLatin1String("position"))
@@ -53,6 +61,19 @@ Result<SessionContents> SessionTables::open(bool readOnly)
     if (!opened)
         return tl::unexpected(opened.error());
     m_database = *std::move(opened);
+    return read();
+}
+
+Result<SessionContents> SessionTables::readAgain()
+{
+    const std::vector<QString> chains = m_chains;
+    Result<SessionContents> contents = read();
+    m_chains = chains;
+    return contents;
+}
+
+Result<SessionContents> SessionTables::read()
+{
     SessionContents contents;
     Result<SessionSource> source = readSource();
     if (!source)
@@ -62,7 +83,10 @@ Result<SessionContents> SessionTables::open(bool readOnly)
     if (!rows)
         return tl::unexpected(rows.error());
     contents.rows = *std::move(rows);
+    contents.chainEnd = m_chains.back();
     if (const Result<void> read = readState(contents); !read)
+        return tl::unexpected(read.error());
+    if (const Result<void> read = readKeyframes(contents); !read)
         return tl::unexpected(read.error());
     return contents;
 }
@@ -72,12 +96,14 @@ Result<SessionContents> SessionTables::open(bool readOnly)
 Result<void> SessionTables::addRow(const RowText& row)
 {
     const QString chain = row.chain(m_chains.back());
+    const bool told = !row.at.isEmpty();
     const Result<void> stands = write([&] {
-        return m_database->run(
-                   QStringLiteral("INSERT INTO row (id, parent, name, edit, statistics,"
-                                  " growthGeneration, chain) VALUES (?, ?, ?, ?, ?, ?, ?)"),
+        return m_database->run(QStringLiteral("INSERT INTO row (id, parent, name, edit, statistics,"
+                                              " growthGeneration, at, author, program, chain)"
+                                              " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
                    {sqlId(row.id), sqlId(row.parent), row.name, row.edit, row.statistics,
-                       row.growthGeneration, chain})
+                       row.growthGeneration, sqlText(row.at, told), sqlText(row.author, told),
+                       sqlText(row.program, told), chain})
             && writePosition(row.id);
     });
     if (stands)
@@ -116,9 +142,19 @@ Result<void> SessionTables::setHiddenSegments(const std::vector<int>& labels)
     return write([&] { return writeState(QStringLiteral("hiddenSegments"), text); });
 }
 
+Result<void> SessionTables::addKeyframe(const Keyframe& keyframe)
+{
+    return write([&] {
+        return m_database->run(QStringLiteral("INSERT OR REPLACE INTO keyframe VALUES (?, ?, ?)"),
+            {sqlId(keyframe.row), sqlText(keyframe.at.toUTC().toString(Qt::ISODateWithMs), true),
+                keyframe.png});
+    });
+}
+
 Result<void> SessionTables::write(const std::function<bool()>& work)
 {
-    if (m_database->transaction(work))
+    // An older file is brought up to date by the first thing that is written to it, not before.
+    if (m_database->transaction([&] { return m_database->upgrade() && work(); }))
         return {};
     return failure(ErrorCode::FileUnwritable, m_path, m_database->reason());
 }
@@ -161,6 +197,19 @@ Result<BrickDelta> SessionTables::readDelta(RowId row)
     return delta;
 }
 
+QByteArray SessionTables::readKeyframe(RowId row)
+{
+    QByteArray png;
+    if (m_database->version() >= 2) {
+        m_database->query(QStringLiteral("SELECT png FROM keyframe WHERE row=?"), {sqlId(row)},
+            [&png](const QSqlQuery& answer) {
+                png = answer.value(0).toByteArray();
+                return true;
+            });
+    }
+    return png;
+}
+
 Result<SessionSource> SessionTables::readSource()
 {
     QString json;
@@ -180,10 +229,13 @@ Result<std::vector<HistoryRow>> SessionTables::readRows()
 {
     std::vector<HistoryRow> rows;
     Result<void> result;
+    const QString origin = m_database->version() < 2 ? QStringLiteral("NULL, NULL, NULL")
+                                                     : QStringLiteral("at, author, program");
     const bool read = m_database->query(
         QStringLiteral("SELECT row.id, parent, name, edit, statistics, growthGeneration, chain,"
-                       " stateHash, deltaSha256, seal, SUM(LENGTH(bytes)) FROM row"
-                       " LEFT JOIN delta ON delta.row = row.id GROUP BY row.id ORDER BY row.id"),
+                       " stateHash, deltaSha256, seal, SUM(LENGTH(bytes)), %1 FROM row"
+                       " LEFT JOIN delta ON delta.row = row.id GROUP BY row.id ORDER BY row.id")
+            .arg(origin),
         {}, [this, &rows, &result](const QSqlQuery& answer) {
             Result<HistoryRow> row = readRow(answer, RowId(rows.size()) + 1);
             if (!row) {
@@ -207,11 +259,16 @@ Result<HistoryRow> SessionTables::readRow(const QSqlQuery& answer, RowId expecte
         .name = answer.value(2).toString(),
         .edit = answer.value(3).toString(),
         .statistics = answer.value(4).toString(),
-        .growthGeneration = answer.value(5).toLongLong()};
+        .growthGeneration = answer.value(5).toLongLong(),
+        .at = answer.value(11).toString(),
+        .author = answer.value(12).toString(),
+        .program = answer.value(13).toString()};
     if (text.id != expectedId || text.parent < 0 || text.parent >= text.id)
         return damaged(expectedId, QStringLiteral("it is missing or out of order"));
+    // The chain does not cover what stands beside a missing time.
+    const bool unbound = text.at.isEmpty() && !(text.author + text.program).isEmpty();
     const QString chain = text.chain(m_chains.back());
-    if (chain != answer.value(6).toString())
+    if (unbound || chain != answer.value(6).toString())
         return damaged(text.id, QStringLiteral("it was changed after it was written"));
     m_chains.push_back(chain);
 
@@ -254,6 +311,23 @@ Result<void> SessionTables::readState(SessionContents& contents)
         return damaged(0, m_database->reason());
     if (!sound || !isRow(contents.position))
         return damaged(0, QStringLiteral("its position is no row"));
+    return {};
+}
+
+Result<void> SessionTables::readKeyframes(SessionContents& contents)
+{
+    if (m_database->version() < 2)
+        return {};
+    const bool read = m_database->query(QStringLiteral("SELECT row, at FROM keyframe ORDER BY row"),
+        {}, [&contents](const QSqlQuery& answer) {
+            const QString at = answer.value(1).toString();
+            contents.keyframes.push_back({.row = answer.value(0).toLongLong(),
+                .at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
+                .png = {}});
+            return true;
+        });
+    if (!read)
+        return damaged(0, m_database->reason());
     return {};
 }
 

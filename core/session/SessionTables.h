@@ -20,6 +20,8 @@ public:
     /// @pre the file exists and is empty
     [[nodiscard]] Result<void> create(const SessionSource& source);
     [[nodiscard]] Result<SessionContents> open(bool readOnly);
+    /// What an open file holds now, with every hash of the rows checked anew.
+    [[nodiscard]] Result<SessionContents> readAgain();
 
     // One transaction each; one that fails (FileUnwritable) leaves the file as it was and may be
     // tried again. A row must not be written before the one ahead of it stands.
@@ -28,8 +30,10 @@ public:
         RowId row, const QByteArray& stateHash, const BrickDelta& delta);
     [[nodiscard]] Result<void> setPosition(RowId position);
     [[nodiscard]] Result<void> setHiddenSegments(const std::vector<int>& labels);
+    [[nodiscard]] Result<void> addKeyframe(const Keyframe& keyframe);
 
     [[nodiscard]] Result<BrickDelta> readDelta(RowId row);
+    [[nodiscard]] QByteArray readKeyframe(RowId row); ///< empty: none
 
 private:
     [[nodiscard]] tl::unexpected<Error> damaged(RowId row, const QString& reason) const;
@@ -37,10 +41,12 @@ private:
     bool writePosition(RowId position);
     bool writeState(const QString& key, const QString& value);
 
+    [[nodiscard]] Result<SessionContents> read();
     [[nodiscard]] Result<SessionSource> readSource();
     [[nodiscard]] Result<std::vector<HistoryRow>> readRows();
     [[nodiscard]] Result<HistoryRow> readRow(const QSqlQuery& answer, RowId expectedId);
     [[nodiscard]] Result<void> readState(SessionContents& contents);
+    [[nodiscard]] Result<void> readKeyframes(SessionContents& contents);
 
     QString m_path;
     std::unique_ptr<SessionDatabase> m_database;

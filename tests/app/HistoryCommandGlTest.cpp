@@ -10,6 +10,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 
+#include <QDateTime>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -204,6 +205,60 @@ private Q_SLOTS:
         const Outcome again = run(file.fileName(), "b.burin");
         QVERIFY2(again.status == 0, qPrintable(again.complaint));
         QCOMPARE(lastHash(again), lastHash(first));
+    }
+
+    void rowsSayWhoWhenAndWithWhat()
+    {
+        const QDateTime before = QDateTime::currentDateTimeUtc();
+        const QString file =
+            recipe("r.json", {{key("edits"), json({test::addSegment("A"), test::drillAt(0)})}});
+        QCOMPARE(run(file, "a.burin", {key("--author"), key("  Dr. A ")}).status, 0);
+        const QString more = recipe("s.json", {{key("edits"), json({test::addSegment("B")})}});
+        QCOMPARE(run(more, "a.burin", {key("--append")}).status, 0);
+        const QJsonArray commands = history("a.burin")[key("commands")].toArray();
+        QCOMPARE(commands.size(), 3);
+        QDateTime last = before;
+        for (int i = 0; i < 3; ++i) {
+            const QJsonObject command = commands[i].toObject();
+            const QString text = command[key("at")].toString();
+            const QDateTime at = QDateTime::fromString(text, Qt::ISODateWithMs);
+            QVERIFY2(text.size() == 24 && text.endsWith(u'Z'), qPrintable(text));
+            QVERIFY(at >= last && at <= QDateTime::currentDateTimeUtc());
+            last = at;
+            QCOMPARE(command[key("author")].toString(), i < 2 ? key("Dr. A") : QString());
+            QCOMPARE(QByteArray(command[key("program")].toString().toLatin1() + '\n'),
+                burin({key("--version")}).output);
+        }
+        QCOMPARE(run(more, "b.burin", {key("--author")}).status, 2);
+        // When and by whom is no part of what the state is.
+        QCOMPARE(run(file, "c.burin").status, 0);
+        QCOMPARE(history("c.burin")[key("commands")].toArray()[1].toObject()[key("hashAfter")],
+            commands[1].toObject()[key("hashAfter")]);
+    }
+
+    void sessionsOfVersion1AreReplayedAndGoOn()
+    {
+        const QString old = key(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin");
+        QVERIFY(QFile::copy(old, path("a.burin")));
+        QVERIFY(QFile::setPermissions(path("a.burin"), QFile::ReadOwner | QFile::WriteOwner));
+        const Outcome verified =
+            burin({key("replay"), path("a.burin"), key("--verify"), key("--study"), m_study});
+        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
+        QCOMPARE(verified.lines.size(), 13);
+        for (const QJsonObject& line : verified.lines)
+            QVERIFY(line[key("agrees")].toBool());
+        const QJsonArray before = history("a.burin")[key("commands")].toArray();
+        QCOMPARE(before.size(), 13);
+        QVERIFY(before[0].toObject()[key("at")].isNull());
+
+        const QString more = recipe("s.json", {{key("edits"), json({test::addSegment("B")})}});
+        const Outcome appended = run(more, "a.burin", {key("--append"), key("--author"), key("N")});
+        QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
+        const QJsonArray after = history("a.burin")[key("commands")].toArray();
+        QCOMPARE(after.size(), 14);
+        QCOMPARE(after[13].toObject()[key("author")].toString(), key("N"));
+        for (int i = 0; i < 13; ++i)
+            QCOMPARE(after[i], before[i]);
     }
 
     void appendGoesOn()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionFile.h"
 #include "core/session/EditSession.h"
+#include "core/session/HistoryListing.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/FileSizeLimit.h"
@@ -8,7 +9,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QScopeGuard>
+#include <QSemaphore>
 #include <QSqlDatabase>
 #include <QSqlQuery>
 #include <QTemporaryDir>
@@ -25,12 +28,20 @@ struct Opened {
     std::unique_ptr<EditSession> session;
 };
 
+RowOrigin origin()
+{
+    return {.at = QDateTime({2026, 11, 21}, {14, 2, 3, 45}, Qt::UTC),
+        .author = QStringLiteral("Dr. Jörg \"J\" Müller"),
+        .program = QStringLiteral("burin 0.1.0")};
+}
+
 /// A session with the rows of manyEdits(), one undo and a branch; closed again.
 /// @return the state hash at its position
 QByteArray makePattern(const QString& path)
 {
     reference::ReferenceEngine engine;
     const auto session = *EditSession::create(engine, test::smallStudy(), {.file = path});
+    session->setOrigin(origin);
     for (const Edit& edit : test::manyEdits()) {
         static_cast<void>(session->apply(edit));
         static_cast<void>(session->settle());
@@ -68,6 +79,30 @@ bool runSql(const QString& path, const QString& sql)
     }
     QSqlDatabase::removeDatabase(QStringLiteral("test"));
     return good;
+}
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A session that a Burin before times and names made, and the study it was made on.
+const QString version1 =
+    QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin");
+
+LoadedVolume studyOfVersion1(const QString& path)
+{
+    LoadedVolume study = test::smallStudy();
+    const auto file = SessionFile::open(path, SessionFile::Access::ReadOnly);
+    study.volume.voxelsSha256 = file ? (*file)->contents().source.voxelsSha256 : QByteArray();
+    study.volume.identity.seriesUid.clear();
+    return study;
+}
+
+int schemaOf(const QString& path)
+{
+    return int(quint8(contentOf(path).mid(63, 1).front()));
 }
 
 QStringList filesIn(const QTemporaryDir& folder)
@@ -232,6 +267,10 @@ private Q_SLOTS:
         row("a difference gone", "DELETE FROM delta WHERE row=4");
         row("a row gone", "DELETE FROM row WHERE id=3");
         row("the source", "UPDATE source SET json=replace(json,'nowhere','elsewhere')");
+        row("the time", "UPDATE row SET at=replace(at,'2026','2025') WHERE id=4");
+        row("who", "UPDATE row SET author='Eve' WHERE id=2");
+        row("the program", "UPDATE row SET program='burin 9' WHERE id=7");
+        row("no origin", "UPDATE row SET at=NULL, author=NULL, program=NULL WHERE id=7");
         row("statistics", "UPDATE row SET statistics='{}' WHERE id=8");
         row("the position", "UPDATE state SET value=99 WHERE key='position'");
         row("where redo goes", "UPDATE visited SET child=99");
@@ -302,9 +341,162 @@ private Q_SLOTS:
     void aNewerSchemaIsRefused()
     {
         makeSession(m_path);
-        runSql(m_path, QStringLiteral("PRAGMA user_version=2"));
+        runSql(m_path, QStringLiteral("PRAGMA user_version=3"));
+        const QByteArray before = contentOf(m_path);
         Opened opened;
-        QCOMPARE(openSession(opened, m_path).error().code, ErrorCode::UnsupportedFormat);
+        const Result<void> result = openSession(opened, m_path);
+        QCOMPARE(result.error().code, ErrorCode::UnsupportedFormat);
+        QVERIFY(result.error().arguments.value(1).contains(QStringLiteral("session format 3")));
+        QCOMPARE(contentOf(m_path), before);
+    }
+
+    void rowsSayWhoMadeThemAndWhen()
+    {
+        makeSession(m_path);
+        Opened opened;
+        QVERIFY(openSession(opened, m_path));
+        for (const HistoryRow& row : opened.session->history().rows()) {
+            QCOMPARE(row.origin.at, origin().at);
+            QCOMPARE(row.origin.author, origin().author);
+            QCOMPARE(row.origin.program, origin().program);
+        }
+        // Who names nobody is nobody, and not the login.
+        const QDateTime before = QDateTime::currentDateTimeUtc();
+        QVERIFY(opened.session->apply(test::drillAt(3)));
+        QVERIFY(opened.session->settle());
+        opened.session.reset();
+        QVERIFY(openSession(opened, m_path));
+        const RowOrigin& last = opened.session->history().rows().back().origin;
+        QVERIFY(last.at >= before && last.at <= QDateTime::currentDateTimeUtc());
+        QCOMPARE(last.author, QString());
+    }
+
+    void version1IsReadAsItIs()
+    {
+        QVERIFY(QFile::copy(version1, m_path));
+        const QByteArray before = contentOf(m_path);
+        const auto file = SessionFile::open(m_path, SessionFile::Access::ReadOnly);
+        QVERIFY(file);
+        const SessionContents& contents = (*file)->contents();
+        QCOMPARE(contents.rows.size(), std::size_t(13));
+        for (const HistoryRow& row : contents.rows) {
+            QVERIFY(!row.origin.at.isValid());
+            QCOMPARE(row.stateHash.size(), 64);
+        }
+        QVERIFY(contents.keyframes.empty());
+        const QJsonObject command =
+            historyListing(contents)[QLatin1String("commands")].toArray().first().toObject();
+        for (const char* key : {"at", "author", "program"})
+            QVERIFY(command.contains(QLatin1String(key)) && command[QLatin1String(key)].isNull());
+        QCOMPARE(contentOf(m_path), before);
+        QCOMPARE(filesIn(*m_folder), QStringList{QStringLiteral("a.burin")});
+    }
+
+    void version1GoesOnAsVersion2()
+    {
+        QVERIFY(QFile::copy(version1, m_path));
+        QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
+        const LoadedVolume study = studyOfVersion1(m_path);
+        reference::ReferenceEngine engine;
+        { // Only looked at, it stays what it was.
+            const auto session = EditSession::open(engine, study, m_path);
+            QVERIFY(session);
+            QCOMPARE((*session)->history().position(), RowId(12));
+        }
+        QCOMPARE(schemaOf(m_path), 1);
+        {
+            const auto session = *EditSession::open(engine, study, m_path);
+            session->setOrigin(origin);
+            QVERIFY(session->apply(test::drillAt(4)));
+            QVERIFY(session->settle());
+        }
+        QCOMPARE(schemaOf(m_path), 2);
+        const QByteArray upgraded = contentOf(m_path);
+        {
+            const auto session = EditSession::open(engine, study, m_path);
+            QVERIFY(session);
+            const History& history = (*session)->history();
+            QCOMPARE(history.rows().size(), std::size_t(14));
+            QCOMPARE(history.row(14).origin.at, origin().at);
+            QVERIFY(!history.row(13).origin.at.isValid());
+            for (RowId row = 14; row > 0; --row) {
+                QVERIFY((*session)->goTo(row));
+                QVERIFY((*session)->settle());
+                QCOMPARE((*session)->stateHash(), history.row(row).stateHash);
+            }
+        }
+        // The chain binds old rows and new ones; nothing can be written beside a missing time.
+        for (const char* sql :
+            {"UPDATE row SET name='x' WHERE id=13", "UPDATE row SET author='Eve' WHERE id=13",
+                "UPDATE row SET at='2026-11-21T14:02:03.045Z', author='', program='' WHERE id=13",
+                "UPDATE row SET author='Eve' WHERE id=14"}) {
+            QFile file(m_path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(upgraded);
+            file.close();
+            QVERIFY(runSql(m_path, QLatin1String(sql)));
+            const auto session = EditSession::open(engine, study, m_path);
+            QVERIFY2(!session, sql);
+            QCOMPARE(session.error().code, ErrorCode::SessionDamaged);
+        }
+    }
+
+    void aFailedUpgradeIsTriedAgain()
+    {
+        QVERIFY(QFile::copy(version1, m_path));
+        QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
+        reference::ReferenceEngine engine;
+        const LoadedVolume study = studyOfVersion1(m_path);
+        {
+            const auto session = *EditSession::open(engine, study, m_path);
+            {
+                const test::FileSizeLimit limit(1);
+                QVERIFY(session->apply(test::drillAt(4)));
+                QVERIFY(!session->settle());
+            }
+            session->retryWriting();
+            QVERIFY(session->settle());
+        }
+        QCOMPARE(schemaOf(m_path), 2);
+        const auto session = EditSession::open(engine, study, m_path);
+        QVERIFY(session);
+        QCOMPARE((*session)->history().rows().size(), std::size_t(14));
+    }
+
+    void keyframesAreKept()
+    {
+        makeSession(m_path);
+        const auto pictureAt = [](const EditSession& session, RowId row) {
+            QByteArray png;
+            QSemaphore done;
+            session.fetchKeyframe(row, [&](const QByteArray& fetched) {
+                png = fetched;
+                done.release();
+            });
+            done.acquire();
+            return png;
+        };
+        {
+            Opened opened;
+            QVERIFY(openSession(opened, m_path));
+            QVERIFY(opened.session->keyframes().empty());
+            opened.session->addKeyframe(11, "eleven");
+            opened.session->addKeyframe(4, "four");
+            opened.session->addKeyframe(4, "four again");
+            QCOMPARE(opened.session->keyframes(), (std::vector<RowId>{4, 11}));
+            QCOMPARE(pictureAt(*opened.session, 4), QByteArray("four again"));
+            QVERIFY(opened.session->settle());
+        }
+        Opened opened;
+        QVERIFY(openSession(opened, m_path));
+        QCOMPARE(opened.session->keyframes(), (std::vector<RowId>{4, 11}));
+        QCOMPARE(pictureAt(*opened.session, 11), QByteArray("eleven"));
+        QCOMPARE(pictureAt(*opened.session, 5), QByteArray());
+        QCOMPARE(opened.session->stateHash(), m_hash);
+        // A picture is no truth: another one breaks nothing.
+        opened.session.reset();
+        QVERIFY(runSql(m_path, QStringLiteral("UPDATE keyframe SET png=zeroblob(9) WHERE row=4")));
+        QVERIFY(openSession(opened, m_path));
     }
 
     void anotherVolumeIsRefused()

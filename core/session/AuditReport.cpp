@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/AuditReport.h"
+
+#include "core/session/SessionTables.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// Which later step undid a row alone, by row; 0: none. What undid is itself undone by a later one.
+std::vector<RowId> takenBackBy(const History& history)
+{
+    std::vector<RowId> by(history.rows().size() + 1, 0);
+    for (const RowId id : history.pathTo(history.position())) {
+        const auto* revert = std::get_if<RevertRows>(&history.row(id).edit);
+        if (!revert)
+            continue;
+        for (const RowId row : revert->rows) {
+            by[std::size_t(row)] = id;
+            const auto* given = std::get_if<RevertRows>(&history.row(row).edit);
+            for (const RowId back : given ? given->rows : std::vector<RowId>())
+                by[std::size_t(back)] = 0;
+        }
+    }
+    return by;
+}
+
+std::vector<AuditStep> stepsOf(const History& history)
+{
+    std::vector<AuditStep> steps;
+    const std::vector<RowId> by = takenBackBy(history);
+    for (const HistoryRow& row : history.rows())
+        steps.push_back({.row = row,
+            .standing = AuditStep::Standing::OtherBranch,
+            .takenBackBy = by[std::size_t(row.id)]});
+    for (const RowId id : history.line())
+        steps[std::size_t(id - 1)].standing = AuditStep::Standing::Undone;
+    for (const RowId id : history.pathTo(history.position())) {
+        AuditStep& step = steps[std::size_t(id - 1)];
+        step.standing =
+            step.takenBackBy == 0 ? AuditStep::Standing::Done : AuditStep::Standing::TakenBack;
+    }
+    return steps;
+}
+
+} // namespace
+
+Result<AuditReport> auditReport(SessionTables& tables, const QString& path)
+{
+    Result<SessionContents> contents = tables.readAgain();
+    if (!contents)
+        return tl::unexpected(contents.error());
+    const History history =
+        History::restored(contents->rows, contents->visited, contents->position);
+    AuditReport report{.file = QFileInfo(path).fileName(),
+        .source = std::move(contents->source),
+        .steps = stepsOf(history),
+        .branches = branchesOf(history),
+        .position = contents->position,
+        .keyframes = std::move(contents->keyframes),
+        .chainEnd = contents->chainEnd,
+        .made = presentOrigin()};
+    for (const HistoryRow& row : history.rows()) {
+        if (row.stateHash.isEmpty())
+            continue;
+        if (const Result<BrickDelta> delta = tables.readDelta(row.id); delta)
+            ++report.sealed;
+        else
+            report.damage.push_back(delta.error());
+    }
+    for (Keyframe& keyframe : report.keyframes)
+        keyframe.png = tables.readKeyframe(keyframe.row);
+    return report;
+}
+
+} // namespace core

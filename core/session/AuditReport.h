@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/session/HistoryListing.h"
+#include "core/session/SessionContents.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace core {
+
+class SessionTables;
+
+/// One row of a session as an audit shows it.
+struct AuditStep {
+    enum class Standing {
+        Done, ///< on the way to where the session stands
+        TakenBack, ///< the same, but a later step undid it alone
+        Undone, ///< redo would bring it back
+        OtherBranch, ///< on an old future
+    };
+    HistoryRow row;
+    Standing standing = Standing::Done;
+    RowId takenBackBy = 0;
+};
+
+/// What a session's file says was done, and whether it can be believed: everything read anew, and
+/// every hash that can be checked without the study checked.
+struct AuditReport {
+    QString file; ///< its name, without folders
+    SessionSource source;
+    std::vector<AuditStep> steps; ///< by row
+    std::vector<HistoryBranch> branches; ///< the current line first
+    RowId position = 0;
+    std::vector<Keyframe> keyframes; ///< by row, with their pictures
+    QString chainEnd; ///< hex; covers the source and every row
+    int sealed = 0; ///< rows whose second half is there and whose difference has its hash
+    std::vector<Error> damage; ///< differences that do not
+    RowOrigin made; ///< of the report
+};
+
+/// Reads all of a session; the report says so where differences are damaged. Belongs to the thread
+/// of @p tables. Cost: reads the file once. Errors: SessionDamaged where rows themselves are.
+[[nodiscard]] Result<AuditReport> auditReport(SessionTables& tables, const QString& path);
+
+} // namespace core
