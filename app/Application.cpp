@@ -5,6 +5,7 @@
 #include "app/SessionFiles.h"
 #include "gpu/GpuEngine.h"
 #include "ui/ErrorText.h"
+#include "ui/KeyframeRecorder.h"
 #include "ui/MainWindow.h"
 #include "ui/MessageBar.h"
 #include "ui/RecentStudies.h"
@@ -16,6 +17,8 @@
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/DrillTool.h"
 #include "ui/tools/SeedTool.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/views/VolumeView.h"
 
 #include <QApplication>
 #include <QDateTime>
@@ -66,6 +69,7 @@ void Application::makeWindow()
     window.addPanel(new ui::VolumePanel(*m_workspace));
 
     addExport();
+    new ui::KeyframeRecorder(*m_workspace, window.views().volume());
 
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);

@@ -12,6 +12,7 @@
 
 #include <QApplication>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -29,9 +30,10 @@ std::span<const Command> commands()
             runDemo},
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false,
             runEdits},
-        {"history", "FILE.burin [--json | --as-recipe]",
-            "what was done in a session, branches included; as a recipe for burin run", false,
-            runHistory},
+        {"history", "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]]",
+            "what was done in a session, branches included; as a recipe for burin run; as an audit"
+            " report",
+            false, runHistory, "--report"},
         {"info", "PATH [--json] | --gl", "what a file or folder holds: studies, volumes, problems",
             false, runInfo},
         {"open",
@@ -74,8 +76,16 @@ int runCommandLine(int argc, char** argv)
         if (std::strcmp(verb, command.name) != 0)
             continue;
         std::unique_ptr<QCoreApplication> application;
+        const auto isFontsFor = [&command](const char* word) {
+            return command.fontsFor && std::strcmp(word, command.fontsFor) == 0;
+        };
+        const bool needsFonts = std::any_of(argv + 1, argv + argc, isFontsFor);
+        if (needsFonts)
+            qputenv("QT_QPA_PLATFORM", "offscreen");
         if (command.needsWindow)
             application = std::make_unique<QApplication>(argc, argv);
+        else if (needsFonts)
+            application = std::make_unique<QGuiApplication>(argc, argv);
         else
             application = std::make_unique<QCoreApplication>(argc, argv);
         QCoreApplication::setApplicationName(QStringLiteral("burin"));

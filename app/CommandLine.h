@@ -13,6 +13,7 @@ struct Command {
     bool needsWindow; ///< a QApplication instead of a QCoreApplication
     /// @return the exit status: 0 done, 1 failed (told on stderr), 2 wrong arguments
     int (*run)(const QStringList& arguments);
+    const char* fontsFor = nullptr; ///< an option that needs fonts, though no display
 };
 
 /// The command line up to its verb: help, version, dispatch.

@@ -4,6 +4,7 @@
 #include "app/Arguments.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionFile.h"
+#include "ui/report/WriteAudit.h"
 
 #include <QJsonDocument>
 
@@ -32,24 +33,47 @@ void printTable(const core::SessionContents& contents)
     }
 }
 
+int writeReport(core::SessionFile& file, const QString& target, bool force)
+{
+    core::Result<core::AuditReport> report;
+    file.audit([&report](const core::Result<core::AuditReport>& made) { report = made; });
+    if (const core::Result<void> waited = file.flush(); !waited)
+        return tellFailure(waited.error());
+    if (!report)
+        return tellFailure(report.error());
+    if (const core::Result<void> written = ui::writeAudit(*report, target, force); !written)
+        return tellFailure(written.error());
+    // A report of damage is a report, but nobody should take it for a clean one.
+    for (const core::Error& error : report->damage)
+        tellFailure(error);
+    return report->damage.empty() ? 0 : 1;
+}
+
 } // namespace
 
 int runHistory(const QStringList& words)
 {
-    const Arguments arguments(words, {}, {QStringLiteral("json"), QStringLiteral("as-recipe")});
+    const Arguments arguments(words, {QStringLiteral("report")},
+        {QStringLiteral("json"), QStringLiteral("as-recipe"), QStringLiteral("force")});
     if (!arguments.problem().isEmpty())
         return tellUsage("history", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("history", QStringLiteral("it needs one session file"));
     const bool asJson = arguments.has("json");
     const bool asRecipe = arguments.has("as-recipe");
-    if (asJson && asRecipe)
-        return tellUsage("history", QStringLiteral("--json and --as-recipe exclude each other"));
+    const QString target = arguments.value("report");
+    if (int(asJson) + int(asRecipe) + int(!target.isEmpty()) > 1)
+        return tellUsage(
+            "history", QStringLiteral("--json, --as-recipe and --report exclude each other"));
+    if (!target.isEmpty() && !ui::auditNameProblem(target).isEmpty())
+        return tellUsage("history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
     const core::Result<std::unique_ptr<core::SessionFile>> file =
         core::SessionFile::open(arguments.rest().first(), core::SessionFile::Access::ReadOnly);
     if (!file)
         return tellFailure(file.error());
+    if (!target.isEmpty())
+        return writeReport(**file, target, arguments.has("force"));
     const core::SessionContents& contents = (*file)->contents();
     if (!asJson && !asRecipe) {
         printTable(contents);

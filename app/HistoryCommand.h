@@ -5,8 +5,9 @@
 
 namespace app {
 
-/// `burin history FILE.burin [--json | --as-recipe]`: what was done, as a table, as JSON, or as a
-/// recipe that `burin run` takes. The file is only read; the study is not needed.
+/// `burin history FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]]`: what
+/// was done, as a table, as JSON, as a recipe that `burin run` takes, or as an audit report. The
+/// file is only read; neither the study nor a display is needed.
 int runHistory(const QStringList& arguments);
 
 } // namespace app

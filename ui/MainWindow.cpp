@@ -110,9 +110,9 @@ void MainWindow::buildMenus()
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     m_actions.fill(*m_fileMenu,
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
-            "file.close", "file.quit"}));
+            "file.auditReport", "file.close", "file.quit"}));
     QMenu* edit = m_menuBar->addMenu(QStringLiteral("&Edit"));
-    m_actions.fill(*edit, ids({"edit.undo", "edit.redo"}));
+    m_actions.fill(*edit, ids({"edit.undo", "edit.redo", "", "edit.author"}));
 
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
     m_actions.fill(*view,

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/WindowActions.h"
 
+#include "ui/AuditSaver.h"
 #include "ui/InitialDisplay.h"
 #include "ui/MainWindow.h"
+#include "ui/MessageBar.h"
+#include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
+#include <QDesktopServices>
+#include <QUrl>
 
 #include <array>
 
@@ -61,6 +66,18 @@ void addFileActions(MainWindow& window)
     actions.add({.id = QStringLiteral("file.openSession"),
         .text = QStringLiteral("Open session …"),
         .run = [&window] { window.askForSession(); }});
+    auto* audit = new AuditSaver(workspace, &window);
+    QObject::connect(audit, &AuditSaver::failed, &workspace, &Workspace::fail);
+    QObject::connect(audit, &AuditSaver::saved, &window, [&window](const QString& path) {
+        window.messages().show(MessageBar::Kind::Notice,
+            QStringLiteral("The audit report is in %1.").arg(path), QStringLiteral("Show it"),
+            [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
+    });
+    actions.add({.id = QStringLiteral("file.auditReport"),
+        .text = QStringLiteral("Audit report …"),
+        .tip = QStringLiteral("Who did what and when in this session, checked, to print or keep"),
+        .run = [audit] { audit->ask(); },
+        .possible = [&workspace] { return workspace.session() != nullptr; }});
     actions.add({.id = QStringLiteral("file.demonstration"),
         .text = QStringLiteral("Open the demonstration study"),
         .icon = QStringLiteral("demo"),
@@ -120,6 +137,9 @@ void addEditActions(MainWindow& window)
                 const core::History& history = workspace.session()->history();
                 return QStringLiteral("Redo %1").arg(history.row(history.redoTarget()).name);
             }});
+    actions.add({.id = QStringLiteral("edit.author"),
+        .text = QStringLiteral("Name in the audit trail …"),
+        .run = [&window] { AuthorDialog(&window).exec(); }});
 }
 
 void addToolActions(MainWindow& window)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/Workspace.h"
 
+#include "ui/AuthorName.h"
 #include "ui/InitialDisplay.h"
 #include "ui/tools/Tool.h"
 
@@ -34,6 +35,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     if (m_tool)
         m_tool->cancel();
     if (m_session) {
+        Q_EMIT sessionClosing();
         m_session->setListener({});
         m_session->setErrorListener({});
     }
@@ -46,6 +48,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
             Q_EMIT documentChanged(change);
         });
         m_session->setErrorListener([this](const core::Error& error) { fail(error); });
+        m_session->setOrigin([] { return core::presentOrigin(authorName()); });
     }
     m_cautionAccepted = false;
     m_pointedLps.reset();

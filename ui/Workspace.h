@@ -102,6 +102,8 @@ public:
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
 Q_SIGNALS:
+    /// The open session is about to be closed; it can still be told things.
+    void sessionClosing();
     void sessionChanged();
     void documentChanged(const core::DocumentChange& change);
     void crosshairChanged();

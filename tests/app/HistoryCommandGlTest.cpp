@@ -14,6 +14,7 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -259,6 +260,56 @@ private Q_SLOTS:
         QCOMPARE(after[13].toObject()[key("author")].toString(), key("N"));
         for (int i = 0; i < 13; ++i)
             QCOMPARE(after[i], before[i]);
+    }
+
+    void reportsNeedNoDisplay()
+    {
+        const bool hadDisplay = qEnvironmentVariableIsSet("DISPLAY");
+        const QByteArray display = qgetenv("DISPLAY");
+        const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+        qunsetenv("DISPLAY");
+        qunsetenv("QT_QPA_PLATFORM");
+        const auto back = qScopeGuard([&] {
+            if (hadDisplay)
+                qputenv("DISPLAY", display);
+            if (!platform.isEmpty())
+                qputenv("QT_QPA_PLATFORM", platform);
+        });
+        QJsonArray steps = json(test::manyEdits());
+        steps.append(goTo(4));
+        steps.append(editToJson(test::drillAt(1)));
+        QCOMPARE(run(recipe("r.json", {{key("edits"), steps}}), "a.burin",
+                     {key("--author"), key("Dr. <A>")})
+                     .status,
+            0);
+        const auto report = [this](const char* file, const QStringList& more = {}) {
+            return burin(
+                QStringList{key("history"), path("a.burin"), key("--report"), path(file)} + more);
+        };
+        for (const char* name : {"a.html", "a.pdf"}) {
+            const Outcome made = report(name);
+            QVERIFY2(made.status == 0, qPrintable(made.complaint));
+            const Outcome again = report(name);
+            QCOMPARE(again.status, 1);
+            QVERIFY2(again.complaint.contains(path(name)), qPrintable(again.complaint));
+            QCOMPARE(report(name, {key("--force")}).status, 0);
+        }
+        QFile html(path("a.html"));
+        QVERIFY(html.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(html.readAll());
+        for (const char* words : {"Dr. &lt;A&gt;", "Undo only step 8", "old future, behind step 4",
+                 "This history is whole", "The session holds no picture."})
+            QVERIFY2(text.contains(key(words)), words);
+        QVERIFY(!text.contains(key("taken back"))); // what undid step 8 lies on the old future too
+        const Outcome nowhere = report("no/such/folder.pdf");
+        QCOMPARE(nowhere.status, 1);
+        QVERIFY2(nowhere.complaint.contains(path("no/such")), qPrintable(nowhere.complaint));
+        QCOMPARE(report("a.txt").status, 2);
+        QCOMPARE(report("b.pdf", {key("--json")}).status, 2);
+        const Outcome noSession = burin({key("history"), m_study, key("--report"), path("c.pdf")});
+        QCOMPARE(noSession.status, 1);
+        QVERIFY(noSession.complaint.contains(m_study));
+        QVERIFY(!QFile::exists(path("c.pdf")) && !QFile::exists(path("b.pdf")));
     }
 
     void appendGoesOn()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/HistoryTimeline.h"
 
+#include "ui/KeyframePictures.h"
 #include "ui/Workspace.h"
 #include "ui/models/HistoryModel.h"
+#include "ui/panels/KeyframePopup.h"
 
 #include <QSignalBlocker>
 
@@ -22,6 +24,8 @@ HistoryTimeline::HistoryTimeline(Workspace& workspace, const HistoryModel& model
     : StepSlider(parent)
     , m_workspace(workspace)
     , m_model(model)
+    , m_pictures(new KeyframePictures(workspace, this))
+    , m_popup(new KeyframePopup(this))
 {
     setObjectName(QStringLiteral("historyTimeline"));
     setAccessibleName(tr("Timeline"));
@@ -31,7 +35,52 @@ HistoryTimeline::HistoryTimeline(Workspace& workspace, const HistoryModel& model
     connect(&workspace, &Workspace::sessionChanged, this, &HistoryTimeline::giveUp);
     // Later: the session is still telling what it did.
     connect(&workspace, &Workspace::failed, this, &HistoryTimeline::advance, Qt::QueuedConnection);
+    connect(this, &StepSlider::hovered, this, &HistoryTimeline::showPopup);
+    connect(this, &StepSlider::left, this, [this] {
+        if (!isSliderDown())
+            hidePopup();
+    });
+    connect(this, &QAbstractSlider::sliderReleased, this, [this] {
+        if (!underMouse())
+            hidePopup();
+    });
+    connect(m_pictures, &KeyframePictures::arrived, this, [this] {
+        if (m_pointedAt >= 0)
+            showPopup(m_pointedAt);
+    });
     giveUp();
+}
+
+void HistoryTimeline::hideEvent(QHideEvent* event)
+{
+    hidePopup();
+    StepSlider::hideEvent(event);
+}
+
+void HistoryTimeline::hidePopup()
+{
+    m_pointedAt = -1;
+    m_popup->hide();
+}
+
+void HistoryTimeline::showPopup(int lineIndex)
+{
+    const std::vector<core::RowId>& line = m_model.line();
+    if (lineIndex < 0 || lineIndex >= int(line.size()))
+        return hidePopup();
+    m_pointedAt = lineIndex;
+    const auto nameOf = [this](int index) {
+        return index == 0
+            ? m_model.indexOnLine(index).data().toString()
+            : tr("Step %1: %2")
+                  .arg(QString::number(index), m_model.indexOnLine(index).data().toString());
+    };
+    const core::RowId nearest = m_pictures->nearest(line, lineIndex);
+    const QImage picture = nearest < 0 ? QImage() : m_pictures->picture(nearest);
+    const bool elsewhere = !picture.isNull() && nearest != line[std::size_t(lineIndex)];
+    m_popup->show(nameOf(lineIndex),
+        elsewhere ? tr("The picture shows step %1").arg(lineIndexOf(nearest)) : QString(), picture);
+    m_popup->moveAbove(mapToGlobal(QPoint(int(xOf(lineIndex)), 0)));
 }
 
 int HistoryTimeline::lineIndexOf(core::RowId row) const

@@ -9,12 +9,15 @@
 namespace ui {
 
 class HistoryModel;
+class KeyframePictures;
+class KeyframePopup;
 class Workspace;
 
 /// The current line of the history as a slider, one step per row. Dragged, it says where it stands,
 /// and the study follows as fast as it can: one short walk at a time, the next one to where the
 /// handle is by then. Released, or moved by keys, it walks there. Hidden where there is nothing to
-/// choose between.
+/// choose between. Over the step that is pointed at or dragged to floats its name, with the nearest
+/// keyframe.
 class HistoryTimeline : public StepSlider {
     Q_OBJECT
 
@@ -24,9 +27,14 @@ public:
     /// The handle stands where the study is not yet.
     [[nodiscard]] bool isScrubbing() const { return m_wanted.has_value(); }
 
+    [[nodiscard]] const KeyframePopup& popup() const { return *m_popup; }
+
 Q_SIGNALS:
     /// The handle was moved to this place on the current line.
     void scrubbed(int lineIndex);
+
+protected:
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void want(int lineIndex);
@@ -37,11 +45,16 @@ private:
     void walkTo(core::RowId row);
     void giveUp();
     void showStep(int lineIndex);
+    void showPopup(int lineIndex);
+    void hidePopup();
     [[nodiscard]] core::RowId nextTowards(core::RowId wanted) const;
     [[nodiscard]] int lineIndexOf(core::RowId row) const; ///< −1: not on the current line
 
     Workspace& m_workspace;
     const HistoryModel& m_model;
+    KeyframePictures* m_pictures = nullptr;
+    KeyframePopup* m_popup = nullptr;
+    int m_pointedAt = -1; ///< place on the line that the popup speaks of; −1: it is hidden
     std::optional<core::RowId> m_wanted;
     std::optional<core::RowId> m_walkingTo;
 };

@@ -28,6 +28,7 @@ StepSlider::StepSlider(QWidget* parent)
 {
     setOrientation(Qt::Horizontal);
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(this, &QAbstractSlider::valueChanged, this, qOverload<>(&QWidget::update));
     connect(this, &QAbstractSlider::rangeChanged, this, qOverload<>(&QWidget::update));
@@ -36,7 +37,6 @@ StepSlider::StepSlider(QWidget* parent)
 void StepSlider::setCaption(const QString& caption)
 {
     m_caption = caption;
-    setToolTip(caption);
     update();
 }
 
@@ -97,8 +97,16 @@ void StepSlider::mousePressEvent(QMouseEvent* event)
 
 void StepSlider::mouseMoveEvent(QMouseEvent* event)
 {
+    const int value = valueAt(event->position().x());
     if (isSliderDown())
-        setSliderPosition(valueAt(event->position().x()));
+        setSliderPosition(value);
+    Q_EMIT hovered(value);
+}
+
+void StepSlider::leaveEvent(QEvent* event)
+{
+    QAbstractSlider::leaveEvent(event);
+    Q_EMIT left();
 }
 
 void StepSlider::mouseReleaseEvent(QMouseEvent* event)

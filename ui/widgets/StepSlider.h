@@ -7,7 +7,7 @@ namespace ui {
 
 /// A thin horizontal slider with a tick per step, while there is room for them, and one line of
 /// words above it. A press anywhere takes the handle there; the wheel is left to what scrolls
-/// around it.
+/// around it. It tells over which step the pointer is.
 class StepSlider : public QAbstractSlider {
     Q_OBJECT
 
@@ -23,7 +23,12 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {240, 40}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 40}; }
 
+Q_SIGNALS:
+    void hovered(int value);
+    void left();
+
 protected:
+    void leaveEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

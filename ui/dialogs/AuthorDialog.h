@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+class QLineEdit;
+
+namespace ui {
+
+/// Asks for the name in the audit trail; accepted, it is the setting.
+class AuthorDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit AuthorDialog(QWidget* parent = nullptr);
+
+    void accept() override;
+
+private:
+    QLineEdit* m_name = nullptr;
+};
+
+} // namespace ui

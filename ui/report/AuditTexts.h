@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/AuditReport.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace ui {
+
+/// What an audit report says, in words, for whatever it is printed on.
+struct AuditTexts {
+    struct Fact {
+        QString name;
+        QString value;
+        bool isHash = false;
+    };
+    struct Step {
+        QString number;
+        QString when; ///< UTC
+        QString who;
+        QString what;
+        QString note; ///< "undone", "old future, behind step 5"; empty: it stands
+        QString howMuch;
+        QString hash; ///< its first digits
+        bool stands = true;
+    };
+    struct Picture {
+        QString caption;
+        QString sha256;
+        QByteArray png;
+    };
+
+    QString title;
+    QString subtitle;
+    std::vector<Fact> study;
+    std::vector<Fact> session;
+    bool sound = false;
+    QString verdict; ///< one line
+    QString explanation;
+    std::vector<Step> steps;
+    QString noSteps; ///< where there are none
+    std::vector<Picture> pictures;
+    QString aboutPictures;
+    QString noPictures; ///< where there are none
+    QString footer;
+
+    [[nodiscard]] static AuditTexts of(const core::AuditReport& report);
+};
+
+} // namespace ui

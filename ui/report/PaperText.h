@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPointF>
+#include <QString>
+#include <QTextLayout>
+
+#include <memory>
+
+class QPainter;
+
+namespace ui {
+
+/// Words set in a column of paper: broken at words, and inside those that are longer than a line.
+class PaperText {
+public:
+    struct Style {
+        double sizePoints = 8.5;
+        QColor colour{0x1b, 0x1f, 0x24};
+        bool bold = false;
+        bool fixedPitch = false;
+        Qt::Alignment alignment = Qt::AlignLeft;
+    };
+
+    /// @param width pixels, @param pixelsPerPoint of the paper
+    PaperText(const QString& text, double width, double pixelsPerPoint, const Style& style);
+
+    [[nodiscard]] double height() const { return m_height; }
+    [[nodiscard]] double longestLine() const { return m_longestLine; }
+    void paint(QPainter& painter, const QPointF& topLeft) const;
+
+private:
+    std::shared_ptr<QTextLayout> m_layout;
+    QColor m_colour;
+    double m_height = 0.0;
+    double m_longestLine = 0.0;
+};
+
+} // namespace ui
