@@ -213,9 +213,10 @@ int run(core::Recipe recipe, const Arguments& arguments)
     }
     if (const Result<void> done = carryOut(recipe.steps, **session); !done) {
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
+        // A line that was printed is a promise: what it tells of stays.
+        const bool promised = !(*session)->history().rows().empty();
         session->reset();
-        // A session that was there before keeps the steps whose lines were printed.
-        if (!append)
+        if (!append && !promised)
             QFile::remove(file);
         return status;
     }

@@ -69,6 +69,10 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT viewOptionsChanged();
     Q_EMIT activeSegmentChanged();
     Q_EMIT cautionAcceptedChanged();
+    if (m_session && m_session->diskTrouble()) {
+        fail({core::ErrorCode::SessionUnwritten, m_session->diskTrouble()->arguments});
+        followDisk();
+    }
 }
 
 void Workspace::followDisk()

@@ -57,7 +57,9 @@ Result<std::unique_ptr<EditSession>> EditSession::open(
         return tl::unexpected(restored.error());
     for (std::unique_ptr<Operation>& operation : unfinishedRows(queue->state()))
         queue->submit(std::move(operation));
-    if (const Result<void> settled = queue->settle(); !settled)
+    // What a full disk does not take now waits in memory like any later step would.
+    const Result<void> settled = queue->settle();
+    if (!settled && settled.error().code != ErrorCode::FileUnwritable)
         return tl::unexpected(settled.error());
     return std::unique_ptr<EditSession>(new EditSession(std::move(queue)));
 }

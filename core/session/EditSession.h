@@ -39,8 +39,9 @@ public:
     static Result<std::unique_ptr<EditSession>> create(
         EditEngine& engine, LoadedVolume volume, Options options);
     /// Continues a session file where it stopped; the volume is the one its references name.
-    /// Rows whose delta did not reach the disk are executed again. Errors: SessionDamaged,
-    /// SessionMismatch (the volume is not the one the session was made on).
+    /// Rows whose delta did not reach the disk are executed again; if it is full still, they wait in
+    /// memory (diskTrouble()). Errors: SessionDamaged, SessionMismatch (the volume is not the one
+    /// the session was made on).
     static Result<std::unique_ptr<EditSession>> open(EditEngine& engine, LoadedVolume volume,
         const QString& file, std::function<void()> wakeUp = {});
     /// Closes a running growth, waits for the disk and leaves one file.

@@ -1,66 +1,116 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/EditJson.h"
-#include "core/edits/EditQuantise.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/BurinProgram.h"
 #include "tests/support/EngineCases.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/SessionScript.h"
+#include "tests/support/SmallFileSystem.h"
 #include "tests/support/SmallStudy.h"
 
+#include <QDir>
 #include <QElapsedTimer>
-#include <QFileInfo>
-#include <QJsonArray>
+#include <QFile>
 #include <QJsonDocument>
 #include <QProcess>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include <map>
+#include <sys/stat.h>
 
 using namespace core;
 
-/// kill -9 in the middle of `burin run`: what was acknowledged is there, and nothing is torn.
+namespace {
+
+/// When the program is killed.
+struct Moment {
+    int afterLines = 0; ///< of its output
+    bool thenCheckpoint = false; ///< wait until what the WAL holds begins to be folded back
+    int thenMicroseconds = 0;
+};
+
+/// SQLite in WAL mode writes to the file itself only when it folds the WAL back.
+struct FileStamp {
+    qint64 size = 0;
+    qint64 seconds = 0;
+    qint64 nanoseconds = 0;
+    static FileStamp of(const QByteArray& path)
+    {
+        struct stat status { };
+        if (stat(path.constData(), &status) != 0)
+            return {};
+        return {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+    }
+    bool operator==(const FileStamp&) const = default;
+};
+
+const char* const companions[]{"", "-wal", "-journal"};
+
+} // namespace
+
+Q_DECLARE_METATYPE(Moment)
+
+/// kill -9 in the middle of `burin run`, and disks that fill up under it: what was printed is in
+/// the file, nothing is torn, and the session goes on from there as if nothing had been.
+///
+/// BURIN_SEED draws another script and other moments.
 class CrashRecoveryTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void initTestCase();
-    void nothingAcknowledgedIsLost_data();
-    void nothingAcknowledgedIsLost();
+    void killed_data();
+    void killed();
+    void diskFull_data();
+    void diskFull();
+    void filesThatCannotGrow_data();
+    void filesThatCannotGrow();
+    void cleanupTestCase();
 
 private:
-    /// What a run of `burin` printed about rows: hash by row.
-    using Acknowledged = std::map<RowId, QByteArray>;
-    [[nodiscard]] static Acknowledged rowsIn(const QByteArray& output);
     [[nodiscard]] QStringList runArguments(const QString& session) const;
+    /// Complete lines of the output, each compared with the oracle.
+    [[nodiscard]] std::size_t acknowledged(const QByteArray& output) const;
+    [[nodiscard]] QByteArray runUntil(const Moment& moment, const QString& session);
+    void addMoments(int anywhere, int checkpoints, int closings);
+    void recovers(const QString& file, std::size_t lines);
+    void verifies(const QString& file) const;
 
     QTemporaryDir m_folder;
     QString m_study;
     QString m_recipe;
-    std::vector<Edit> m_edits;
-    Acknowledged m_expected; ///< of a run that nobody disturbed
-    qint64 m_firstRowMs = 0; ///< until its first row
-    qint64 m_durationMs = 0;
+    std::uint32_t m_seed = 0;
+    test::SessionScript m_script;
+    int m_firstLineMs = 0; ///< until the first line of an undisturbed run
+    int m_lineMicroseconds = 0; ///< from line to line
+    int m_tornCheckpoints = 0; ///< kills that left a half-folded WAL
 };
-
-CrashRecoveryTest::Acknowledged CrashRecoveryTest::rowsIn(const QByteArray& output)
-{
-    Acknowledged rows;
-    // A line that was cut off by the end acknowledges nothing.
-    for (const QByteArray& line : output.left(output.lastIndexOf('\n') + 1).split('\n')) {
-        const QJsonObject object = QJsonDocument::fromJson(line).object();
-        if (object[QStringLiteral("row")].isDouble())
-            rows[RowId(object[QStringLiteral("row")].toInteger())] =
-                object[QStringLiteral("hash")].toString().toLatin1();
-    }
-    return rows;
-}
 
 QStringList CrashRecoveryTest::runArguments(const QString& session) const
 {
     return {QStringLiteral("run"), m_recipe, QStringLiteral("--study"), m_study,
         QStringLiteral("--session"), session};
+}
+
+std::size_t CrashRecoveryTest::acknowledged(const QByteArray& output) const
+{
+    // A line that was cut off by the end acknowledges nothing.
+    const QList<QByteArray> lines = output.left(output.lastIndexOf('\n') + 1).split('\n');
+    const std::size_t count = std::size_t(lines.size()) - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const QJsonObject line = QJsonDocument::fromJson(lines[qsizetype(i)]).object();
+        const RowId position = m_script.positionAfter(i + 1);
+        if (line[QStringLiteral("row")].toInteger(-1) != position
+            || line[QStringLiteral("hash")].toString().toLatin1()
+                != m_script.hashes[std::size_t(position)])
+            qFatal(
+                "line %zu is not what the oracle has: %s", i + 1, lines[qsizetype(i)].constData());
+    }
+    return count;
 }
 
 void CrashRecoveryTest::initTestCase()
@@ -74,24 +124,18 @@ void CrashRecoveryTest::initTestCase()
     QVERIFY(writeNifti(
         m_study, {.geometry = small.volume.geometry, .voxels = values, .description = {}}));
 
-    m_edits = {test::addSegment("Brain"), test::addSegment("Skull"), test::seedInBrain(1),
-        test::seedInBone(2)};
-    for (int i = 0; i < 30; ++i) {
-        m_edits.push_back(test::drillAt(-12.0 + 0.8 * i));
-        if (i % 3 == 0)
-            m_edits.push_back(test::growBrain(1));
-        if (i % 3 == 1)
-            m_edits.push_back(test::growBone(2));
-    }
-    QJsonArray edits;
-    for (Edit& edit : m_edits) {
-        edit = quantised(edit);
-        edits.push_back(editToJson(edit));
-    }
+    m_seed = qEnvironmentVariableIsSet("BURIN_SEED")
+        ? qEnvironmentVariable("BURIN_SEED").toUInt()
+        : std::uint32_t(QDateTime::currentMSecsSinceEpoch());
+    qInfo("BURIN_SEED=%u", m_seed);
+    test::Random random(m_seed);
+    const Result<LoadedVolume> volume = loadVolume(m_study);
+    QVERIFY(volume);
+    m_script = test::randomScript(*volume, random, test::longRun() ? 60 : 30);
     m_recipe = m_folder.filePath(QStringLiteral("recipe.json"));
     QFile recipe(m_recipe);
     QVERIFY(recipe.open(QIODevice::WriteOnly));
-    recipe.write(QJsonDocument(QJsonObject{{QStringLiteral("edits"), edits}}).toJson());
+    recipe.write(m_script.recipe());
     recipe.close();
 
     QProcess burin;
@@ -100,97 +144,260 @@ void CrashRecoveryTest::initTestCase()
     burin.start(QStringLiteral(BURIN_PROGRAM),
         runArguments(m_folder.filePath(QStringLiteral("whole.burin"))));
     QVERIFY(burin.waitForReadyRead(120000));
-    m_firstRowMs = clock.elapsed();
+    m_firstLineMs = int(clock.elapsed());
     QVERIFY(burin.waitForFinished(300000));
-    m_durationMs = clock.elapsed();
+    m_lineMicroseconds =
+        int((clock.elapsed() - m_firstLineMs) * 1000 / qint64(m_script.steps.size())) + 1;
     QVERIFY2(burin.exitCode() == 0, burin.readAllStandardError().constData());
-    m_expected = rowsIn(burin.readAllStandardOutput());
-    QVERIFY(m_expected.size() > 30);
+    QCOMPARE(acknowledged(burin.readAllStandardOutput()), m_script.steps.size());
 }
 
-void CrashRecoveryTest::nothingAcknowledgedIsLost_data()
+void CrashRecoveryTest::addMoments(int anywhere, int checkpoints, int closings)
 {
-    QTest::addColumn<int>("afterRows");
-    QTest::addColumn<int>("thenMicroseconds");
-    QTest::addRow("before anything") << 0 << 0;
-    test::Random random(std::uint32_t(QDateTime::currentMSecsSinceEpoch()));
-    const int last = int(m_expected.size()) - 2;
-    for (int i = 0; i < (test::longRun() ? 60 : 7); ++i) {
-        // From the start on, or from a row on: within about what two rows take.
-        const int rows = test::randomInt(random, 0, last);
-        const auto perRow =
-            int((m_durationMs - m_firstRowMs) * 1000 / qint64(m_expected.size())) + 1;
-        const int micro = rows == 0 ? test::randomInt(random, 0, int(m_firstRowMs) * 1000)
-                                    : test::randomInt(random, 0, 2 * perRow);
-        QTest::addRow("%d: after %d rows, %d µs", i, rows, micro) << rows << micro;
+    QTest::addColumn<Moment>("moment");
+    test::Random random(m_seed + 1);
+    const int lines = int(m_script.steps.size());
+    QTest::newRow("before anything") << Moment{};
+    for (int i = 1; i < anywhere; ++i) {
+        // From the start on, or from a line on: within about what two steps take.
+        const int after = test::randomInt(random, 0, lines - 1);
+        const int micro = after == 0 ? test::randomInt(random, 0, m_firstLineMs * 1000)
+                                     : test::randomInt(random, 0, 2 * m_lineMicroseconds);
+        QTest::addRow("%d: after %d lines, %d µs", i, after, micro) << Moment{after, false, micro};
+    }
+    for (int i = 0; i < checkpoints; ++i) {
+        const int after = test::randomInt(random, 1, lines / 2);
+        const int micro = test::randomInt(random, 0, 2000);
+        QTest::addRow("checkpoint %d: after %d lines, %d µs", i, after, micro)
+            << Moment{after, true, micro};
+    }
+    for (int i = 0; i < closings; ++i) {
+        const bool checkpoint = i % 2 == 0;
+        const int micro = test::randomInt(random, 0, checkpoint ? 800 : 20000);
+        QTest::addRow("closing %d: %s%d µs", i, checkpoint ? "checkpoint, " : "", micro)
+            << Moment{lines, checkpoint, micro};
     }
 }
 
-void CrashRecoveryTest::nothingAcknowledgedIsLost()
+void CrashRecoveryTest::killed_data()
 {
-    QFETCH(int, afterRows);
-    QFETCH(int, thenMicroseconds);
+    if (test::longRun())
+        addMoments(140, 30, 30);
+    else
+        addMoments(4, 1, 1);
+}
+
+QByteArray CrashRecoveryTest::runUntil(const Moment& moment, const QString& session)
+{
+    QProcess burin;
+    burin.start(QStringLiteral(BURIN_PROGRAM), runArguments(session));
+    if (!burin.waitForStarted())
+        qFatal("burin does not start");
+    QByteArray output;
+    while (output.count('\n') < moment.afterLines && burin.waitForReadyRead(60000))
+        output += burin.readAllStandardOutput();
+    if (moment.thenCheckpoint) {
+        const QByteArray path = session.toLocal8Bit();
+        const FileStamp before = FileStamp::of(path);
+        while (burin.state() == QProcess::Running && FileStamp::of(path) == before)
+            burin.waitForFinished(0);
+    }
+    // Sleeping is too coarse here: it takes the scheduler's time.
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.nsecsElapsed() < qint64(moment.thenMicroseconds) * 1000) {
+        if (moment.thenMicroseconds > 5000)
+            QTest::qSleep(1);
+    }
+    burin.kill();
+    burin.waitForFinished(60000);
+    return output + burin.readAllStandardOutput();
+}
+
+void CrashRecoveryTest::killed()
+{
+    QFETCH(Moment, moment);
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("crashed.burin"));
-    QProcess burin;
-    burin.start(QStringLiteral(BURIN_PROGRAM), runArguments(file));
-    QVERIFY(burin.waitForStarted());
-    QByteArray output;
-    while (int(rowsIn(output).size()) < afterRows) {
-        QVERIFY2(burin.waitForReadyRead(60000), burin.readAllStandardError().constData());
-        output += burin.readAllStandardOutput();
-    }
-    QTest::qSleep(thenMicroseconds / 1000);
-    burin.kill();
-    QVERIFY(burin.waitForFinished(30000));
-    output += burin.readAllStandardOutput();
-    const Acknowledged acknowledged = rowsIn(output);
-    for (const auto& [row, hash] : acknowledged)
-        QCOMPARE(hash, m_expected.at(row));
+    const std::size_t lines = acknowledged(runUntil(moment, file));
+    const bool wal = QFileInfo(file + QStringLiteral("-wal")).size() > 0;
+    m_tornCheckpoints += moment.thenCheckpoint && wal ? 1 : 0;
+    recovers(file, lines);
+    if (!QTest::currentTestFailed() && QFileInfo::exists(file))
+        verifies(file);
+}
 
-    // Nothing was promised before the first row: there may be no session yet.
+/// Opens a session whose program is gone, compares it with the oracle, and does the rest of the
+/// script.
+void CrashRecoveryTest::recovers(const QString& file, std::size_t lines)
+{
+    // Nothing was promised before the first line: there may be no session yet.
     if (!QFileInfo::exists(file)) {
-        QVERIFY(acknowledged.empty());
+        QCOMPARE(lines, std::size_t(0));
         return;
     }
+    {
+        // As SQLite finds it, on a copy: opening may mend.
+        const QTemporaryDir folder;
+        const QString copy = folder.filePath(QStringLiteral("copy.burin"));
+        for (const char* companion : companions)
+            QFile::copy(file + QLatin1String(companion), copy + QLatin1String(companion));
+        QSqlDatabase database =
+            QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("integrity"));
+        database.setDatabaseName(copy);
+        QVERIFY(database.open());
+        QSqlQuery query(QStringLiteral("PRAGMA integrity_check"), database);
+        QVERIFY(query.next());
+        QCOMPARE(query.value(0).toString(), QStringLiteral("ok"));
+    }
+    QSqlDatabase::removeDatabase(QStringLiteral("integrity"));
+
     Result<LoadedVolume> volume = loadVolume(m_study);
     QVERIFY(volume);
     reference::ReferenceEngine oracle;
-    {
-        auto session = EditSession::open(oracle, *volume, file);
-        if (!session && acknowledged.empty())
-            return; // killed while the file was being made
+    auto session = EditSession::open(oracle, *std::move(volume), file);
+    if (!session && lines == 0) {
+        // It was just being made.
+        QVERIFY(session.error().code == ErrorCode::FileTruncated
+            || session.error().code == ErrorCode::UnsupportedFormat);
+        QVERIFY(QFile::remove(file));
+        return;
+    }
+    QVERIFY2(
+        session, session ? "" : qPrintable(session.error().arguments.join(QStringLiteral(": "))));
+    QVERIFY((*session)->settle());
+    const History& history = (*session)->history();
+    const auto rows = RowId(history.rows().size());
+    const bool whole = lines == m_script.steps.size();
+    QVERIFY2(rows >= m_script.rowsAfter(lines),
+        qPrintable(
+            QStringLiteral("%1 of %2 rows are there").arg(rows).arg(m_script.rowsAfter(lines))));
+    // Steps go one by one, so no more than one more had begun.
+    QVERIFY(rows <= m_script.rowsAfter(whole ? lines : lines + 1));
+    for (const HistoryRow& row : history.rows()) {
+        QCOMPARE(row.stateHash, m_script.hashes[std::size_t(row.id)]);
+        QCOMPARE(row.parent, m_script.parents[std::size_t(row.id)]);
+    }
+    QVERIFY(m_script.positionsFrom(lines).count(history.position()) == 1);
+    QCOMPARE((*session)->stateHash(), m_script.hashes[std::size_t(history.position())]);
+
+    std::size_t next = lines;
+    if (rows > m_script.rowsAfter(lines))
+        ++next;
+    else
+        QVERIFY((*session)->goTo(m_script.positionAfter(lines)));
+    for (; next < m_script.steps.size(); ++next) {
+        const RecipeStep& step = m_script.steps[next].step;
+        if (const auto* edit = std::get_if<Edit>(&step)) {
+            QVERIFY((*session)->apply(*edit));
+        } else {
+            QVERIFY((*session)->settle());
+            QVERIFY((*session)->goTo(m_script.positionAfter(next + 1)));
+        }
+    }
+    QVERIFY((*session)->settle());
+    QCOMPARE(history.rows().size() + 1, m_script.hashes.size());
+    QCOMPARE((*session)->stateHash(), m_script.hashes[std::size_t(history.position())]);
+    QCOMPARE(history.line(), m_script.line);
+}
+
+void CrashRecoveryTest::verifies(const QString& file) const
+{
+    for (const char* companion : {"-wal", "-shm", "-journal"})
+        QVERIFY(!QFileInfo::exists(file + QLatin1String(companion)));
+    const test::Outcome verified =
+        test::burin({QStringLiteral("replay"), file, QStringLiteral("--verify")});
+    QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
+}
+
+void CrashRecoveryTest::diskFull_data()
+{
+    QTest::addColumn<int>("kibibytes");
+    QTest::addColumn<Moment>("moment");
+    test::Random random(m_seed + 2);
+    const auto whole =
+        int(QFileInfo(m_folder.filePath(QStringLiteral("whole.burin"))).size() / 1024);
+    for (int i = 0; i < (test::longRun() ? 30 : 2); ++i) {
+        // WAL and file lie there side by side.
+        const int kibibytes = test::randomInt(random, 60, 2 * whole);
+        // Killed before it fills up, or in the end it gives up by itself.
+        const int after = i % 3 == 0 ? int(m_script.steps.size())
+                                     : test::randomInt(random, 0, int(m_script.steps.size()) / 2);
+        const int micro = test::randomInt(random, 0, 2 * m_lineMicroseconds);
+        QTest::addRow("%d KiB, %d: after %d lines, %d µs", kibibytes, i, after, micro)
+            << kibibytes << Moment{after, i % 3 == 2, micro};
+    }
+}
+
+/// On a file system of a few hundred kilobytes.
+void CrashRecoveryTest::diskFull()
+{
+    QFETCH(int, kibibytes);
+    QFETCH(Moment, moment);
+    test::SmallFileSystem disk(kibibytes);
+    if (!disk.problem().isEmpty())
+        QSKIP(qPrintable(QStringLiteral("no file system can be mounted: ") + disk.problem()));
+    const QString file = disk.filePath(QStringLiteral("full.burin"));
+    const std::size_t lines = acknowledged(runUntil(moment, file));
+
+    // What is there can be taken to another disk …
+    const QTemporaryDir elsewhere;
+    const QString taken = elsewhere.filePath(QStringLiteral("taken.burin"));
+    for (const char* companion : companions)
+        QFile::copy(file + QLatin1String(companion), taken + QLatin1String(companion));
+    recovers(taken, lines);
+    if (QTest::currentTestFailed())
+        return;
+    if (QFileInfo::exists(taken))
+        verifies(taken);
+    // … opens where it is, full as that is, …
+    if (lines > 0) {
+        Result<LoadedVolume> volume = loadVolume(m_study);
+        QVERIFY(volume);
+        reference::ReferenceEngine oracle;
+        const auto session = EditSession::open(oracle, *std::move(volume), file);
         QVERIFY2(session,
             session ? "" : qPrintable(session.error().arguments.join(QStringLiteral(": "))));
-        QVERIFY((*session)->settle());
-        const std::vector<HistoryRow>& rows = (*session)->history().rows();
-        QVERIFY2(rows.size() >= acknowledged.size(),
-            qPrintable(QStringLiteral("%1 of %2 rows are there")
-                           .arg(rows.size())
-                           .arg(acknowledged.size())));
-        // Edits go one by one, so no more than one more had begun.
-        QVERIFY(rows.size() <= acknowledged.size() + 1);
-        for (const HistoryRow& row : rows)
-            QCOMPARE(row.stateHash, m_expected.at(row.id));
-        QCOMPARE((*session)->history().position(), RowId(rows.size()));
-
-        // And it goes on from there as if nothing had been.
-        std::size_t done = 0;
-        std::size_t next = 0;
-        for (; next < m_edits.size() && done < rows.size(); ++next)
-            done += editToJson(rows[done].edit) == editToJson(m_edits[next]) ? 1 : 0;
-        QCOMPARE(done, rows.size());
-        for (; next < m_edits.size(); ++next)
-            QVERIFY((*session)->apply(m_edits[next]));
-        QVERIFY((*session)->settle());
-        QCOMPARE((*session)->history().rows().size(), m_expected.size());
-        QCOMPARE((*session)->stateHash(), m_expected.rbegin()->second);
+        QVERIFY(RowId((*session)->history().rows().size()) >= m_script.rowsAfter(lines));
+        QCOMPARE((*session)->stateHash(),
+            m_script.hashes[std::size_t((*session)->history().position())]);
     }
-    QProcess verify;
-    verify.start(QStringLiteral(BURIN_PROGRAM),
-        {QStringLiteral("replay"), file, QStringLiteral("--verify")});
-    QVERIFY(verify.waitForFinished(120000));
-    QVERIFY2(verify.exitCode() == 0, verify.readAllStandardError().constData());
+    // … and goes on there once it has room.
+    disk.resize(16 * 1024);
+    recovers(file, lines);
+    if (!QTest::currentTestFailed() && QFileInfo::exists(file))
+        verifies(file);
+}
+
+void CrashRecoveryTest::filesThatCannotGrow_data()
+{
+    QTest::addColumn<int>("kibibytes");
+    test::Random random(m_seed + 3);
+    for (int i = 0; i < (test::longRun() ? 10 : 1); ++i) {
+        const int kibibytes = test::randomInt(random, 60, 2000);
+        QTest::addRow("%d KiB, %d", kibibytes, i) << kibibytes;
+    }
+}
+
+/// The full disk that needs no rights; other error codes, the same promise.
+void CrashRecoveryTest::filesThatCannotGrow()
+{
+    QFETCH(int, kibibytes);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("full.burin"));
+    std::size_t lines = 0;
+    {
+        const test::FileSizeLimit limit(rlim_t(kibibytes) * 1024);
+        lines = acknowledged(runUntil({.afterLines = int(m_script.steps.size())}, file));
+    }
+    recovers(file, lines);
+    if (!QTest::currentTestFailed() && QFileInfo::exists(file))
+        verifies(file);
+}
+
+void CrashRecoveryTest::cleanupTestCase()
+{
+    qInfo("%d kills in the middle of a checkpoint", m_tornCheckpoints);
 }
 
 QTEST_GUILESS_MAIN(CrashRecoveryTest)
