@@ -4,6 +4,7 @@
 #include "app/DemonstrationStudy.h"
 #include "app/SessionFiles.h"
 #include "gpu/GpuEngine.h"
+#include "ui/DisplayState.h"
 #include "ui/ErrorText.h"
 #include "ui/KeyframeRecorder.h"
 #include "ui/MainWindow.h"
@@ -70,6 +71,8 @@ void Application::makeWindow()
 
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
+    // The last to hear of a session: the others have set themselves up by then.
+    new ui::DisplayState(*m_workspace, window.views(), {drill, seed}, &window);
 
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);

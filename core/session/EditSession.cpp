@@ -265,6 +265,16 @@ void EditSession::setSegmentVisible(int label, bool visible)
     m_queue->tellNews();
 }
 
+const QJsonObject& EditSession::display() const
+{
+    return m_queue->state().display;
+}
+
+void EditSession::setDisplay(const QJsonObject& display)
+{
+    m_queue->state().setDisplay(display);
+}
+
 void EditSession::setListener(std::function<void(const DocumentChange&)> listener)
 {
     m_queue->setListener(std::move(listener));

@@ -7,6 +7,7 @@
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 
+#include <QJsonObject>
 #include <QString>
 
 #include <functional>
@@ -116,6 +117,11 @@ public:
 
     /// Display state is no step of undo.
     void setSegmentVisible(int label, bool visible);
+    /// How the window looked at it, kept for the next time it is opened: an object that means
+    /// nothing here (ui/DisplayState). Empty: none was kept.
+    [[nodiscard]] const QJsonObject& display() const;
+    /// Goes to the file if it is another one; not for every movement of the mouse.
+    void setDisplay(const QJsonObject& display);
 
     /// The listener lives as long as the session or until it is replaced by an empty one.
     void setListener(std::function<void(const DocumentChange&)> listener);

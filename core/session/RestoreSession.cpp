@@ -83,6 +83,7 @@ Result<void> restoreSession(SessionState& state)
     state.hide(contents.hiddenSegments);
     for (const Keyframe& keyframe : contents.keyframes)
         state.keyframes.insert(keyframe.row);
+    state.display = contents.display;
     state.begin(*std::move(images));
     if (base != 0
         && state.worker->stateHash(state.documentJson()) != state.history.row(base).stateHash)

@@ -5,6 +5,8 @@
 #include "core/session/Keyframe.h"
 #include "core/session/SessionSource.h"
 
+#include <QJsonObject>
+
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct SessionContents {
     std::vector<int> hiddenSegments;
     std::vector<Keyframe> keyframes; ///< by row; without their pictures
     QString chainEnd; ///< hex; it covers the source and every row
+    QJsonObject display; ///< as the window put it together; empty: none kept
 };
 
 } // namespace core

@@ -136,6 +136,11 @@ void SessionFile::audit(std::function<void(const Result<AuditReport>&)> take)
     m_writer.post([this, take = std::move(take)] { take(auditReport(*m_tables, m_path)); });
 }
 
+void SessionFile::setDisplay(const QJsonObject& display)
+{
+    post({.carryOut = [display](SessionTables& tables) { return tables.setDisplay(display); }});
+}
+
 void SessionFile::post(Write write)
 {
     m_writer.post([this, write = std::move(write)] {

@@ -54,6 +54,7 @@ public:
     void completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta);
     void setPosition(RowId position);
     void setHiddenSegments(const std::vector<int>& labels);
+    void setDisplay(const QJsonObject& display);
     /// Replaces the picture that the row may have.
     void addKeyframe(const Keyframe& keyframe);
     /// The PNG of a row's picture; empty if there is none. @p take is called on the writer's

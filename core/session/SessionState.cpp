@@ -186,6 +186,15 @@ void SessionState::hide(const std::vector<int>& labels)
     placeSegments();
 }
 
+void SessionState::setDisplay(const QJsonObject& shown)
+{
+    if (shown == display)
+        return;
+    display = shown;
+    if (file)
+        file->setDisplay(display);
+}
+
 void SessionState::tell(DocumentChange::What what, const VoxelBox& box)
 {
     for (DocumentChange& change : news) {

@@ -38,6 +38,7 @@ public:
 
     void setVisible(int label, bool visible);
     void hide(const std::vector<int>& labels);
+    void setDisplay(const QJsonObject& shown);
 
     void tell(DocumentChange::What what, const VoxelBox& box = {});
     void fail(const Error& error);
@@ -48,6 +49,7 @@ public:
     EditEngine& engine;
     Document document;
     History history;
+    QJsonObject display; ///< opaque here (EditSession::display())
     std::unique_ptr<SessionFile> file; ///< null: history in memory only
     std::unique_ptr<CommitWorker> worker; ///< after file: it writes there to the end
     std::function<RowOrigin()> origin; ///< of a row that is made now

@@ -33,6 +33,8 @@ void takeState(const QString& key, const QString& value, SessionContents& conten
         for (const QJsonValue& label : labels)
             contents.hiddenSegments.push_back(label.toInt());
     }
+    if (key == QLatin1String("display"))
+        contents.display = QJsonDocument::fromJson(value.toUtf8()).object();
 }
 
 } // namespace
@@ -149,6 +151,12 @@ Result<void> SessionTables::addKeyframe(const Keyframe& keyframe)
             {sqlId(keyframe.row), sqlText(keyframe.at.toUTC().toString(Qt::ISODateWithMs), true),
                 keyframe.png});
     });
+}
+
+Result<void> SessionTables::setDisplay(const QJsonObject& display)
+{
+    const QString text = QString::fromUtf8(QJsonDocument(display).toJson(QJsonDocument::Compact));
+    return write([&] { return writeState(QStringLiteral("display"), text); });
 }
 
 Result<void> SessionTables::write(const std::function<bool()>& work)

@@ -30,6 +30,7 @@ public:
         RowId row, const QByteArray& stateHash, const BrickDelta& delta);
     [[nodiscard]] Result<void> setPosition(RowId position);
     [[nodiscard]] Result<void> setHiddenSegments(const std::vector<int>& labels);
+    [[nodiscard]] Result<void> setDisplay(const QJsonObject& display);
     [[nodiscard]] Result<void> addKeyframe(const Keyframe& keyframe);
 
     [[nodiscard]] Result<BrickDelta> readDelta(RowId row);

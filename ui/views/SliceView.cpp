@@ -18,6 +18,8 @@ namespace ui {
 namespace {
 
 constexpr double fitMarginPixels = 26.0; // room for the letters at the edges
+constexpr double leastMmPerPixel = 1e-3;
+constexpr double greatestMmPerPixel = 100.0;
 
 QColor colourOf(SliceOrientation orientation)
 {
@@ -76,6 +78,21 @@ void SliceView::resetView()
         m_centreLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
         m_mmPerPixel = fittingMmPerPixel();
     }
+    requestFrame();
+}
+
+std::optional<SliceView::Place> SliceView::place() const
+{
+    if (m_fitted)
+        return std::nullopt;
+    return Place{m_centreLps, m_mmPerPixel};
+}
+
+void SliceView::setPlace(const Place& place)
+{
+    m_fitted = false;
+    m_centreLps = place.centreLps;
+    m_mmPerPixel = std::clamp(place.mmPerPixel, leastMmPerPixel, greatestMmPerPixel);
     requestFrame();
 }
 
@@ -165,7 +182,7 @@ void SliceView::zoomBy(double factor, const QPointF& at)
 {
     const glm::dvec3 held = context().toLps(at);
     m_fitted = false;
-    m_mmPerPixel = std::clamp(m_mmPerPixel / factor, 1e-3, 100.0);
+    m_mmPerPixel = std::clamp(m_mmPerPixel / factor, leastMmPerPixel, greatestMmPerPixel);
     m_centreLps += held - context().toLps(at);
     requestMovingFrame();
 }

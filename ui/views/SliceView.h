@@ -23,6 +23,15 @@ public:
     void goToSlice(int number);
     void resetView() override;
 
+    /// Zoom and pan. A view that follows the window's size has no such place: the user has neither
+    /// zoomed nor panned since resetView().
+    struct Place {
+        glm::dvec3 centreLps{0.0}; ///< its part along the normal does not count
+        double mmPerPixel = 1.0;
+    };
+    [[nodiscard]] std::optional<Place> place() const;
+    void setPlace(const Place& place);
+
 protected:
     [[nodiscard]] gpu::Scene scene() const override;
     [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;

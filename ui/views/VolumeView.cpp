@@ -87,6 +87,15 @@ void VolumeView::setCamera(const Camera& camera)
     requestFrame();
 }
 
+void VolumeView::fitCamera(const Camera& camera)
+{
+    resetView();
+    m_camera.towardsViewer = camera.towardsViewer;
+    m_camera.up = camera.up;
+    fit();
+    requestFrame();
+}
+
 void VolumeView::lookFrom(const glm::dvec3& sideLps)
 {
     m_camera.lookFrom(sideLps);

@@ -18,6 +18,10 @@ public:
     [[nodiscard]] QColor barColour() const override;
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
+    /// Whether it shows the whole volume, whatever the window's size; until the user zooms or pans.
+    [[nodiscard]] bool fitted() const { return m_fitted; }
+    /// The whole volume, seen as @p camera sees it.
+    void fitCamera(const Camera& camera);
     /// Look at the patient from a side, e.g. (0, −1, 0): from the front.
     void lookFrom(const glm::dvec3& sideLps);
     void resetView() override;

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/Application.h"
+#include "core/nifti/NiftiWriter.h"
+#include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
+#include "core/study/StudyLoader.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/SmallStudy.h"
+#include "ui/DisplayState.h"
+#include "ui/MainWindow.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+constexpr int patience = 120000; ///< ms; only a hang takes that long
+
+ui::DisplayState& displayOf(ui::MainWindow& window)
+{
+    return *window.findChild<ui::DisplayState*>();
+}
+
+std::vector<QImage> pictures(const ui::MainWindow& window)
+{
+    std::vector<QImage> images;
+    for (const ui::ImageView* view : window.views().views())
+        images.push_back(view->picture());
+    return images;
+}
+
+} // namespace
+
+/// How the window looks at a session comes back with it, and is no step of undo.
+class DisplayStateUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QByteArray m_hash;
+
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    QString session() const { return path("s.burin"); }
+    QJsonObject kept() const
+    {
+        return (*core::SessionFile::open(session(), core::SessionFile::Access::ReadOnly))
+            ->contents()
+            .display;
+    }
+
+    std::unique_ptr<app::Application> opened() const
+    {
+        auto application = *app::Application::create();
+        ui::MainWindow& window = application->window();
+        window.resize(1400, 860);
+        window.show();
+        window.opener().openSession(session());
+        if (!QTest::qWaitFor(
+                [&] { return application->workspace().session() != nullptr; }, patience))
+            qFatal("the session does not open");
+        return application;
+    }
+    static void waitForPictures(const ui::MainWindow& window)
+    {
+        if (!QTest::qWaitFor([&] { return window.views().refined(); }, patience))
+            qFatal("the views do not become still");
+    }
+    static void save(ui::MainWindow& window, const char* name)
+    {
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (!folder.isEmpty())
+            window.grab().save(folder + QLatin1String(name));
+    }
+
+    /// Everything that can be set, to something else than it is at the start.
+    static void changeEverything(app::Application& application)
+    {
+        ui::Workspace& workspace = application.workspace();
+        ui::ViewGrid& views = application.window().views();
+        workspace.setCrosshairLps({3.0, -2.0, 131.0});
+        workspace.setWindowLevel({210.0, 1800.0});
+        workspace.setViewOptions(
+            {.showPatient = false, .showCrosshair = false, .showSegments = true, .inverted = true});
+        ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
+        volume.mode = gpu::RenderMode::Dvr;
+        volume.surfaceThreshold = 444.0;
+        volume.transferFunction = {
+            {{-100.0, 0x204060, 0.0}, {35.0, 0xC06040, 0.02}, {900.5, 0xFFFFEE, 0.6}}};
+        volume.mipWindow = {500.0, 700.0};
+        workspace.setVolumeDisplay(volume);
+        workspace.setActiveSegment(2);
+        workspace.setDrillSettings({.radiusMm = 3.5, .depthMm = 12.5, .throughGaps = true});
+        workspace.setGrowSettings({.lower = 15.0,
+            .upper = 333.0,
+            .overwriteUnlocked = true,
+            .generationsPerSecond = 20.0});
+        workspace.session()->setSegmentVisible(1, false);
+        ui::Camera camera = views.volume().camera();
+        camera.orbit(50.0, 20.0);
+        camera.heightMm *= 0.7;
+        camera.targetLps += glm::dvec3(2.0, 0.0, -1.0);
+        views.volume().setCamera(camera);
+        views.axial().setPlace({.centreLps = {4.0, 1.0, 0.0}, .mmPerPixel = 0.05});
+        views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
+        for (ui::Tool* tool : application.window().findChildren<ui::Tool*>()) {
+            if (tool->iconName() == QLatin1String("seed"))
+                workspace.setActiveTool(tool);
+        }
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"XDG_STATE_HOME", "XDG_CONFIG_HOME"})
+            qputenv(name, path(name).toUtf8());
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, path("settings"));
+
+        const core::LoadedVolume small = test::smallStudy();
+        std::vector<std::int16_t> values;
+        for (const std::uint16_t code : small.codes)
+            values.push_back(std::int16_t(small.volume.encoding.value(code)));
+        QVERIFY(core::writeNifti(path("small.nii.gz"),
+            {.geometry = small.volume.geometry, .voxels = values, .description = {}}));
+        reference::ReferenceEngine oracle;
+        auto session = *core::EditSession::create(
+            oracle, *core::loadVolume(path("small.nii.gz")), {.file = this->session()});
+        for (const core::Edit& edit : test::manyEdits())
+            QVERIFY(session->apply(edit));
+        QVERIFY(session->settle());
+        m_hash = session->stateHash();
+    }
+
+    void everythingComesBack()
+    {
+        QJsonObject before;
+        std::vector<QImage> picturesBefore;
+        {
+            const auto application = opened();
+            const std::size_t rows = application->workspace().session()->history().rows().size();
+            const QJsonObject initial = displayOf(application->window()).composed();
+            changeEverything(*application);
+            before = displayOf(application->window()).composed();
+            // Nothing of it was changed in vain.
+            for (const QString& field : before.keys()) {
+                if (field != QLatin1String("showSegments"))
+                    QVERIFY2(before[field] != initial[field], qPrintable(field));
+            }
+            QCOMPARE(before.size(), initial.size());
+            QCOMPARE(application->workspace().session()->history().rows().size(), rows);
+            waitForPictures(application->window());
+            picturesBefore = pictures(application->window());
+            save(application->window(), "/display-before.png");
+        }
+        QCOMPARE(kept(), before);
+        const auto application = opened();
+        ui::Workspace& workspace = application->workspace();
+        QCOMPARE(displayOf(application->window()).composed(), before);
+        QCOMPARE(workspace.windowLevel(), (core::WindowLevel{210.0, 1800.0}));
+        QCOMPARE(workspace.volumeDisplay().transferFunction.points[1].rgb, 0xC06040U);
+        QCOMPARE(workspace.growSettings().generationsPerSecond, 20.0);
+        QCOMPARE(workspace.activeTool()->iconName(), QStringLiteral("seed"));
+        QVERIFY(!workspace.session()->document().segment(1)->visible);
+        QVERIFY(workspace.session()->document().segment(2)->visible);
+        waitForPictures(application->window());
+        save(application->window(), "/display-after.png");
+        QVERIFY(pictures(application->window()) == picturesBefore);
+        QCOMPARE(workspace.session()->stateHash(), m_hash);
+    }
+
+    /// One view alone, the 3D view turned but still showing everything.
+    void layoutComesBack()
+    {
+        glm::dvec3 from(0.0);
+        {
+            const auto application = opened();
+            ui::ViewGrid& views = application->window().views();
+            views.maximise(&views.volume());
+            views.volume().lookFrom({1.0, 0.0, 0.0});
+            from = views.volume().camera().towardsViewer;
+        }
+        const auto application = opened();
+        ui::ViewGrid& views = application->window().views();
+        QCOMPARE(views.maximised(), static_cast<ui::ImageView*>(&views.volume()));
+        QVERIFY(views.volume().camera().towardsViewer == from);
+        QVERIFY(views.volume().fitted());
+        QVERIFY(!views.axial().place());
+    }
+
+    /// Looking alone writes nothing; neither does a session that was never looked at lack anything.
+    void lookingLeavesTheFileAlone()
+    {
+        QFile file(session());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray untouched = file.readAll();
+        {
+            const auto application = opened();
+        }
+        QVERIFY(file.seek(0));
+        QVERIFY(kept().isEmpty());
+        QCOMPARE(file.size(), untouched.size());
+    }
+
+    /// Changes reach the file while the session is open, without being told of each.
+    void isKeptWhileTheSessionIsOpen()
+    {
+        const auto application = opened();
+        application->workspace().setWindowLevel({123.0, 456.0});
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !application->workspace().session()->display().isEmpty(), patience);
+        QCOMPARE(application->workspace()
+                     .session()
+                     ->display()[QLatin1String("window")][QLatin1String("centre")]
+                     .toDouble(),
+            123.0);
+    }
+
+    void passesOverWhatMakesNoSense_data()
+    {
+        QTest::addColumn<QByteArray>("json");
+        QTest::newRow("nothing") << QByteArray("{}");
+        QTest::newRow("of a later Burin") << QByteArray("{'hologram':{'depth':3}}");
+        QTest::newRow("other types")
+            << QByteArray("{'crosshairLps':'here','window':7,'inverted':'yes','volume':[1,2],"
+                          "'views':'four','activeSegment':'one','tool':9,'drill':[],"
+                          "'growth':null}");
+        QTest::newRow("out of range")
+            << QByteArray("{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
+                          "'activeSegment':99,'tool':'chainsaw','volume':{'mode':'xray',"
+                          "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
+                          "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},'volume':"
+                          "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
+                          "'growth':{'lower':9,'upper':-9}}");
+    }
+    void passesOverWhatMakesNoSense()
+    {
+        QFETCH(QByteArray, json);
+        const QJsonObject foreign = QJsonDocument::fromJson(json.replace('\'', '"')).object();
+        QCOMPARE(foreign.isEmpty(), json == "{}");
+        QJsonObject initial;
+        {
+            const auto application = opened();
+            initial = displayOf(application->window()).composed();
+            application->workspace().session()->setDisplay(foreign);
+        }
+        QCOMPARE(kept(), foreign);
+        {
+            const auto application = opened();
+            QCOMPARE(displayOf(application->window()).composed(), initial);
+            application->workspace().setWindowLevel({1.0, 2.0});
+        }
+        // What is not understood stays, as does what it was laid over.
+        QJsonObject expected = foreign;
+        initial[QStringLiteral("window")] =
+            QJsonObject{{QStringLiteral("centre"), 1.0}, {QStringLiteral("width"), 2.0}};
+        for (const QString& field : initial.keys())
+            expected[field] = initial[field];
+        QCOMPARE(kept(), expected);
+    }
+};
+
+QTEST_MAIN(DisplayStateUiTest)
+#include "DisplayStateUiTest.moc"

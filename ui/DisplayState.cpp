@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/DisplayState.h"
+
+#include "ui/tools/DrillOptions.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QColor>
+#include <QJsonArray>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr std::array<const char*, 3> modeNames{"surface", "dvr", "mip"}; ///< gpu::RenderMode
+
+// --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
+
+QJsonArray toJson(const glm::dvec3& point)
+{
+    return {point.x, point.y, point.z};
+}
+
+QJsonObject toJson(const core::WindowLevel& window)
+{
+    return {{QStringLiteral("centre"), window.centre}, {QStringLiteral("width"), window.width}};
+}
+
+void read(const QJsonValue& json, double& value)
+{
+    if (json.isDouble() && std::isfinite(json.toDouble()))
+        value = json.toDouble();
+}
+
+void read(const QJsonValue& json, bool& value)
+{
+    value = json.toBool(value);
+}
+
+void read(const QJsonValue& json, glm::dvec3& point)
+{
+    if (json.toArray().size() != 3)
+        return;
+    for (int axis = 0; axis < 3; ++axis)
+        read(json.toArray().at(axis), point[axis]);
+}
+
+void read(const QJsonValue& json, core::WindowLevel& window)
+{
+    read(json[QLatin1String("centre")], window.centre);
+    if (json[QLatin1String("width")].toDouble() > 0.0)
+        read(json[QLatin1String("width")], window.width);
+}
+
+// --- The 3D view's look. -------------------------------------------------------------------------
+
+QJsonArray toJson(const gpu::TransferFunction& function)
+{
+    QJsonArray points;
+    for (const gpu::TransferFunction::Point& point : function.points)
+        points.append(QJsonObject{{QStringLiteral("value"), point.value},
+            {QStringLiteral("color"), QColor(QRgb(point.rgb)).name()},
+            {QStringLiteral("opacity"), point.opacity}});
+    return points;
+}
+
+void read(const QJsonValue& json, gpu::TransferFunction& function)
+{
+    gpu::TransferFunction read;
+    for (const QJsonValue& entry : json.toArray()) {
+        const QColor colour(entry[QLatin1String("color")].toString());
+        const double opacity = entry[QLatin1String("opacity")].toDouble(-1.0);
+        if (!colour.isValid() || !entry[QLatin1String("value")].isDouble() || opacity < 0.0
+            || opacity > 1.0)
+            return;
+        read.points.push_back({.value = entry[QLatin1String("value")].toDouble(),
+            .rgb = colour.rgb() & 0xFFFFFFU,
+            .opacity = opacity});
+    }
+    const bool ascending = std::is_sorted(read.points.begin(), read.points.end(),
+        [](const auto& a, const auto& b) { return a.value < b.value; });
+    if (ascending && !read.points.empty())
+        function = std::move(read);
+}
+
+QJsonObject toJson(const Workspace::VolumeDisplay& display)
+{
+    return {{QStringLiteral("mode"), QLatin1String(modeNames[std::size_t(display.mode)])},
+        {QStringLiteral("surfaceThreshold"), display.surfaceThreshold},
+        {QStringLiteral("transferFunction"), toJson(display.transferFunction)},
+        {QStringLiteral("mipWindow"), toJson(display.mipWindow)}};
+}
+
+void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
+{
+    const QString mode = json[QLatin1String("mode")].toString();
+    for (std::size_t i = 0; i < modeNames.size(); ++i) {
+        if (mode == QLatin1String(modeNames[i]))
+            display.mode = gpu::RenderMode(i);
+    }
+    read(json[QLatin1String("surfaceThreshold")], display.surfaceThreshold);
+    read(json[QLatin1String("transferFunction")], display.transferFunction);
+    read(json[QLatin1String("mipWindow")], display.mipWindow);
+}
+
+// --- Where the views stand. ----------------------------------------------------------------------
+
+QJsonObject toJson(const SliceView::Place& place)
+{
+    return {{QStringLiteral("centreLps"), toJson(place.centreLps)},
+        {QStringLiteral("mmPerPixel"), place.mmPerPixel}};
+}
+
+void apply(const QJsonValue& json, SliceView& view)
+{
+    SliceView::Place place{.mmPerPixel = 0.0};
+    read(json[QLatin1String("centreLps")], place.centreLps);
+    read(json[QLatin1String("mmPerPixel")], place.mmPerPixel);
+    if (place.mmPerPixel > 0.0)
+        view.setPlace(place);
+}
+
+QJsonObject toJson(const VolumeView& view)
+{
+    const Camera& camera = view.camera();
+    QJsonObject object{{QStringLiteral("towardsViewer"), toJson(camera.towardsViewer)},
+        {QStringLiteral("up"), toJson(camera.up)}};
+    // A view that shows everything does so in a window of another size as well.
+    if (!view.fitted()) {
+        object[QStringLiteral("targetLps")] = toJson(camera.targetLps);
+        object[QStringLiteral("heightMm")] = camera.heightMm;
+    }
+    return object;
+}
+
+bool isUpright(const Camera& camera)
+{
+    constexpr double tolerance = 1e-6;
+    return std::abs(glm::length(camera.towardsViewer) - 1.0) < tolerance
+        && std::abs(glm::length(camera.up) - 1.0) < tolerance
+        && std::abs(glm::dot(camera.up, camera.towardsViewer)) < tolerance;
+}
+
+void apply(const QJsonValue& json, VolumeView& view)
+{
+    if (!json.isObject())
+        return;
+    Camera camera = view.camera();
+    read(json[QLatin1String("towardsViewer")], camera.towardsViewer);
+    read(json[QLatin1String("up")], camera.up);
+    if (!isUpright(camera))
+        return;
+    if (json[QLatin1String("heightMm")].toDouble() <= 0.0)
+        return view.fitCamera(camera);
+    read(json[QLatin1String("targetLps")], camera.targetLps);
+    read(json[QLatin1String("heightMm")], camera.heightMm);
+    view.setCamera(camera);
+}
+
+struct NamedView {
+    const char* name;
+    ImageView* view;
+};
+
+std::array<NamedView, 4> namedViews(const ViewGrid& views)
+{
+    return {{{"axial", &views.axial()}, {"sagittal", &views.sagittal()},
+        {"coronal", &views.coronal()}, {"volume", &views.volume()}}};
+}
+
+} // namespace
+
+DisplayState::DisplayState(
+    Workspace& workspace, ViewGrid& views, std::vector<Tool*> tools, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+    , m_views(views)
+    , m_tools(std::move(tools))
+{
+    // Looked at now and then instead of told of each change: no change can be forgotten, and none
+    // costs anything while it happens.
+    m_timer.setInterval(std::chrono::seconds(3));
+    connect(&m_timer, &QTimer::timeout, this, &DisplayState::keep);
+    connect(&workspace, &Workspace::sessionChanged, this, &DisplayState::open);
+    connect(&workspace, &Workspace::sessionClosing, this, &DisplayState::keep);
+    open();
+}
+
+void DisplayState::open()
+{
+    if (!m_workspace.volume())
+        return m_timer.stop();
+    apply(m_workspace.session()->display());
+    m_known = composed();
+    m_timer.start();
+}
+
+void DisplayState::keep()
+{
+    core::EditSession* session = m_workspace.session();
+    const QJsonObject now = composed();
+    if (!session || now == m_known)
+        return;
+    m_known = now;
+    // Fields of a later Burin stay.
+    QJsonObject kept = session->display();
+    for (auto field = now.constBegin(); field != now.constEnd(); ++field)
+        kept[field.key()] = field.value();
+    session->setDisplay(kept);
+}
+
+QJsonObject DisplayState::composed() const
+{
+    const Workspace::ViewOptions& options = m_workspace.viewOptions();
+    const Workspace::DrillSettings& drill = m_workspace.drillSettings();
+    const Workspace::GrowSettings& growth = m_workspace.growSettings();
+    const Tool* tool = m_workspace.activeTool();
+    return {{QStringLiteral("crosshairLps"), toJson(m_workspace.crosshairLps())},
+        {QStringLiteral("window"), toJson(m_workspace.windowLevel())},
+        {QStringLiteral("inverted"), options.inverted},
+        {QStringLiteral("showCrosshair"), options.showCrosshair},
+        {QStringLiteral("showPatient"), options.showPatient},
+        {QStringLiteral("showSegments"), options.showSegments},
+        {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
+        {QStringLiteral("views"), composedViews()},
+        {QStringLiteral("activeSegment"), m_workspace.activeSegment()},
+        {QStringLiteral("tool"), tool ? tool->iconName() : QString()},
+        {QStringLiteral("drill"),
+            QJsonObject{{QStringLiteral("radiusMm"), drill.radiusMm},
+                {QStringLiteral("depthMm"), drill.depthMm},
+                {QStringLiteral("throughGaps"), drill.throughGaps}}},
+        {QStringLiteral("growth"),
+            QJsonObject{{QStringLiteral("lower"), growth.lower},
+                {QStringLiteral("upper"), growth.upper},
+                {QStringLiteral("overwriteUnlocked"), growth.overwriteUnlocked},
+                {QStringLiteral("generationsPerSecond"), growth.generationsPerSecond}}}};
+}
+
+QJsonObject DisplayState::composedViews() const
+{
+    QJsonObject object{{QStringLiteral("volume"), toJson(m_views.volume())}};
+    for (const auto& [name, view] : namedViews(m_views)) {
+        if (view == m_views.maximised())
+            object[QStringLiteral("alone")] = QLatin1String(name);
+        const auto* slice = qobject_cast<const SliceView*>(view);
+        const auto place = slice ? slice->place() : std::nullopt;
+        if (place)
+            object[QLatin1String(name)] = toJson(*place);
+    }
+    return object;
+}
+
+void DisplayState::apply(const QJsonObject& state)
+{
+    if (state.isEmpty())
+        return;
+    glm::dvec3 crosshair = m_workspace.crosshairLps();
+    read(state[QLatin1String("crosshairLps")], crosshair);
+    m_workspace.setCrosshairLps(crosshair);
+    core::WindowLevel window = m_workspace.windowLevel();
+    read(state[QLatin1String("window")], window);
+    m_workspace.setWindowLevel(window);
+    Workspace::ViewOptions options = m_workspace.viewOptions();
+    read(state[QLatin1String("inverted")], options.inverted);
+    read(state[QLatin1String("showCrosshair")], options.showCrosshair);
+    read(state[QLatin1String("showPatient")], options.showPatient);
+    read(state[QLatin1String("showSegments")], options.showSegments);
+    m_workspace.setViewOptions(options);
+    Workspace::VolumeDisplay volume = m_workspace.volumeDisplay();
+    read(state[QLatin1String("volume")], volume);
+    m_workspace.setVolumeDisplay(volume);
+    applyTools(state);
+    applyViews(state[QLatin1String("views")].toObject());
+}
+
+void DisplayState::applyTools(const QJsonObject& state)
+{
+    const int segment = state[QLatin1String("activeSegment")].toInt();
+    if (m_workspace.session()->document().segment(segment))
+        m_workspace.setActiveSegment(segment);
+
+    const QJsonValue drillJson = state[QLatin1String("drill")];
+    Workspace::DrillSettings drill = m_workspace.drillSettings();
+    read(drillJson[QLatin1String("radiusMm")], drill.radiusMm);
+    read(drillJson[QLatin1String("depthMm")], drill.depthMm);
+    read(drillJson[QLatin1String("throughGaps")], drill.throughGaps);
+    drill.radiusMm =
+        std::clamp(drill.radiusMm, DrillOptions::minimumRadiusMm, DrillOptions::maximumRadiusMm);
+    drill.depthMm =
+        std::clamp(drill.depthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
+    m_workspace.setDrillSettings(drill);
+
+    const QJsonValue growthJson = state[QLatin1String("growth")];
+    Workspace::GrowSettings growth = m_workspace.growSettings();
+    read(growthJson[QLatin1String("lower")], growth.lower);
+    read(growthJson[QLatin1String("upper")], growth.upper);
+    read(growthJson[QLatin1String("overwriteUnlocked")], growth.overwriteUnlocked);
+    read(growthJson[QLatin1String("generationsPerSecond")], growth.generationsPerSecond);
+    if (growth.lower <= growth.upper && growth.generationsPerSecond >= 0.0)
+        m_workspace.setGrowSettings(growth);
+
+    const QString name = state[QLatin1String("tool")].toString();
+    const auto tool = std::find_if(m_tools.begin(), m_tools.end(),
+        [&name](const Tool* each) { return each->iconName() == name; });
+    m_workspace.setActiveTool(tool == m_tools.end() ? nullptr : *tool);
+}
+
+void DisplayState::applyViews(const QJsonObject& state)
+{
+    ImageView* alone = nullptr;
+    for (const auto& [name, view] : namedViews(m_views)) {
+        if (auto* slice = qobject_cast<SliceView*>(view))
+            ui::apply(state[QLatin1String(name)], *slice);
+        if (state[QLatin1String("alone")].toString() == QLatin1String(name))
+            alone = view;
+    }
+    ui::apply(state[QLatin1String("volume")], m_views.volume());
+    if (alone != m_views.maximised())
+        m_views.maximise(alone);
+}
+
+} // namespace ui
