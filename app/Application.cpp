@@ -3,6 +3,8 @@
 
 #include "app/DemonstrationStudy.h"
 #include "app/SessionFiles.h"
+#include "core/session/SessionSalvage.h"
+#include "core/session/SessionUse.h"
 #include "gpu/GpuEngine.h"
 #include "ui/DisplayState.h"
 #include "ui/ErrorText.h"
@@ -12,6 +14,7 @@
 #include "ui/RecentStudies.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/ExportDialog.h"
+#include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/SegmentsPanel.h"
@@ -77,11 +80,14 @@ void Application::makeWindow()
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);
     connect(m_workspace.get(), &ui::Workspace::documentChanged, this, [this] {
-        m_sessionUsed = m_sessionUsed || !m_workspace->session()->history().rows().empty();
+        if (m_rowsAtFirst && m_workspace->session()->history().rows().size() > *m_rowsAtFirst)
+            m_rowsAtFirst.reset();
     });
+    connect(m_workspace.get(), &ui::Workspace::sessionSaved, this, &Application::followSaved);
     connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
     connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
     connect(&window.opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
+    window.offerSessionsIn(sessionFolder());
 }
 
 void Application::addExport()
@@ -116,54 +122,105 @@ void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, c
 {
     const QString file = sessionFile(loaded->volume);
     const QString series = loaded->volume.identity.seriesUid;
-    const auto begun = begin(std::move(*loaded), file, QFileInfo::exists(file));
+    core::Result<void> begun;
+    if (QFileInfo::exists(file)) {
+        const auto plan = core::checkSession(file).and_then(
+            [&file](const core::SessionContents& contents) { return planFor(file, contents); });
+        begun = plan ? goOn(std::move(*loaded), *plan)
+                     : core::Result<void>(tl::unexpected(plan.error()));
+    } else {
+        begun = begin(std::move(*loaded), file);
+    }
     if (begun)
         ui::RecentStudies::add(path);
     else
         tellWhyNot(begun.error(), file, path, series);
 }
 
-void Application::openSession(
-    const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file)
+void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
+    const QString& file, const std::shared_ptr<const core::SessionContents>& contents)
 {
-    const auto begun = begin(std::move(*loaded), file, true);
-    if (begun)
-        ui::RecentStudies::add(file);
-    else
-        m_workspace->fail(begun.error());
+    const auto plan = planFor(file, *contents);
+    const auto begun =
+        plan ? goOn(std::move(*loaded), *plan) : core::Result<void>(tl::unexpected(plan.error()));
+    if (!begun)
+        tell(begun.error());
+    else if (!isWorkingSession(file))
+        ui::RecentStudies::add(plan->file);
 }
 
-core::Result<void> Application::begin(
-    core::LoadedVolume loaded, const QString& file, bool continues)
+core::Result<void> Application::makeRoom()
 {
-    // One volume at a time on the engine: the old session closes its file first.
+    if (!ui::mayLoseUnwrittenSteps(*m_workspace, *m_window))
+        return core::failure(core::ErrorCode::Cancelled);
     m_workspace->setSession(nullptr);
-    const auto wakeUp = [this] { wake(); };
+    return {};
+}
+
+core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& newFile)
+{
+    if (const auto free = makeRoom(); !free)
+        return free;
     m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
-    auto session = continues
-        ? core::EditSession::open(m_engine->edits(), std::move(loaded), file, wakeUp)
-        : core::EditSession::create(
-            m_engine->edits(), std::move(loaded), {.file = file, .wakeUp = wakeUp});
+    auto session = core::EditSession::create(
+        m_engine->edits(), std::move(loaded), {.file = newFile, .wakeUp = [this] { wake(); }});
     if (!session)
         return tl::unexpected(session.error());
-    m_sessionFile = file;
-    m_sessionUsed = continues;
+    m_sessionFile = newFile;
+    m_rowsAtFirst = 0;
     m_workspace->setSession(std::move(*session));
-    const std::size_t steps = m_workspace->session()->history().rows().size();
-    if (steps > 0) {
+    return {};
+}
+
+core::Result<void> Application::goOn(core::LoadedVolume loaded, const SessionPlan& plan)
+{
+    if (const auto free = makeRoom(); !free) {
+        if (plan.isNew)
+            QFile::remove(plan.file);
+        return free;
+    }
+    const auto wakeUp = [this] { wake(); };
+    m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
+    auto session = plan.whyReadOnly.isEmpty()
+        ? core::EditSession::open(m_engine->edits(), std::move(loaded), plan.file, wakeUp)
+        : core::EditSession::view(
+            m_engine->edits(), std::move(loaded), plan.file, plan.whyReadOnly, wakeUp);
+    if (!session)
+        return tl::unexpected(session.error());
+    const std::size_t steps = (*session)->history().rows().size();
+    m_sessionFile = plan.file;
+    m_rowsAtFirst = plan.isNew ? std::optional(steps) : std::nullopt;
+    m_workspace->setSession(std::move(*session));
+    if (plan.damage) {
+        m_workspace->fail(*plan.damage);
+    } else if (!plan.whyReadOnly.isEmpty()) {
+        m_window->messages().show(ui::MessageBar::Kind::Caution,
+            QStringLiteral("%1 is %2. Here it can be looked at, not edited.")
+                .arg(QFileInfo(plan.file).fileName(), plan.whyReadOnly),
+            QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
+    } else if (steps > 0) {
         m_workspace->say(
             QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
     }
     return {};
 }
 
+void Application::tell(const core::Error& error)
+{
+    // Who chose to stay knows.
+    if (error.code != core::ErrorCode::Cancelled)
+        m_workspace->fail(error);
+}
+
 void Application::tellWhyNot(
     const core::Error& error, const QString& file, const QString& path, const QString& series)
 {
-    m_workspace->fail(error);
-    const bool beyondUse = error.code == core::ErrorCode::SessionDamaged
-        || error.code == core::ErrorCode::SessionMismatch;
-    if (!beyondUse)
+    tell(error);
+    using core::ErrorCode;
+    const bool beyondUse = error.code == ErrorCode::SessionDamaged
+        || error.code == ErrorCode::SessionMismatch || error.code == ErrorCode::FileTruncated
+        || error.code == ErrorCode::UnsupportedFormat;
+    if (!beyondUse || error.arguments.value(0) != file)
         return;
     // The study is not to be lost with its session; what is left of that stays beside the new one.
     m_window->messages().show(ui::MessageBar::Kind::Error, ui::errorText(error),
@@ -181,9 +238,21 @@ void Application::forgetUnusedSession()
 {
     if (m_workspace->session() || m_sessionFile.isEmpty())
         return;
-    if (!m_sessionUsed)
+    if (m_rowsAtFirst)
         QFile::remove(m_sessionFile);
     m_sessionFile.clear();
+}
+
+void Application::followSaved(const QString& before, const QString& now)
+{
+    // The copy stands: what a working session held lies in a file of the user's own.
+    if (!before.isEmpty() && isWorkingSession(before) && !core::isSessionInUse(before))
+        core::removeSession(before);
+    ui::RecentStudies::add(now);
+    if (!m_workspace->session() || m_workspace->session()->file() != now)
+        return;
+    m_sessionFile = now;
+    m_rowsAtFirst.reset();
 }
 
 void Application::wake()

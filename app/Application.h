@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/SessionPlan.h"
 #include "core/base/Result.h"
 
 #include <QObject>
 
 #include <atomic>
 #include <memory>
+#include <optional>
 
 namespace core {
 struct LoadedVolume;
@@ -43,12 +45,19 @@ private:
     /// The study's own working session: continued, or begun.
     void openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
     /// A session file that somebody named.
-    void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file);
-    core::Result<void> begin(core::LoadedVolume loaded, const QString& file, bool continues);
+    void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file,
+        const std::shared_ptr<const core::SessionContents>& contents);
+    core::Result<void> begin(core::LoadedVolume loaded, const QString& newFile);
+    core::Result<void> goOn(core::LoadedVolume loaded, const SessionPlan& plan);
+    /// The engine holds one volume at a time: the old session closes its file first. Errors:
+    /// Cancelled (it holds steps that are on no disk, and the user stays with them).
+    core::Result<void> makeRoom();
+    void tell(const core::Error& error);
     void tellWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// A session that was opened and closed without an edit leaves no file.
     void forgetUnusedSession();
+    void followSaved(const QString& before, const QString& now);
     void wake(); ///< any thread
     void poll();
 
@@ -56,7 +65,8 @@ private:
     std::unique_ptr<gpu::GpuEngine> m_engine;
     std::atomic<bool> m_pollQueued = false;
     QString m_sessionFile;
-    bool m_sessionUsed = false;
+    /// Of a file that was made for this session: how many rows it began with. None: it stays.
+    std::optional<std::size_t> m_rowsAtFirst;
     std::unique_ptr<ui::Workspace> m_workspace;
     std::unique_ptr<ui::MainWindow> m_window;
 };

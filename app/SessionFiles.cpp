@@ -3,6 +3,7 @@
 
 #include <QCryptographicHash>
 #include <QDir>
+#include <QFileInfo>
 
 namespace app {
 
@@ -23,6 +24,11 @@ QString sessionFile(const core::Volume& volume)
     hash.addData(volume.voxelsSha256);
     const QString name = QString::fromLatin1(hash.result().toHex().left(24));
     return sessionFolder() + QLatin1Char('/') + name + QStringLiteral(".burin");
+}
+
+bool isWorkingSession(const QString& file)
+{
+    return QFileInfo(file).absoluteDir() == QDir(sessionFolder());
 }
 
 } // namespace app

@@ -15,4 +15,7 @@ namespace app {
 /// opened, from wherever. Its name says nothing about the patient.
 [[nodiscard]] QString sessionFile(const core::Volume& volume);
 
+/// Whether a file lies there: a working session, not a file of the user's own.
+[[nodiscard]] bool isWorkingSession(const QString& file);
+
 } // namespace app

@@ -8,7 +8,9 @@
 #include "ui/OptionBar.h"
 #include "ui/PanelColumn.h"
 #include "ui/PanelSection.h"
+#include "ui/ReadOnlyMark.h"
 #include "ui/RecentStudies.h"
+#include "ui/SessionSaver.h"
 #include "ui/StartPage.h"
 #include "ui/StatusLine.h"
 #include "ui/StudyTexts.h"
@@ -62,6 +64,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_graphics(graphics)
     , m_actions(*this)
     , m_menuBar(new QMenuBar(this))
+    , m_readOnly(new ReadOnlyMark(workspace, this))
     , m_identity(new QLabel(this))
     , m_tools(new ToolColumn(this))
     , m_loading(new LoadingBar(this))
@@ -73,6 +76,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_status(new StatusLine(workspace, this))
     , m_panels(new PanelColumn(this))
     , m_splitter(new QSplitter(this))
+    , m_saver(new SessionSaver(workspace, *this))
 {
     setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
     setAcceptDrops(true);
@@ -91,6 +95,11 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(m_panels, &PanelColumn::changed, this, refresh);
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
     connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);
+    connect(&workspace, &Workspace::sessionSaved, this, [this] {
+        m_messages->dismiss();
+        showIdentity();
+        m_actions.refresh();
+    });
     connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
         m_messages->show(MessageBar::Kind::Error, errorText(error));
     });
@@ -110,7 +119,7 @@ void MainWindow::buildMenus()
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     m_actions.fill(*m_fileMenu,
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
-            "file.auditReport", "file.close", "file.quit"}));
+            "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
     QMenu* edit = m_menuBar->addMenu(QStringLiteral("&Edit"));
     m_actions.fill(*edit, ids({"edit.undo", "edit.redo", "", "edit.author"}));
 
@@ -154,6 +163,7 @@ void MainWindow::buildMenus()
     row->setSpacing(theme::padding);
     m_menuBar->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     row->addWidget(m_menuBar);
+    row->addWidget(m_readOnly);
     row->addWidget(m_identity, 1);
     setMenuWidget(header);
 }
@@ -202,6 +212,8 @@ void MainWindow::buildCentre()
     connect(m_start, &StartPage::demonstrationAsked, this, &MainWindow::demonstrationAsked);
     connect(m_start, &StartPage::recentAsked, this,
         [this](const QString& path) { m_opener.open(path); });
+    connect(m_start, &StartPage::sessionAsked, this,
+        [this](const QString& file) { m_opener.openSession(file); });
 }
 
 void MainWindow::connectOpener()
@@ -285,7 +297,7 @@ void MainWindow::restoreLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayLoseUnwrittenSteps(m_workspace, this)) {
+    if (!mayLoseUnwrittenSteps(m_workspace, *this)) {
         event->ignore();
         return;
     }
@@ -305,6 +317,7 @@ void MainWindow::showSession()
     if (!open) {
         m_workspace.setActiveTool(nullptr);
         m_start->showRecent(RecentStudies::paths());
+        m_start->showSessions(m_sessionFolder);
     }
     m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_startPage);
     m_tools->setVisible(open);
@@ -328,9 +341,13 @@ void MainWindow::showIdentity()
         patientText(volume->identity), studyText(volume->identity), seriesText(volume->identity)};
     parts.removeAll(QString());
     const QString text = parts.join(QStringLiteral(" · "));
-    setWindowTitle(text + QStringLiteral(" — Burin"));
+    const bool readOnly = !m_workspace.session()->whyReadOnly().isEmpty();
+    setWindowTitle(text + (readOnly ? QStringLiteral(" (read-only)") : QString())
+        + QStringLiteral(" — Burin"));
     m_identity->setToolTip(text);
-    const int room = width() - m_menuBar->sizeHint().width() - 4 * theme::padding;
+    const int taken = m_menuBar->sizeHint().width()
+        + (readOnly ? m_readOnly->sizeHint().width() + theme::padding : 0);
+    const int room = width() - taken - 4 * theme::padding;
     m_identity->setText(
         m_identity->fontMetrics().elidedText(text, Qt::ElideRight, std::max(room, 80)));
 }
@@ -402,8 +419,22 @@ void MainWindow::showAbout()
     AboutDialog(m_graphics, this).exec();
 }
 
+void MainWindow::saveSessionAs()
+{
+    m_saver->ask();
+}
+
+void MainWindow::offerSessionsIn(const QString& folder)
+{
+    m_sessionFolder = folder;
+    if (!m_workspace.volume())
+        m_start->showSessions(folder);
+}
+
 void MainWindow::closeStudy()
 {
+    if (!mayLoseUnwrittenSteps(m_workspace, *this))
+        return;
     m_workspace.setSession(nullptr);
 }
 

@@ -20,6 +20,8 @@ class MessageBar;
 class OptionBar;
 class Panel;
 class PanelColumn;
+class ReadOnlyMark;
+class SessionSaver;
 class StartPage;
 class StatusLine;
 class ToolColumn;
@@ -57,6 +59,9 @@ public:
     /// The panels as at the first start: all in the column.
     void resetPanels();
 
+    /// The start page offers the sessions in a folder.
+    void offerSessionsIn(const QString& folder);
+
     /// Size and panels as they were when a window was closed last; from now on closing keeps them.
     void restoreLayout();
 
@@ -64,6 +69,8 @@ public:
     void askForFile();
     void askForSession();
     void showAbout();
+    void saveSessionAs();
+    /// Unless the user would rather keep steps that are not on disk yet.
     void closeStudy();
 
 Q_SIGNALS:
@@ -95,6 +102,7 @@ private:
     QMenu* m_segmentsMenu = nullptr;
     QMenu* m_panelsMenu = nullptr;
     QMenuBar* m_menuBar;
+    ReadOnlyMark* m_readOnly;
     QLabel* m_identity;
     ToolColumn* m_tools;
     LoadingBar* m_loading;
@@ -106,6 +114,8 @@ private:
     StatusLine* m_status;
     PanelColumn* m_panels;
     QSplitter* m_splitter;
+    SessionSaver* m_saver;
+    QString m_sessionFolder;
     bool m_panelsWanted = true;
     bool m_keepsLayout = false;
 };

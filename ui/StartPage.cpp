@@ -2,6 +2,7 @@
 #include "ui/StartPage.h"
 
 #include "ui/Icons.h"
+#include "ui/SessionOffers.h"
 #include "ui/Theme.h"
 
 #include <QFileInfo>
@@ -16,6 +17,8 @@ namespace ui {
 namespace {
 
 constexpr int columnWidth = 620;
+constexpr int columnGap = 40;
+constexpr int leastColumn = 500; ///< of two beside each other
 
 QLabel* text(const QString& words, double pixels, const QColor& colour, QWidget* parent)
 {
@@ -59,11 +62,16 @@ QPushButton* choice(
 
 StartPage::StartPage(QWidget* parent)
     : QWidget(parent)
+    , m_columns(new QBoxLayout(QBoxLayout::LeftToRight))
+    , m_choices(new QWidget(this))
     , m_recent(new QVBoxLayout)
+    , m_sessions(new SessionOffers(this))
 {
-    auto* column = new QWidget(this);
+    QWidget* column = m_choices;
     column->setMaximumWidth(columnWidth);
+    m_sessions->setMaximumWidth(columnWidth);
     auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
 
     auto* title = new QHBoxLayout;
@@ -101,16 +109,44 @@ StartPage::StartPage(QWidget* parent)
     auto* centre = new QVBoxLayout(this);
     centre->setContentsMargins(24, 24, 24, 24);
     centre->addStretch(2);
-    auto* across = new QHBoxLayout;
-    across->addStretch(1);
-    across->addWidget(column, 8);
-    across->addStretch(1);
-    centre->addLayout(across);
+    m_columns->addStretch(1);
+    m_columns->addWidget(column, 8);
+    m_columns->addSpacing(0);
+    m_columns->addWidget(m_sessions, 8);
+    m_columns->addStretch(1);
+    centre->addLayout(m_columns);
     centre->addStretch(3);
 
     connect(folder, &QPushButton::clicked, this, &StartPage::openFolderAsked);
     connect(file, &QPushButton::clicked, this, &StartPage::openFileAsked);
     connect(demonstration, &QPushButton::clicked, this, &StartPage::demonstrationAsked);
+    connect(m_sessions, &SessionOffers::openAsked, this, &StartPage::sessionAsked);
+    connect(m_sessions, &SessionOffers::changed, this, &StartPage::arrange);
+}
+
+void StartPage::showSessions(const QString& folder)
+{
+    m_sessions->showFolder(folder);
+}
+
+/// Sessions stand beside the choices where there is room for both.
+void StartPage::arrange()
+{
+    const bool offers = m_sessions->count() > 0;
+    const bool beside = !offers || width() >= 2 * leastColumn + columnGap + 48;
+    // Below each other they take the width there is.
+    for (QWidget* column : {m_choices, static_cast<QWidget*>(m_sessions)})
+        column->setMaximumWidth(beside ? columnWidth : QWIDGETSIZE_MAX);
+    m_columns->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_columns->itemAt(2)->spacerItem()->changeSize(
+        offers && beside ? columnGap : 0, offers && !beside ? 24 : 0);
+    m_columns->invalidate();
+}
+
+void StartPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 void StartPage::showRecent(const QStringList& paths)

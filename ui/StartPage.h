@@ -3,11 +3,15 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QVBoxLayout;
 
 namespace ui {
 
-/// What the window shows while nothing is open: open a study, the demonstration, or a recent one.
+class SessionOffers;
+
+/// What the window shows while nothing is open: open a study, the demonstration, a recent one, or a
+/// session to go on with.
 class StartPage : public QWidget {
     Q_OBJECT
 
@@ -15,15 +19,26 @@ public:
     explicit StartPage(QWidget* parent = nullptr);
 
     void showRecent(const QStringList& paths);
+    /// Offers the sessions in a folder.
+    void showSessions(const QString& folder);
 
 Q_SIGNALS:
     void openFolderAsked();
     void openFileAsked();
     void demonstrationAsked();
     void recentAsked(const QString& path);
+    void sessionAsked(const QString& sessionFile);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void arrange();
+
+    QBoxLayout* m_columns; ///< the choices, and the sessions beside or below them
+    QWidget* m_choices;
     QVBoxLayout* m_recent;
+    SessionOffers* m_sessions;
 };
 
 } // namespace ui

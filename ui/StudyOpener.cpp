@@ -2,6 +2,7 @@
 #include "ui/StudyOpener.h"
 
 #include "core/session/SessionFile.h"
+#include "core/session/SessionSalvage.h"
 #include "core/session/SessionStudy.h"
 
 #include <utility>
@@ -34,27 +35,6 @@ Found find(const QString& path, const QString& series, const core::Progress& pro
     if (series.isEmpty() && study->listing().candidates().size() > 1)
         return {nullptr, std::make_shared<const core::Study>(std::move(*study))};
     return {load(*study, series, progress), nullptr};
-}
-
-/// What a session file says about its study.
-core::Result<core::SessionSource> checkSession(
-    const QString& sessionFile, const core::Progress& progress)
-{
-    const auto file = core::SessionFile::open(sessionFile, core::SessionFile::Access::ReadOnly);
-    if (!file)
-        return tl::unexpected(file.error());
-    // All of it now: once the session is open for writing its file cannot be left untouched.
-    const std::vector<core::HistoryRow>& rows = (*file)->contents().rows;
-    for (const core::HistoryRow& row : rows) {
-        if (progress.cancelled())
-            return core::failure(core::ErrorCode::Cancelled);
-        if (row.stateHash.isEmpty())
-            continue;
-        if (const auto delta = (*file)->readDelta(row.id); !delta)
-            return tl::unexpected(delta.error());
-        progress.report(QStringLiteral("Checking the session"), int(row.id), int(rows.size()));
-    }
-    return (*file)->contents().source;
 }
 
 bool isAboutThePlace(const core::Error& error)
@@ -109,18 +89,23 @@ void StudyOpener::openSession(const QString& sessionFile, const QString& place)
 {
     start(sessionFile,
         [this, sessionFile, place](const core::Progress& progress) -> std::function<void()> {
-            const auto source = checkSession(sessionFile, progress);
-            if (!source)
-                return [this, error = source.error()] { Q_EMIT failed(error); };
-            auto volume = core::loadSessionStudy(sessionFile, *source, place, QString(), progress);
+            // All of it now: once it is open for writing its file cannot be left untouched.
+            const auto contents = core::checkSession(sessionFile, progress);
+            if (!contents)
+                return [this, error = contents.error()] { Q_EMIT failed(error); };
+            const core::SessionSource& source = contents->source;
+            auto volume = core::loadSessionStudy(sessionFile, source, place, QString(), progress);
             if (!volume && (!place.isEmpty() || isAboutThePlace(volume.error())))
-                return [this, sessionFile, format = source->format, error = volume.error()] {
+                return [this, sessionFile, format = source.format, error = volume.error()] {
                     Q_EMIT sessionStudyNeeded(sessionFile, format, error);
                 };
             if (!volume)
                 return [this, error = volume.error()] { Q_EMIT failed(error); };
             auto shared = std::make_shared<core::LoadedVolume>(std::move(*volume));
-            return [this, sessionFile, shared] { Q_EMIT sessionLoaded(shared, sessionFile); };
+            auto sound = std::make_shared<const core::SessionContents>(*contents);
+            return [this, sessionFile, shared, sound] {
+                Q_EMIT sessionLoaded(shared, sessionFile, sound);
+            };
         });
 }
 

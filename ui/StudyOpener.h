@@ -12,6 +12,10 @@
 #include <memory>
 #include <thread>
 
+namespace core {
+struct SessionContents;
+}
+
 namespace ui {
 
 /// Finds and loads volumes beside the GUI thread, one job at a time. Opens nothing by guess: where
@@ -45,10 +49,10 @@ Q_SIGNALS:
     void progressed(const QString& step, int done, int total);
     void choiceNeeded(const std::shared_ptr<const core::Study>& study);
     void loaded(const std::shared_ptr<core::LoadedVolume>& volume, const QString& path);
-    /// The session is sound and the volume is the one it was made on.
-    void sessionLoaded(
-        const std::shared_ptr<core::LoadedVolume>& volume, const QString& sessionFile);
-    /// The session is sound, but its study is not where it was looked for: somebody must know.
+    /// @p contents is what is sound of the session, and the volume is the one it was made on.
+    void sessionLoaded(const std::shared_ptr<core::LoadedVolume>& volume,
+        const QString& sessionFile, const std::shared_ptr<const core::SessionContents>& contents);
+    /// The session can be opened, but its study is not where it was looked for: somebody must know.
     void sessionStudyNeeded(
         const QString& sessionFile, const QString& format, const core::Error& why);
     void failed(const core::Error& error); ///< not told when cancelled

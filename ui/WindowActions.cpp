@@ -82,6 +82,16 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Open the demonstration study"),
         .icon = QStringLiteral("demo"),
         .run = [&window] { Q_EMIT window.demonstrationAsked(); }});
+    actions.add({.id = QStringLiteral("file.saveAs"),
+        .text = QStringLiteral("Save session as …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+S"))},
+        .tip = QStringLiteral("Every step is on disk already; this moves the session to a file of "
+                              "your own"),
+        .run = [&window] { window.saveSessionAs(); },
+        .possible =
+            [&workspace] {
+                return workspace.session() && !workspace.session()->file().isEmpty();
+            }});
     actions.add({.id = QStringLiteral("file.close"),
         .text = QStringLiteral("Close study"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+W"))},

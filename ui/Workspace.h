@@ -96,6 +96,9 @@ public:
 
     /// One sentence for the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
+    /// The session goes on in another file. @param before the one it left; empty: it was looked at
+    /// only
+    void tellSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }
     /// What could not be done, for the bar above the views.
     void fail(const core::Error& error) { Q_EMIT failed(error); }
     /// Pen pressure as it comes, 0 … 1.
@@ -105,6 +108,7 @@ Q_SIGNALS:
     /// The open session is about to be closed; it can still be told things.
     void sessionClosing();
     void sessionChanged();
+    void sessionSaved(const QString& before, const QString& now);
     void documentChanged(const core::DocumentChange& change);
     void crosshairChanged();
     void windowLevelChanged();

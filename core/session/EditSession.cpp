@@ -45,14 +45,33 @@ Result<std::unique_ptr<EditSession>> EditSession::open(
         SessionFile::open(file, SessionFile::Access::ReadWrite);
     if (!opened)
         return tl::unexpected(opened.error());
-    const QString difference = (*opened)->contents().source.differenceFrom(volume.volume);
+    return continued(engine, std::move(volume), *std::move(opened), std::move(wakeUp));
+}
+
+Result<std::unique_ptr<EditSession>> EditSession::view(EditEngine& engine, LoadedVolume volume,
+    const QString& file, const QString& why, std::function<void()> wakeUp)
+{
+    Result<std::unique_ptr<SessionFile>> opened =
+        SessionFile::open(file, SessionFile::Access::PrivateCopy);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    auto session = continued(engine, std::move(volume), *std::move(opened), std::move(wakeUp));
+    if (session)
+        (*session)->m_whyReadOnly = why;
+    return session;
+}
+
+Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, LoadedVolume volume,
+    std::unique_ptr<SessionFile> file, std::function<void()> wakeUp)
+{
+    const QString difference = file->contents().source.differenceFrom(volume.volume);
     if (!difference.isEmpty())
-        return failure(ErrorCode::SessionMismatch, file, difference);
+        return failure(ErrorCode::SessionMismatch, file->path(), difference);
     if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes); !put)
         return tl::unexpected(put.error());
     volume.codes = {};
     auto queue = std::make_unique<OperationQueue>(
-        engine, std::move(volume.volume), *std::move(opened), std::move(wakeUp));
+        engine, std::move(volume.volume), std::move(file), std::move(wakeUp));
     if (const Result<void> restored = restoreSession(queue->state()); !restored)
         return tl::unexpected(restored.error());
     for (std::unique_ptr<Operation>& operation : unfinishedRows(queue->state()))
@@ -84,8 +103,41 @@ EditEngine& EditSession::engine()
     return m_queue->state().engine;
 }
 
+QString EditSession::file() const
+{
+    const SessionState& state = m_queue->state();
+    return state.file ? state.file->path() : QString();
+}
+
+QString EditSession::whyReadOnly() const
+{
+    const SessionState& state = m_queue->state();
+    return state.file && state.file->isPrivateCopy() ? m_whyReadOnly : QString();
+}
+
+Result<void> EditSession::mayEdit() const
+{
+    const QString why = whyReadOnly();
+    if (why.isEmpty())
+        return {};
+    return failure(ErrorCode::SessionReadOnly, file(), why);
+}
+
+void EditSession::saveAs(
+    const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done)
+{
+    m_queue->closeGrowth();
+    if (SessionFile* file = m_queue->state().file.get())
+        file->saveAs(target, replaceExisting, std::move(done));
+    else
+        done(failure(ErrorCode::FileUnwritable, target,
+            QStringLiteral("this session is kept in memory only")));
+}
+
 Result<void> EditSession::apply(const Edit& edit)
 {
+    if (const Result<void> may = mayEdit(); !may)
+        return may;
     if (const Result<void> checked = checkFields(edit); !checked)
         return checked;
     const Edit rounded = quantised(edit);
@@ -98,6 +150,8 @@ Result<void> EditSession::apply(const Edit& edit)
 
 Result<void> EditSession::begin(const Edit& edit)
 {
+    if (const Result<void> may = mayEdit(); !may)
+        return may;
     if (const Result<void> checked = checkFieldsAtBegin(edit); !checked)
         return checked;
     const Edit rounded = quantised(edit);

@@ -18,6 +18,7 @@ namespace core {
 
 class OperationQueue;
 struct AuditReport;
+class SessionFile;
 
 /// The controller (DESIGN §2): stroke → command → engine → history → session file.
 ///
@@ -45,6 +46,11 @@ public:
     /// the session was made on).
     static Result<std::unique_ptr<EditSession>> open(EditEngine& engine, LoadedVolume volume,
         const QString& file, std::function<void()> wakeUp = {});
+    /// The same for looking only, without touching the file or its folder: it is open in another
+    /// window, or cannot be written. Undo, redo and goTo() walk; edits are refused with
+    /// SessionReadOnly and @p why, until saveAs().
+    static Result<std::unique_ptr<EditSession>> view(EditEngine& engine, LoadedVolume volume,
+        const QString& file, const QString& why, std::function<void()> wakeUp = {});
     /// Closes a running growth, waits for the disk and leaves one file.
     ~EditSession();
 
@@ -54,6 +60,15 @@ public:
     [[nodiscard]] Document foreseenDocument() const;
     [[nodiscard]] const History& history() const;
     [[nodiscard]] EditEngine& engine();
+
+    /// The session file; empty: history in memory only.
+    [[nodiscard]] QString file() const;
+    /// Why edits are refused; empty: they are not.
+    [[nodiscard]] QString whyReadOnly() const;
+    /// Goes on in a copy of the session file (SessionFile::saveAs()). Never waits; @p done is
+    /// called on another thread, and may be called after the session is gone.
+    void saveAs(
+        const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done);
 
     /// A whole edit. Errors are told before anything changes. Its row follows once the engine is
     /// done.
@@ -131,7 +146,12 @@ public:
 
 private:
     explicit EditSession(std::unique_ptr<OperationQueue> queue);
+    static Result<std::unique_ptr<EditSession>> continued(EditEngine& engine, LoadedVolume volume,
+        std::unique_ptr<SessionFile> file, std::function<void()> wakeUp);
+    [[nodiscard]] Result<void> mayEdit() const;
+
     std::unique_ptr<OperationQueue> m_queue;
+    QString m_whyReadOnly;
 };
 
 } // namespace core

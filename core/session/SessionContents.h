@@ -7,10 +7,31 @@
 
 #include <QJsonObject>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace core {
+
+/// What cannot be read of a session file. The chain runs by row id, so behind the first unreadable
+/// row nothing can be trusted, whatever branch it lies on.
+struct SessionDamage {
+    RowId row = 0; ///< the first row that is lost; 0: no row, but where the session stood
+    QString name; ///< of that row, as it stands there; may be empty
+    std::int64_t after = 0; ///< rows behind it that are lost with it; -1: nobody can tell
+    QString reason;
+
+    /// "row 17 'Drill 5 mm' and the 5 after it cannot be read: …"
+    [[nodiscard]] QString text() const;
+};
+
+/// How a session file is opened.
+enum class SessionAccess {
+    ReadWrite,
+    ReadOnly, ///< neither the file nor its folder is touched
+    SoundPart, ///< ReadOnly, and a damaged file is no error: SessionContents::damage
+    PrivateCopy, ///< what is written goes into a copy that vanishes with it
+};
 
 /// Everything of a session file but the differences, which are read one by one.
 struct SessionContents {
@@ -22,6 +43,10 @@ struct SessionContents {
     std::vector<Keyframe> keyframes; ///< by row; without their pictures
     QString chainEnd; ///< hex; it covers the source and every row
     QJsonObject display; ///< as the window put it together; empty: none kept
+    std::optional<SessionDamage> damage; ///< then rows and position are those before it
+
+    /// Keeps what comes before the damage. A position behind it becomes the last row that is left.
+    void cut(const SessionDamage& at);
 };
 
 } // namespace core

@@ -6,6 +6,7 @@
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QStorageInfo>
+#include <QTemporaryDir>
 #include <QUrl>
 
 #include <atomic>
@@ -74,6 +75,10 @@ SessionDatabase::~SessionDatabase()
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& path)
 {
     std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
+    Result<SessionUse> use = SessionUse::begin(path);
+    if (!use)
+        return tl::unexpected(use.error());
+    database->m_use = *std::move(use);
     if (const Result<void> connected = database->connect(path, {}); !connected)
         return tl::unexpected(connected.error());
     // The tables are made in rollback mode, so that the file alone is a session from the start.
@@ -96,14 +101,22 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
 {
     std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
     database->m_readOnly = readOnly;
-    const bool unfinished = QFileInfo(path + QStringLiteral("-wal")).size() > 0;
     QString name = path;
     QString options;
-    if (readOnly) {
+    if (!readOnly) {
+        Result<SessionUse> use = SessionUse::begin(path);
+        if (!use)
+            return tl::unexpected(use.error());
+        database->m_use = *std::move(use);
+    } else if (isSessionInUse(path) || isSessionUnfinished(path)) {
+        const Result<QString> copy = database->copyPrivately();
+        if (!copy)
+            return tl::unexpected(copy.error());
+        name = *copy;
+    } else {
         // A finished file cannot change under us; "immutable" spares lock files on read-only media.
         QUrl url = QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath());
-        url.setQuery(
-            unfinished ? QStringLiteral("mode=ro") : QStringLiteral("mode=ro&immutable=1"));
+        url.setQuery(QStringLiteral("mode=ro&immutable=1"));
         name = QString::fromLatin1(url.toEncoded());
         options = QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI");
     }
@@ -116,6 +129,33 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
             return tl::unexpected(writing.error());
     }
     return database;
+}
+
+Result<std::unique_ptr<SessionDatabase>> SessionDatabase::openCopy(const QString& path)
+{
+    std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
+    const Result<QString> copy = database->copyPrivately();
+    if (!copy)
+        return tl::unexpected(copy.error());
+    if (const Result<void> connected = database->connect(*copy, {}); !connected)
+        return tl::unexpected(connected.error());
+    if (const Result<void> checked = database->checkFormat(); !checked)
+        return tl::unexpected(checked.error());
+    if (const Result<void> writing = database->beginWriting(); !writing)
+        return tl::unexpected(writing.error());
+    return database;
+}
+
+Result<QString> SessionDatabase::copyPrivately()
+{
+    m_copy = std::make_unique<QTemporaryDir>(); // for its owner only
+    if (!m_copy->isValid())
+        return failure(ErrorCode::FileUnreadable, m_path,
+            QStringLiteral("no room for a private copy: ") + m_copy->errorString());
+    const QString copy = m_copy->filePath(QStringLiteral("session.burin"));
+    if (const Result<void> copied = copySession(m_path, copy); !copied)
+        return tl::unexpected(copied.error());
+    return copy;
 }
 
 Result<void> SessionDatabase::connect(const QString& name, const QString& options)
@@ -233,6 +273,11 @@ bool SessionDatabase::transaction(const std::function<bool()>& work)
     m_reason = reason;
     m_code = code;
     return false;
+}
+
+bool SessionDatabase::copyInto(const QString& path)
+{
+    return run(QStringLiteral("VACUUM INTO ?"), {path});
 }
 
 tl::unexpected<Error> SessionDatabase::failed() const

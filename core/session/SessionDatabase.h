@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/session/SessionUse.h"
 
 #include <QString>
 #include <QVariant>
@@ -10,6 +11,7 @@
 #include <memory>
 
 class QSqlQuery;
+class QTemporaryDir;
 
 namespace core {
 
@@ -22,7 +24,11 @@ public:
 
     /// @pre the file exists and is empty
     static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
+    /// For reading only, neither the file nor its folder is touched: one that is in use or was not
+    /// closed is read from a private copy.
     static Result<std::unique_ptr<SessionDatabase>> open(const QString& path, bool readOnly);
+    /// For writing, on a private copy that goes away with this.
+    static Result<std::unique_ptr<SessionDatabase>> openCopy(const QString& path);
     ~SessionDatabase(); ///< leaves one file
 
     /// One statement with its values for `?`. @return false: see reason()
@@ -32,6 +38,8 @@ public:
         const std::function<bool(const QSqlQuery&)>& take);
     /// @p work in one transaction, which is rolled back when it returns false.
     bool transaction(const std::function<bool()>& work);
+    /// Everything into another file, which is empty or not there yet.
+    bool copyInto(const QString& path);
 
     /// The schema that the tables have now: an older file keeps its own until it is written to.
     [[nodiscard]] int version() const { return m_version; }
@@ -42,13 +50,16 @@ public:
 
 private:
     explicit SessionDatabase(QString path);
+    [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();
     [[nodiscard]] Result<void> beginWriting();
     [[nodiscard]] tl::unexpected<Error> failed() const;
     [[nodiscard]] int number(const char* pragma);
 
-    QString m_path;
+    QString m_path; ///< what people know it by
+    std::unique_ptr<QTemporaryDir> m_copy;
+    SessionUse m_use; ///< while this process writes it
     QString m_connection;
     QString m_reason;
     QString m_code; ///< SQLite's result code

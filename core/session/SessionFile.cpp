@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionFile.h"
 
+#include "core/base/StagedFile.h"
 #include "core/session/AuditReport.h"
 #include "core/session/SessionTables.h"
+#include "core/session/SessionUse.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,6 +14,12 @@
 #include <utility>
 
 namespace core {
+
+namespace {
+
+const QString inUse = QStringLiteral("it is open in another window");
+
+} // namespace
 
 SessionFile::SessionFile(const QString& path)
     : m_path(path)
@@ -39,8 +47,9 @@ Result<std::unique_ptr<SessionFile>> SessionFile::create(
     if (!info.absoluteDir().exists())
         return failure(ErrorCode::FileUnwritable, path,
             QStringLiteral("there is no folder %1").arg(info.absolutePath()));
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"})
-        QFile::remove(path + QLatin1String(suffix));
+    if (info.exists() && isSessionInUse(path))
+        return failure(ErrorCode::FileUnwritable, path, inUse);
+    removeSession(path);
     QFile empty(path);
     if (!empty.open(QIODevice::WriteOnly | QIODevice::NewOnly,
             QFileDevice::ReadOwner | QFileDevice::WriteOwner))
@@ -70,16 +79,17 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
     if (info.size() == 0)
         return failure(ErrorCode::FileTruncated, path, QStringLiteral("it is empty"));
-    const bool readOnly = access == Access::ReadOnly;
-    if (!readOnly && !(info.isWritable() && QFileInfo(info.absolutePath()).isWritable()))
+    if (access == Access::ReadWrite
+        && !(info.isWritable() && QFileInfo(info.absolutePath()).isWritable()))
         return failure(ErrorCode::FileUnwritable, path,
             QStringLiteral("a session is written while it is open; copy it to a folder of yours"));
     std::unique_ptr<SessionFile> file(new SessionFile(path));
     Result<SessionContents> contents;
-    file->m_writer.run([&] { contents = file->m_tables->open(readOnly); });
+    file->m_writer.run([&] { contents = file->m_tables->open(access); });
     if (!contents)
         return tl::unexpected(contents.error());
     file->m_contents = *std::move(contents);
+    file->m_isPrivateCopy = access == Access::PrivateCopy;
     return file;
 }
 
@@ -89,6 +99,9 @@ bool SessionFile::isNamedAt(const QString& path)
     if (!info.isFile())
         return false;
     if (info.suffix().compare(QLatin1String("burin"), Qt::CaseInsensitive) == 0)
+        return true;
+    // One in use must not be opened as a plain file (SessionUse.h).
+    if (isSessionInUse(path))
         return true;
     QFile file(path);
     return file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
@@ -147,6 +160,70 @@ void SessionFile::post(Write write)
         m_waiting.push_back(write);
         writeWaiting();
     });
+}
+
+QString SessionFile::path() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_path;
+}
+
+bool SessionFile::isPrivateCopy() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_isPrivateCopy;
+}
+
+void SessionFile::saveAs(
+    const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done)
+{
+    m_writer.post([this, target, replaceExisting, done = std::move(done)] {
+        writeWaiting();
+        done(moveTo(target, replaceExisting));
+    });
+}
+
+/// On the writer's thread.
+Result<void> SessionFile::moveTo(const QString& target, bool replaceExisting)
+{
+    if (QFileInfo::exists(target) && isSessionInUse(target))
+        return failure(ErrorCode::FileUnwritable, target, inUse);
+    // What its program could not write any more would be taken for the new file's.
+    if (isSessionUnfinished(target))
+        return failure(ErrorCode::FileUnwritable, target,
+            QStringLiteral("it was not closed properly; open it once, or take another name"));
+    Result<StagedFile> staged = StagedFile::create(target, replaceExisting);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    const QString path = staged->path();
+    QFile::setPermissions(path, QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+    Result<void> whole = m_tables->copyInto(path);
+    if (whole) {
+        // Opened as any session is: rows and chain are there.
+        SessionTables copy(path);
+        if (const Result<SessionContents> read = copy.open(Access::ReadWrite); !read)
+            whole = tl::unexpected(read.error());
+        for (auto write = m_waiting.begin(); whole && write != m_waiting.end(); ++write)
+            whole = write->carryOut(copy);
+    }
+    if (!whole) {
+        removeSession(path);
+        return failure(whole.error().code, target, whole.error().arguments.value(1));
+    }
+    if (const Result<void> placed = staged->commit(); !placed)
+        return placed;
+    auto tables = std::make_unique<SessionTables>(target);
+    if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read)
+        return tl::unexpected(read.error());
+    m_tables = std::move(tables);
+    m_waiting.clear();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_path = target;
+        m_isPrivateCopy = false;
+    }
+    setTrouble({});
+    return {};
 }
 
 void SessionFile::retry()

@@ -31,8 +31,8 @@ public:
     static Result<std::unique_ptr<SessionFile>> create(
         const QString& path, const SessionSource& source, bool replaceExisting);
 
-    enum class Access { ReadWrite, ReadOnly };
-    /// Checks the chain of all rows; read-only media are fine with Access::ReadOnly.
+    using Access = SessionAccess;
+    /// Checks the chain of all rows; read-only media are fine with all but Access::ReadWrite.
     /// Errors: FileNotFound, FileUnreadable (in use by another program), FileTruncated (empty),
     /// FileUnwritable, UnsupportedFormat (no session, or a newer Burin's), SessionDamaged.
     static Result<std::unique_ptr<SessionFile>> open(const QString& path, Access access);
@@ -46,7 +46,9 @@ public:
 
     /// As it was when the file was opened.
     [[nodiscard]] const SessionContents& contents() const { return m_contents; }
-    [[nodiscard]] QString path() const { return m_path; }
+    [[nodiscard]] QString path() const;
+    /// It is a copy of what lies at path(), until saveAs() gives it a place of its own.
+    [[nodiscard]] bool isPrivateCopy() const;
 
     /// First half of a row: it becomes the position, and the child that redo goes to.
     void addRow(const HistoryRow& row);
@@ -70,6 +72,13 @@ public:
     /// Waits until everything is on disk. Errors: FileUnwritable; what is left waits on.
     [[nodiscard]] Result<void> flush();
 
+    /// Copies everything, also what waits in memory, into @p target, which appears under its name
+    /// only once it is whole and on disk; then goes on there, in line with what is written. The
+    /// file before stays, closed. On failure nothing has changed. @p done: on the writer's thread.
+    /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
+    void saveAs(
+        const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done);
+
     /// Tries again what waits in memory. Never waits.
     void retry();
     /// Why something waits in memory; none: everything is on disk or on its way there.
@@ -82,19 +91,22 @@ private:
     explicit SessionFile(const QString& path);
 
     struct Write {
-        std::function<Result<void>(SessionTables&)> carryOut;
+        std::function<Result<void>(SessionTables&)> carryOut; ///< may be done over
         RowId row = 0; ///< whose second half it is; 0: another write
         std::shared_ptr<const BrickDelta> delta; ///< of that row
     };
     void post(Write write);
     void writeWaiting();
     void setTrouble(const std::optional<Error>& trouble);
+    [[nodiscard]] Result<void> moveTo(const QString& target, bool replaceExisting);
 
-    QString m_path;
     SessionContents m_contents;
     std::function<void()> m_troubleListener;
     mutable std::mutex m_mutex;
-    std::optional<Error> m_trouble; ///< under m_mutex
+    // Under m_mutex:
+    QString m_path;
+    bool m_isPrivateCopy = false;
+    std::optional<Error> m_trouble;
     // The writer's thread only:
     std::unique_ptr<SessionTables> m_tables;
     std::deque<Write> m_waiting;

@@ -8,12 +8,32 @@
 
 namespace core {
 
+namespace {
+
+QString sizeText(const glm::ivec3& size)
+{
+    return QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
+}
+
+QString pointText(const glm::dvec4& point)
+{
+    return QStringLiteral("%1, %2, %3")
+        .arg(point.x, 0, 'f', 2)
+        .arg(point.y, 0, 'f', 2)
+        .arg(point.z, 0, 'f', 2);
+}
+
+} // namespace
+
 SessionSource SessionSource::of(const Volume& volume)
 {
     return {.path = QFileInfo(volume.sourcePath).absoluteFilePath(),
         .format = volume.sourceFormat,
         .studyUid = volume.identity.studyUid,
         .seriesUid = volume.identity.seriesUid,
+        .seriesDescription = volume.identity.seriesDescription,
+        .modality = volume.identity.modality,
+        .studyDate = volume.identity.studyDate,
         .size = volume.geometry.size,
         .indexToWorld = volume.geometry.indexToWorld,
         .voxelsSha256 = volume.voxelsSha256};
@@ -31,6 +51,9 @@ QJsonObject SessionSource::toJson() const
         {QStringLiteral("format"), format},
         {QStringLiteral("studyUid"), studyUid},
         {QStringLiteral("seriesUid"), seriesUid},
+        {QStringLiteral("seriesDescription"), seriesDescription},
+        {QStringLiteral("modality"), modality},
+        {QStringLiteral("studyDate"), studyDate},
         {QStringLiteral("size"), QJsonArray{size.x, size.y, size.z}},
         {QStringLiteral("indexToWorld"), matrix},
         {QStringLiteral("voxelsSha256"), QString::fromLatin1(voxelsSha256)},
@@ -48,6 +71,9 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
     source.format = json.value(QStringLiteral("format")).toString();
     source.studyUid = json.value(QStringLiteral("studyUid")).toString();
     source.seriesUid = json.value(QStringLiteral("seriesUid")).toString();
+    source.seriesDescription = json.value(QStringLiteral("seriesDescription")).toString();
+    source.modality = json.value(QStringLiteral("modality")).toString();
+    source.studyDate = json.value(QStringLiteral("studyDate")).toString();
     source.voxelsSha256 = json.value(QStringLiteral("voxelsSha256")).toString().toLatin1();
     for (int axis = 0; axis < 3; ++axis)
         source.size[axis] = sizes[axis].toInt();
@@ -59,20 +85,26 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
 QString SessionSource::differenceFrom(const Volume& volume) const
 {
     if (volume.geometry.size != size)
-        return QStringLiteral("its size is another");
+        return QStringLiteral("its size is another (%1 voxels; the session was made on %2)")
+            .arg(sizeText(volume.geometry.size), sizeText(size));
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             const double other = volume.geometry.indexToWorld[column][row];
             if (!(std::abs(other - indexToWorld[column][row]) <= 1e-6))
-                return QStringLiteral("it lies elsewhere in the patient");
+                return QStringLiteral("it lies elsewhere in the patient (its first voxel at %1, the"
+                                      " session's at %2; LPS mm)")
+                    .arg(pointText(volume.geometry.indexToWorld[3]), pointText(indexToWorld[3]));
         }
     }
     if (!voxelsSha256.isEmpty() && !volume.voxelsSha256.isEmpty()
         && voxelsSha256 != volume.voxelsSha256)
-        return QStringLiteral("its voxels are others");
+        return QStringLiteral("its voxels are others (SHA-256 %1…, the session's %2…)")
+            .arg(QString::fromLatin1(volume.voxelsSha256.left(12)),
+                QString::fromLatin1(voxelsSha256.left(12)));
     if (!seriesUid.isEmpty() && !volume.identity.seriesUid.isEmpty()
         && seriesUid != volume.identity.seriesUid)
-        return QStringLiteral("its series UID is another");
+        return QStringLiteral("its series UID is another (%1; the session's is %2)")
+            .arg(volume.identity.seriesUid, seriesUid);
     return {};
 }
 

@@ -15,6 +15,10 @@ struct SessionSource {
     QString format;
     QString studyUid;
     QString seriesUid;
+    // To be told apart by people; empty where the study or an older session does not say.
+    QString seriesDescription;
+    QString modality;
+    QString studyDate; ///< YYYY-MM-DD
     glm::ivec3 size{0};
     glm::dmat4 indexToWorld{1.0};
     QByteArray voxelsSha256; ///< hex; empty if the loader did not tell

@@ -54,7 +54,13 @@ Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
     };
     const QStringList keys = keysOf(study->listing(), source, series);
     if (keys.isEmpty())
-        return mismatch(QStringLiteral("no volume has its series and size"));
+        return mismatch(
+            QStringLiteral("no volume has its series and size (%1; %2 × %3 × %4 voxels)")
+                .arg(
+                    source.seriesUid.isEmpty() ? QStringLiteral("no series UID") : source.seriesUid)
+                .arg(source.size.x)
+                .arg(source.size.y)
+                .arg(source.size.z));
     QString difference;
     for (const QString& key : keys) {
         Result<LoadedVolume> loaded = study->load(key, progress);

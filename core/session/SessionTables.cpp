@@ -57,13 +57,18 @@ Result<void> SessionTables::create(const SessionSource& source)
     });
 }
 
-Result<SessionContents> SessionTables::open(bool readOnly)
+Result<SessionContents> SessionTables::open(SessionAccess access)
 {
-    Result<std::unique_ptr<SessionDatabase>> opened = SessionDatabase::open(m_path, readOnly);
+    Result<std::unique_ptr<SessionDatabase>> opened = access == SessionAccess::PrivateCopy
+        ? SessionDatabase::openCopy(m_path)
+        : SessionDatabase::open(m_path, access != SessionAccess::ReadWrite);
     if (!opened)
         return tl::unexpected(opened.error());
     m_database = *std::move(opened);
-    return read();
+    Result<SessionContents> contents = read();
+    if (contents && contents->damage && access != SessionAccess::SoundPart)
+        return failure(ErrorCode::SessionDamaged, m_path, contents->damage->text());
+    return contents;
 }
 
 Result<SessionContents> SessionTables::readAgain()
@@ -71,6 +76,8 @@ Result<SessionContents> SessionTables::readAgain()
     const std::vector<QString> chains = m_chains;
     Result<SessionContents> contents = read();
     m_chains = chains;
+    if (contents && contents->damage)
+        return failure(ErrorCode::SessionDamaged, m_path, contents->damage->text());
     return contents;
 }
 
@@ -81,16 +88,18 @@ Result<SessionContents> SessionTables::read()
     if (!source)
         return tl::unexpected(source.error());
     contents.source = *std::move(source);
-    Result<std::vector<HistoryRow>> rows = readRows();
-    if (!rows)
-        return tl::unexpected(rows.error());
-    contents.rows = *std::move(rows);
+    readRows(contents);
     contents.chainEnd = m_chains.back();
-    if (const Result<void> read = readState(contents); !read)
-        return tl::unexpected(read.error());
-    if (const Result<void> read = readKeyframes(contents); !read)
-        return tl::unexpected(read.error());
+    readState(contents);
+    readKeyframes(contents);
     return contents;
+}
+
+Result<void> SessionTables::copyInto(const QString& path)
+{
+    if (m_database->copyInto(path))
+        return {};
+    return failure(ErrorCode::FileUnwritable, path, m_database->reason());
 }
 
 // --- Writing -------------------------------------------------------------------------------------
@@ -233,10 +242,10 @@ Result<SessionSource> SessionTables::readSource()
     return *std::move(source);
 }
 
-Result<std::vector<HistoryRow>> SessionTables::readRows()
+void SessionTables::readRows(SessionContents& contents)
 {
-    std::vector<HistoryRow> rows;
-    Result<void> result;
+    std::vector<HistoryRow>& rows = contents.rows;
+    QString problem;
     const QString origin = m_database->version() < 2 ? QStringLiteral("NULL, NULL, NULL")
                                                      : QStringLiteral("at, author, program");
     const bool read = m_database->query(
@@ -244,23 +253,22 @@ Result<std::vector<HistoryRow>> SessionTables::readRows()
                        " stateHash, deltaSha256, seal, SUM(LENGTH(bytes)), %1 FROM row"
                        " LEFT JOIN delta ON delta.row = row.id GROUP BY row.id ORDER BY row.id")
             .arg(origin),
-        {}, [this, &rows, &result](const QSqlQuery& answer) {
-            Result<HistoryRow> row = readRow(answer, RowId(rows.size()) + 1);
+        {}, [this, &rows, &problem](const QSqlQuery& answer) {
+            tl::expected<HistoryRow, QString> row = readRow(answer, RowId(rows.size()) + 1);
             if (!row) {
-                result = tl::unexpected(row.error());
+                problem = row.error();
                 return false;
             }
             rows.push_back(*std::move(row));
             return true;
         });
-    if (!result)
-        return tl::unexpected(result.error());
     if (!read)
-        return damaged(0, m_database->reason());
-    return rows;
+        problem = m_database->reason();
+    if (!problem.isEmpty())
+        contents.damage = damageAt(RowId(rows.size()) + 1, problem);
 }
 
-Result<HistoryRow> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
+tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
 {
     const RowText text{.id = answer.value(0).toLongLong(),
         .parent = answer.value(1).toLongLong(),
@@ -272,71 +280,87 @@ Result<HistoryRow> SessionTables::readRow(const QSqlQuery& answer, RowId expecte
         .author = answer.value(12).toString(),
         .program = answer.value(13).toString()};
     if (text.id != expectedId || text.parent < 0 || text.parent >= text.id)
-        return damaged(expectedId, QStringLiteral("it is missing or out of order"));
+        return tl::unexpected(QStringLiteral("it is missing or out of order"));
     // The chain does not cover what stands beside a missing time.
     const bool unbound = text.at.isEmpty() && !(text.author + text.program).isEmpty();
     const QString chain = text.chain(m_chains.back());
     if (unbound || chain != answer.value(6).toString())
-        return damaged(text.id, QStringLiteral("it was changed after it was written"));
-    m_chains.push_back(chain);
+        return tl::unexpected(QStringLiteral("it was changed after it was written"));
 
     Result<HistoryRow> row = text.row();
     if (!row)
-        return damaged(text.id,
-            QStringLiteral("its edit is not known here: ")
-                + row.error().arguments.join(QStringLiteral(", ")));
+        return tl::unexpected(QStringLiteral("its edit is not known here: ")
+            + row.error().arguments.join(QStringLiteral(", ")));
     if (!answer.value(9).isNull()) {
         const QString stateHash = answer.value(7).toString();
         if (answer.value(9).toString() != seal(chain, stateHash, answer.value(8).toString()))
-            return damaged(text.id, QStringLiteral("its hash was changed after it was written"));
+            return tl::unexpected(QStringLiteral("its hash was changed after it was written"));
         row->stateHash = stateHash.toLatin1();
         row->deltaBytes = std::size_t(answer.value(10).toLongLong());
     }
-    return row;
+    m_chains.push_back(chain);
+    return *std::move(row);
 }
 
-Result<void> SessionTables::readState(SessionContents& contents)
+void SessionTables::readState(SessionContents& contents)
 {
-    const auto isRow = [&contents](
-                           RowId id) { return id >= 0 && id <= RowId(contents.rows.size()); };
-    bool sound = true;
     const bool read =
         m_database->query(QStringLiteral("SELECT key, value FROM state"), {},
             [&contents](const QSqlQuery& answer) {
                 takeState(answer.value(0).toString(), answer.value(1).toString(), contents);
                 return true;
             })
-        && m_database->query(
-            QStringLiteral("SELECT parent, child FROM visited"), {}, [&](const QSqlQuery& answer) {
-                const RowId parent = answer.value(0).toLongLong();
-                const RowId child = answer.value(1).toLongLong();
-                sound = sound && child > 0 && isRow(child)
-                    && contents.rows[std::size_t(child - 1)].parent == parent;
-                contents.visited.emplace_back(parent, child);
-                return sound;
+        && m_database->query(QStringLiteral("SELECT parent, child FROM visited"), {},
+            [&contents](const QSqlQuery& answer) {
+                contents.visited.emplace_back(
+                    answer.value(0).toLongLong(), answer.value(1).toLongLong());
+                return true;
             });
+    const RowId position = contents.position;
+    const std::size_t steps = contents.visited.size();
+    contents.cut(contents.damage.value_or(SessionDamage{}));
+    if (contents.damage->row != 0)
+        return;
+    // No row is lost, so both must have been sound.
     if (!read)
-        return damaged(0, m_database->reason());
-    if (!sound || !isRow(contents.position))
-        return damaged(0, QStringLiteral("its position is no row"));
-    return {};
+        contents.damage->reason = m_database->reason();
+    else if (contents.position != position || contents.visited.size() != steps)
+        contents.damage->reason = QStringLiteral("its position is no row");
+    else
+        contents.damage.reset();
 }
 
-Result<void> SessionTables::readKeyframes(SessionContents& contents)
+SessionDamage SessionTables::damageAt(RowId row, const QString& reason)
 {
-    if (m_database->version() < 2)
-        return {};
-    const bool read = m_database->query(QStringLiteral("SELECT row, at FROM keyframe ORDER BY row"),
-        {}, [&contents](const QSqlQuery& answer) {
-            const QString at = answer.value(1).toString();
-            contents.keyframes.push_back({.row = answer.value(0).toLongLong(),
-                .at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
-                .png = {}});
+    SessionDamage damage{.row = row, .name = {}, .after = -1, .reason = reason};
+    m_database->query(QStringLiteral("SELECT name FROM row WHERE id=?"), {sqlId(row)},
+        [&damage](const QSqlQuery& answer) {
+            damage.name = answer.value(0).toString();
             return true;
         });
-    if (!read)
-        return damaged(0, m_database->reason());
-    return {};
+    m_database->query(QStringLiteral("SELECT COUNT(*) FROM row WHERE id>?"), {sqlId(row)},
+        [&damage](const QSqlQuery& answer) {
+            damage.after = answer.value(0).toLongLong();
+            return true;
+        });
+    return damage;
+}
+
+/// Pictures prove nothing: those that cannot be read are left out.
+void SessionTables::readKeyframes(SessionContents& contents)
+{
+    if (m_database->version() < 2)
+        return;
+    m_database->query(QStringLiteral("SELECT row, at FROM keyframe ORDER BY row"), {},
+        [&contents](const QSqlQuery& answer) {
+            const RowId row = answer.value(0).toLongLong();
+            const QString at = answer.value(1).toString();
+            if (row >= 0 && row <= RowId(contents.rows.size()))
+                contents.keyframes.push_back({.row = row,
+                    .at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
+                    .png = {}});
+            return true;
+        });
 }
 
 tl::unexpected<Error> SessionTables::damaged(RowId row, const QString& reason) const

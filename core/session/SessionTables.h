@@ -19,9 +19,12 @@ public:
 
     /// @pre the file exists and is empty
     [[nodiscard]] Result<void> create(const SessionSource& source);
-    [[nodiscard]] Result<SessionContents> open(bool readOnly);
+    /// Errors: those of SessionFile::open().
+    [[nodiscard]] Result<SessionContents> open(SessionAccess access);
     /// What an open file holds now, with every hash of the rows checked anew.
     [[nodiscard]] Result<SessionContents> readAgain();
+    /// All of it into a file that is empty or not there yet.
+    [[nodiscard]] Result<void> copyInto(const QString& path);
 
     // One transaction each; one that fails (FileUnwritable) leaves the file as it was and may be
     // tried again. A row must not be written before the one ahead of it stands.
@@ -44,10 +47,13 @@ private:
 
     [[nodiscard]] Result<SessionContents> read();
     [[nodiscard]] Result<SessionSource> readSource();
-    [[nodiscard]] Result<std::vector<HistoryRow>> readRows();
-    [[nodiscard]] Result<HistoryRow> readRow(const QSqlQuery& answer, RowId expectedId);
-    [[nodiscard]] Result<void> readState(SessionContents& contents);
-    [[nodiscard]] Result<void> readKeyframes(SessionContents& contents);
+    void readRows(SessionContents& contents);
+    /// Or why it cannot be trusted.
+    [[nodiscard]] tl::expected<HistoryRow, QString> readRow(
+        const QSqlQuery& answer, RowId expectedId);
+    void readState(SessionContents& contents);
+    void readKeyframes(SessionContents& contents);
+    [[nodiscard]] SessionDamage damageAt(RowId row, const QString& reason);
 
     QString m_path;
     std::unique_ptr<SessionDatabase> m_database;

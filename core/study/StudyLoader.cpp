@@ -29,6 +29,13 @@ namespace {
 constexpr int mostFiles = 500000;
 constexpr int deepestFolder = 32;
 
+/// Sessions lie beside studies. Opening and closing one as a plain file would take the lock of a
+/// session that this process has open (core/session/SessionUse.h).
+bool isSession(const QString& file)
+{
+    return file.endsWith(QLatin1String(".burin")) || file.contains(QLatin1String(".burin-"));
+}
+
 Result<QStringList> filesBelow(const QString& path)
 {
     const QFileInfo info(path);
@@ -40,16 +47,23 @@ Result<QStringList> filesBelow(const QString& path)
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
     const QString root = info.absoluteFilePath();
     QStringList files;
+    bool sessions = false;
     // Links to folders are not followed: they may lead round in circles.
     QDirIterator iterator(
         root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
     while (iterator.hasNext() && files.size() < mostFiles) {
         const QString file = iterator.next();
+        if (isSession(iterator.fileName())) {
+            sessions = true;
+            continue;
+        }
         if (file.mid(root.size()).count(QLatin1Char('/')) <= deepestFolder
             && iterator.fileInfo().isFile()) {
             files.append(file);
         }
     }
+    if (files.isEmpty() && sessions)
+        return failure(ErrorCode::NoImages, path, QStringLiteral("only sessions are in it"));
     if (files.isEmpty())
         return failure(ErrorCode::FolderEmpty, path);
     files.sort();

@@ -5,8 +5,8 @@
 #include "core/session/SessionStudy.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
-#include "tests/support/SyntheticSeries.h"
 #include "ui/MainWindow.h"
 #include "ui/MessageBar.h"
 
@@ -19,8 +19,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QSqlDatabase>
-#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
@@ -28,24 +26,6 @@
 namespace {
 
 constexpr int patience = 120000; ///< ms; only a hang takes that long
-
-/// The small study as a CT series; @p shift makes another one of it, by a grey value.
-void writeStudy(const QString& folder, const char* seriesUid, int shift = 0)
-{
-    const core::LoadedVolume small = test::smallStudy();
-    const core::VolumeGeometry& geometry = small.volume.geometry;
-    test::SyntheticSeries series;
-    series.size = geometry.size;
-    series.spacing = {1.0, 1.0};
-    series.origin = geometry.toWorld(glm::dvec3(0.0));
-    series.step = geometry.toWorld(glm::dvec3(0.0, 0.0, 1.0)) - series.origin;
-    series.seriesUid = QLatin1String(seriesUid);
-    series.stored = [&](const glm::ivec3& index) {
-        const int offset = index.x + geometry.size.x * (index.y + geometry.size.y * index.z);
-        return int(small.codes[std::size_t(offset)]) + shift;
-    };
-    test::writeSeries(series, folder);
-}
 
 QByteArray contents(const QString& path)
 {
@@ -58,19 +38,6 @@ void write(const QString& path, const QByteArray& bytes)
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
         qFatal("cannot write %s", qPrintable(path));
-}
-
-void runSql(const QString& path, const char* sql)
-{
-    {
-        QSqlDatabase database =
-            QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("test"));
-        database.setDatabaseName(path);
-        QSqlQuery query(database);
-        if (!database.open() || !QSqlQuery(database).exec(QLatin1String(sql)))
-            qFatal("%s", sql);
-    }
-    QSqlDatabase::removeDatabase(QStringLiteral("test"));
 }
 
 struct Outcome {
@@ -116,7 +83,7 @@ private Q_SLOTS:
         for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
             qputenv(name, path(name).toUtf8());
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, path("settings"));
-        writeStudy(path("case/ct"), "2.25.1");
+        test::writeSmallSeries(path("case/ct"), "2.25.1");
         reference::ReferenceEngine oracle;
         const auto made = *core::EditSession::create(
             oracle, *core::loadVolume(path("case/ct")), {.file = session()});
@@ -165,8 +132,8 @@ private Q_SLOTS:
     void asksForAStudyThatIsGone()
     {
         QVERIFY(QDir().rename(path("case/ct"), path("moved")));
-        writeStudy(path("other"), "2.25.2");
-        writeStudy(path("tampered"), "2.25.1", 1);
+        test::writeSmallSeries(path("other"), "2.25.2");
+        test::writeSmallSeries(path("tampered"), "2.25.1", 1);
         auto application = *app::Application::create();
         ui::MainWindow& window = application->window();
         ui::StudyOpener& opener = window.opener();
@@ -220,7 +187,7 @@ private Q_SLOTS:
                      session() + QStringLiteral(": its study is no longer at ") + path("case/ct")),
             qPrintable(gone.complaint));
         QVERIFY(!QFile::exists(path("shot.png")));
-        writeStudy(path("other"), "2.25.2");
+        test::writeSmallSeries(path("other"), "2.25.2");
         const Outcome other = open({session(), QStringLiteral("--study"), path("other")});
         QCOMPARE(other.status, 1);
         QVERIFY2(other.complaint.contains(QStringLiteral("no volume has its series and size")),
@@ -241,9 +208,9 @@ private Q_SLOTS:
         row("text", "it is no session of Burin");
         row("foreign database", "it is no session of Burin");
         row("newer", "a newer Burin wrote it (session format 99;");
-        row("cut", "the session is damaged");
-        row("row changed", "row 2: it was changed after it was written");
-        row("difference changed", "row 3: its difference was changed");
+        row("row changed",
+            "row 2 'Something else' and the 9 after it cannot be read: it was changed");
+        row("difference changed", "and the 8 after it cannot be read: its difference was changed");
     }
 
     void refusesWhatIsNoSoundSession()
@@ -257,15 +224,13 @@ private Q_SLOTS:
         else if (kind == QStringLiteral("text"))
             write(file, QByteArray(5000, 'x'));
         else if (kind == QStringLiteral("foreign database"))
-            runSql(file, "PRAGMA application_id=1");
+            test::runSql(file, "PRAGMA application_id=1");
         else if (kind == QStringLiteral("newer"))
-            runSql(file, "PRAGMA user_version=99");
-        else if (kind == QStringLiteral("cut"))
-            write(file, contents(file).left(contents(file).size() / 2));
+            test::runSql(file, "PRAGMA user_version=99");
         else if (kind == QStringLiteral("row changed"))
-            runSql(file, "UPDATE row SET name='Something else' WHERE id=2");
+            test::runSql(file, "UPDATE row SET name='Something else' WHERE id=2");
         else
-            runSql(file, "UPDATE delta SET bytes=zeroblob(length(bytes)) WHERE row=3");
+            test::runSql(file, "UPDATE delta SET bytes=zeroblob(length(bytes)) WHERE row=3");
         const QByteArray before = contents(file);
         const Outcome outcome = open({file});
         QCOMPARE(outcome.status, 1);
@@ -275,6 +240,7 @@ private Q_SLOTS:
             qPrintable(outcome.complaint));
         QVERIFY(!QFile::exists(path("shot.png")));
         QCOMPARE(contents(file), before);
+        // What was salvaged goes again, as nothing was done with it.
         QCOMPARE(QDir(path("case")).entryList({QStringLiteral("bad*")}, QDir::Files).size(), 1);
     }
 

@@ -2,6 +2,7 @@
 #include "ui/dialogs/UnwrittenSteps.h"
 
 #include "ui/ErrorText.h"
+#include "ui/SessionSaver.h"
 #include "ui/Workspace.h"
 
 #include <QCoreApplication>
@@ -19,23 +20,33 @@ QString tr(const char* text)
 
 } // namespace
 
-bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget* parent)
+bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window)
 {
-    const core::EditSession* session = workspace.session();
-    const std::optional<core::Error> trouble = session ? session->diskTrouble() : std::nullopt;
-    if (!trouble)
-        return true;
-    QMessageBox box(QMessageBox::Warning, tr("Not on disk yet"),
-        tr("The last steps could not be written.\n%1").arg(errorText(*trouble)),
-        QMessageBox::Cancel, parent);
-    box.setInformativeText(
-        tr("They are lost when the window closes. Once there is room on the disk they are written "
-           "within seconds."));
-    const QPushButton* lose =
-        box.addButton(tr("Close and lose them"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == lose;
+    while (true) {
+        const core::EditSession* session = workspace.session();
+        const std::optional<core::Error> trouble = session ? session->diskTrouble() : std::nullopt;
+        if (!trouble)
+            return true;
+        QMessageBox box(QMessageBox::Warning, tr("Not on disk yet"),
+            tr("The last steps could not be written.\n%1").arg(errorText(*trouble)),
+            QMessageBox::NoButton, &window);
+        box.setInformativeText(
+            tr("They are lost if you go on. Once there is room on the disk they are written within "
+               "seconds; or save the session in another place."));
+        const QPushButton* lose =
+            box.addButton(tr("Go on and lose them"), QMessageBox::DestructiveRole);
+        const QPushButton* save = box.addButton(tr("Save session as …"), QMessageBox::ActionRole);
+        QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
+        box.setDefaultButton(stay);
+        box.setEscapeButton(stay);
+        box.exec();
+        if (box.clickedButton() == lose)
+            return true;
+        if (box.clickedButton() != save)
+            return false;
+        // Whether it worked shows in what is still not written.
+        SessionSaver(workspace, window).askAndWait();
+    }
 }
 
 } // namespace ui

@@ -7,8 +7,9 @@ namespace ui {
 
 class Workspace;
 
-/// Asks before steps are lost that could not be written to disk. @return true if there are none, or
-/// the user lets them go
-[[nodiscard]] bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget* parent);
+/// Asks before steps are lost that could not be written to disk; offers to save the session
+/// elsewhere.
+/// @return true if there are none (any more), or the user lets them go
+[[nodiscard]] bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window);
 
 } // namespace ui

@@ -5,6 +5,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/FileSizeLimit.h"
+#include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
 
 #include <QDir>
@@ -12,12 +13,8 @@
 #include <QJsonArray>
 #include <QScopeGuard>
 #include <QSemaphore>
-#include <QSqlDatabase>
-#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include <unistd.h>
 
 using namespace core;
 
@@ -35,26 +32,6 @@ RowOrigin origin()
         .program = QStringLiteral("burin 0.1.0")};
 }
 
-/// A session with the rows of manyEdits(), one undo and a branch; closed again.
-/// @return the state hash at its position
-QByteArray makePattern(const QString& path)
-{
-    reference::ReferenceEngine engine;
-    const auto session = *EditSession::create(engine, test::smallStudy(), {.file = path});
-    session->setOrigin(origin);
-    for (const Edit& edit : test::manyEdits()) {
-        static_cast<void>(session->apply(edit));
-        static_cast<void>(session->settle());
-    }
-    static_cast<void>(session->goTo(4));
-    static_cast<void>(session->apply(test::drillAt(1)));
-    static_cast<void>(session->apply(test::growBrain(1)));
-    static_cast<void>(session->undo());
-    session->setSegmentVisible(2, false);
-    static_cast<void>(session->settle());
-    return session->stateHash();
-}
-
 Result<void> openSession(Opened& opened, const QString& path)
 {
     Result<std::unique_ptr<EditSession>> session =
@@ -63,22 +40,6 @@ Result<void> openSession(Opened& opened, const QString& path)
         return tl::unexpected(session.error());
     opened.session = *std::move(session);
     return {};
-}
-
-/// One statement on a closed session file.
-bool runSql(const QString& path, const QString& sql)
-{
-    bool good = false;
-    {
-        QSqlDatabase database =
-            QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("test"));
-        database.setDatabaseName(path);
-        good = database.open();
-        QSqlQuery query(database);
-        good = good && query.exec(sql) && query.numRowsAffected() > 0;
-    }
-    QSqlDatabase::removeDatabase(QStringLiteral("test"));
-    return good;
 }
 
 QByteArray contentOf(const QString& path)
@@ -130,7 +91,7 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        m_hash = makePattern(m_pattern.filePath(QStringLiteral("a.burin")));
+        m_hash = test::makeSession(m_pattern.filePath(QStringLiteral("a.burin")), origin);
         QCOMPARE(m_hash.size(), 64);
     }
     void init()
@@ -234,12 +195,12 @@ private Q_SLOTS:
             for (const HistoryRow& row : opened.session->history().rows())
                 hashes.push_back(row.stateHash);
         }
-        QVERIFY(runSql(m_path,
+        QVERIFY(test::runSql(m_path,
             QStringLiteral(
                 "UPDATE row SET stateHash=NULL, deltaSha256=NULL, seal=NULL WHERE id>=%1")
                 .arg(from)));
-        runSql(m_path, QStringLiteral("DELETE FROM delta WHERE row>=%1").arg(from));
-        QVERIFY(runSql(m_path,
+        test::runSql(m_path, QStringLiteral("DELETE FROM delta WHERE row>=%1").arg(from));
+        QVERIFY(test::runSql(m_path,
             QStringLiteral("UPDATE state SET value=%1 WHERE key='position'").arg(position)));
         for (int again = 0; again < 2; ++again) { // the second time everything is on disk
             Opened opened;
@@ -279,7 +240,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, sql);
         makeSession(m_path);
-        QVERIFY(runSql(m_path, sql));
+        QVERIFY(test::runSql(m_path, sql));
         Opened opened;
         const Result<void> result = openSession(opened, m_path);
         QVERIFY(!result);
@@ -291,7 +252,8 @@ private Q_SLOTS:
     void damageOffThePathIsNoticedOnTheWay()
     {
         makeSession(m_path); // at row 11; row 8 lies on the other branch
-        QVERIFY(runSql(m_path, QStringLiteral("UPDATE delta SET bytes=zeroblob(20) WHERE row=7")));
+        QVERIFY(test::runSql(
+            m_path, QStringLiteral("UPDATE delta SET bytes=zeroblob(20) WHERE row=7")));
         Opened opened;
         QVERIFY(openSession(opened, m_path));
         QVERIFY(opened.session->goTo(10));
@@ -341,7 +303,7 @@ private Q_SLOTS:
     void aNewerSchemaIsRefused()
     {
         makeSession(m_path);
-        runSql(m_path, QStringLiteral("PRAGMA user_version=3"));
+        test::runSql(m_path, QStringLiteral("PRAGMA user_version=3"));
         const QByteArray before = contentOf(m_path);
         Opened opened;
         const Result<void> result = openSession(opened, m_path);
@@ -434,7 +396,7 @@ private Q_SLOTS:
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(upgraded);
             file.close();
-            QVERIFY(runSql(m_path, QLatin1String(sql)));
+            QVERIFY(test::runSql(m_path, QLatin1String(sql)));
             const auto session = EditSession::open(engine, study, m_path);
             QVERIFY2(!session, sql);
             QCOMPARE(session.error().code, ErrorCode::SessionDamaged);
@@ -495,7 +457,8 @@ private Q_SLOTS:
         QCOMPARE(opened.session->stateHash(), m_hash);
         // A picture is no truth: another one breaks nothing.
         opened.session.reset();
-        QVERIFY(runSql(m_path, QStringLiteral("UPDATE keyframe SET png=zeroblob(9) WHERE row=4")));
+        QVERIFY(test::runSql(
+            m_path, QStringLiteral("UPDATE keyframe SET png=zeroblob(9) WHERE row=4")));
         QVERIFY(openSession(opened, m_path));
     }
 
@@ -631,19 +594,23 @@ private Q_SLOTS:
     void readOnlyFoldersAreReadAndSaidToBe()
     {
         makeSession(m_path);
-        QVERIFY(QFile::setPermissions(m_path, QFileDevice::ReadOwner));
-        QVERIFY(QFile::setPermissions(
-            m_folder->path(), QFileDevice::ReadOwner | QFileDevice::ExeOwner));
+        const auto everybody =
+            QFileDevice::ReadOwner | QFileDevice::ReadGroup | QFileDevice::ReadOther;
+        QVERIFY(QFile::setPermissions(m_path, everybody));
+        QVERIFY(QFile::setPermissions(m_folder->path(),
+            everybody | QFileDevice::ExeOwner | QFileDevice::ExeGroup | QFileDevice::ExeOther));
         const auto reset = qScopeGuard([this] {
             QFile::setPermissions(m_folder->path(),
                 QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner);
         });
-        const auto file = SessionFile::open(m_path, SessionFile::Access::ReadOnly);
-        QVERIFY(file);
-        QCOMPARE((*file)->contents().rows.size(), test::manyEdits().size() + 2);
-        QVERIFY(!(*file)->readDelta(5)->empty());
-        if (::geteuid() == 0)
-            QSKIP("root may write everywhere");
+        const QByteArray before = test::fingerprint(m_path);
+        const test::Unprivileged nobody;
+        {
+            const auto file = SessionFile::open(m_path, SessionFile::Access::ReadOnly);
+            QVERIFY2(file, qPrintable(file ? QString() : file.error().arguments.join(u' ')));
+            QCOMPARE((*file)->contents().rows.size(), test::manyEdits().size() + 2);
+            QVERIFY(!(*file)->readDelta(5)->empty());
+        }
         Opened opened;
         QCOMPARE(openSession(opened, m_path).error().code, ErrorCode::FileUnwritable);
         reference::ReferenceEngine engine;
@@ -651,6 +618,14 @@ private Q_SLOTS:
             engine, test::smallStudy(), {.file = m_folder->filePath(QStringLiteral("b.burin"))});
         QVERIFY(!created);
         QCOMPARE(created.error().code, ErrorCode::FileUnwritable);
+        const auto viewed = EditSession::view(
+            engine, test::smallStudy(), m_path, QStringLiteral("its folder cannot be written"));
+        QVERIFY(viewed);
+        QVERIFY((*viewed)->goTo(3));
+        QVERIFY((*viewed)->settle());
+        QCOMPARE((*viewed)->apply(test::drillAt(0)).error().code, ErrorCode::SessionReadOnly);
+        QCOMPARE(test::fingerprint(m_path), before);
+        QCOMPARE(filesIn(*m_folder), QStringList{QStringLiteral("a.burin")});
     }
 };
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace core {
+struct SessionContents;
+}
+
+namespace app {
+
+/// How an existing session file is gone on with, so that nothing in it is lost.
+struct SessionPlan {
+    QString file; ///< the one to open: another one if that is damaged
+    QString whyReadOnly; ///< empty: it can be written
+    std::optional<core::Error> damage; ///< to be told: what is lost, and where work goes on
+    bool isNew = false; ///< the file was made now and may go again if nothing is done
+};
+
+/// A damaged file keeps its bytes: what is sound goes into a new one beside it, or into the folder
+/// of working sessions. A damaged working session makes way for the new one and stays beside it.
+/// One that is in use or cannot be written is only looked at. Blocks while a damaged file is read.
+/// @param contents what core::checkSession() found
+/// Errors: SessionDamaged where no place is left for the new file.
+[[nodiscard]] core::Result<SessionPlan> planFor(
+    const QString& file, const core::SessionContents& contents);
+
+} // namespace app

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionContents.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+/// A name that may be damaged itself, fit to be shown.
+QString shown(const QString& name)
+{
+    constexpr int longest = 60;
+    QString text = name.simplified();
+    text.removeIf([](QChar letter) { return !letter.isPrint(); });
+    return text.size() > longest ? text.left(longest) + QStringLiteral("…") : text;
+}
+
+} // namespace
+
+QString SessionDamage::text() const
+{
+    if (row == 0)
+        return QStringLiteral("where it stood cannot be read: %1").arg(reason);
+    QString rows = QStringLiteral("row %1").arg(row);
+    if (const QString known = shown(name); !known.isEmpty())
+        rows += QStringLiteral(" '%1'").arg(known);
+    if (after < 0)
+        rows += QStringLiteral(" and all after it");
+    else if (after == 1)
+        rows += QStringLiteral(" and the one after it");
+    else if (after > 1)
+        rows += QStringLiteral(" and the %1 after it").arg(after);
+    return QStringLiteral("%1 cannot be read: %2").arg(rows, reason);
+}
+
+void SessionContents::cut(const SessionDamage& at)
+{
+    damage = at;
+    if (at.row > 0)
+        rows.resize(std::min(rows.size(), std::size_t(at.row - 1)));
+    const auto last = RowId(rows.size());
+    if (position < 0 || position > last)
+        position = last;
+    visited.erase(std::remove_if(visited.begin(), visited.end(),
+                      [this, last](const std::pair<RowId, RowId>& step) {
+                          const auto [parent, child] = step;
+                          return child <= 0 || child > last
+                              || rows[std::size_t(child - 1)].parent != parent;
+                      }),
+        visited.end());
+    keyframes.erase(std::remove_if(keyframes.begin(), keyframes.end(),
+                        [last](const Keyframe& keyframe) { return keyframe.row > last; }),
+        keyframes.end());
+}
+
+} // namespace core

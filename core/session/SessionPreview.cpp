@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionPreview.h"
+
+#include "core/session/RowText.h"
+#include "core/session/SessionDatabase.h"
+#include "core/session/SessionUse.h"
+
+#include <QFileInfo>
+#include <QSqlQuery>
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+QDateTime lastChange(const QString& path)
+{
+    const QFileInfo file(path);
+    const QFileInfo beside(path + QStringLiteral("-wal"));
+    const QDateTime time = file.lastModified();
+    return beside.exists() ? std::max(time, beside.lastModified()) : time;
+}
+
+} // namespace
+
+Result<SessionPreview> previewSession(const QString& path)
+{
+    SessionPreview preview;
+    preview.file = path;
+    preview.lastChange = lastChange(path);
+    if (!preview.lastChange.isValid())
+        return failure(ErrorCode::FileNotFound, path);
+    if (isSessionInUse(path)) {
+        preview.condition = SessionPreview::Condition::InUse;
+        return preview;
+    }
+    if (isSessionUnfinished(path))
+        preview.condition = SessionPreview::Condition::Unfinished;
+    Result<std::unique_ptr<SessionDatabase>> database = SessionDatabase::open(path, true);
+    if (!database)
+        return tl::unexpected(database.error());
+    std::optional<SessionSource> source;
+    const bool read = (*database)->query(QStringLiteral("SELECT json FROM source"), {},
+                          [&source](const QSqlQuery& answer) {
+                              source = SessionSource::fromJson(parsed(answer.value(0).toString()));
+                              return true;
+                          })
+        // Ids run without gaps; counting would read every row.
+        && (*database)->query(
+            QStringLiteral("SELECT MAX(id) FROM row"), {}, [&preview](const QSqlQuery& answer) {
+                preview.steps = answer.value(0).toLongLong();
+                return true;
+            });
+    if (!read || !source)
+        return failure(ErrorCode::SessionDamaged, path,
+            read ? QStringLiteral("it does not say what it was made on") : (*database)->reason());
+    preview.source = *std::move(source);
+    return preview;
+}
+
+} // namespace core

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
+#include "core/session/SessionSalvage.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SessionFiles.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace core;
+
+/// What comes before the damage opens, the rest is named, and the file keeps its bytes.
+class SessionDamageTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+    QString m_target;
+    QTemporaryDir m_pattern; ///< holds the session that tests copy
+    SessionContents m_sound; ///< of that
+    QByteArray m_bytes;
+
+    QStringList filesIn() const { return QDir(m_folder->path()).entryList(QDir::Files); }
+
+    /// Whether @p rows are those that the whole session begins with.
+    bool isBeginning(const std::vector<HistoryRow>& rows) const
+    {
+        bool same = rows.size() <= m_sound.rows.size();
+        for (std::size_t i = 0; same && i < rows.size(); ++i) {
+            const HistoryRow& row = rows[i];
+            const HistoryRow& whole = m_sound.rows[i];
+            same = row.parent == whole.parent && row.name == whole.name
+                && editToJson(row.edit) == editToJson(whole.edit)
+                && row.stateHash == whole.stateHash;
+        }
+        return same;
+    }
+
+    /// Salvages, opens what came of it, walks to every row and goes on.
+    void salvageAndGoOn(const SessionContents& contents, bool everywhere = true)
+    {
+        const Result<void> salvaged = salvageSession(m_path, contents, m_target);
+        QVERIFY2(
+            salvaged, qPrintable(salvaged ? QString() : salvaged.error().arguments.join(u' ')));
+        QCOMPARE(filesIn(), (QStringList{QStringLiteral("a.burin"), QStringLiteral("b.burin")}));
+        reference::ReferenceEngine engine;
+        const auto session = EditSession::open(engine, test::smallStudy(), m_target);
+        QVERIFY2(session, qPrintable(session ? QString() : session.error().arguments.join(u' ')));
+        const History& history = (*session)->history();
+        QVERIFY(isBeginning(history.rows()));
+        QCOMPARE(history.rows().size(), contents.rows.size());
+        QCOMPARE(history.position(), contents.position);
+        for (const HistoryRow& row : m_sound.rows) {
+            if (row.id > RowId(history.rows().size()) || !everywhere)
+                break;
+            QVERIFY((*session)->goTo(row.id));
+            QVERIFY((*session)->settle());
+            QCOMPARE((*session)->stateHash(), row.stateHash);
+        }
+        QVERIFY((*session)->apply(test::drillAt(2.5)));
+        QVERIFY((*session)->settle());
+        QCOMPARE(history.rows().size(), contents.rows.size() + 1);
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const QString path = m_pattern.filePath(QStringLiteral("a.burin"));
+        QVERIFY(!test::makeSession(path).isEmpty());
+        const Result<SessionContents> contents = checkSession(path);
+        QVERIFY(contents);
+        QVERIFY(!contents->damage);
+        m_sound = *contents;
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        m_bytes = file.readAll();
+    }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath(QStringLiteral("a.burin"));
+        m_target = m_folder->filePath(QStringLiteral("b.burin"));
+        QVERIFY(QFile::copy(m_pattern.filePath(QStringLiteral("a.burin")), m_path));
+    }
+
+    void rowsBeforeTheDamageOpen_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<int>("row");
+        QTest::addColumn<QString>("text");
+        const auto row = [](const char* name, int first, const char* sql, const QString& text) {
+            QTest::newRow(name) << QString(QLatin1String(sql)) << first << text;
+        };
+        row("an edit", 5,
+            "UPDATE row SET edit=replace(edit,'\"depthMm\":5','\"depthMm\":6') WHERE id=5",
+            QStringLiteral(
+                "row 5 '%5' and the %after after it cannot be read: it was changed after it "
+                "was written"));
+        row("a name", 3, "UPDATE row SET name='Nothing' WHERE id=3",
+            QStringLiteral(
+                "row 3 'Nothing' and the %after after it cannot be read: it was changed"));
+        // Row 11 goes on from row 4, but it stands behind row 6.
+        row("a parent", 6, "UPDATE row SET parent=1 WHERE id=6",
+            QStringLiteral("row 6 '%6' and the %after after it cannot be read: it was changed"));
+        row("a state hash", 4,
+            "UPDATE row SET stateHash=(SELECT stateHash FROM row WHERE id=2) WHERE id=4",
+            QStringLiteral(
+                "row 4 '%4' and the %after after it cannot be read: its hash was changed"));
+        row("a seal", 11, "UPDATE row SET seal=replace(seal,'0','1') WHERE id=11",
+            QStringLiteral("row 11 '%11' and the %after after it cannot be read: its hash"));
+        row("a difference", 7, "UPDATE delta SET bytes=zeroblob(20) WHERE row=7",
+            QStringLiteral("row 7 '%7' and the %after after it cannot be read: its difference"));
+        row("a difference gone", 12, "DELETE FROM delta WHERE row=12",
+            QStringLiteral(
+                "row 12 '%12' and the one after it cannot be read: its difference was changed"));
+        row("a row gone", 8, "DELETE FROM row WHERE id=8",
+            QStringLiteral("row 8 and the %after after it cannot be read: it is missing"));
+        row("two of them", 4, "UPDATE delta SET bytes=zeroblob(20) WHERE row=4 OR row=9",
+            QStringLiteral("row 4 '%4' and the %after after it cannot be read: its difference"));
+        row("the position", 0, "UPDATE state SET value=99 WHERE key='position'",
+            QStringLiteral("where it stood cannot be read: its position is no row"));
+        row("where redo goes", 0, "UPDATE visited SET child=99 WHERE parent=4",
+            QStringLiteral("where it stood cannot be read"));
+    }
+    void rowsBeforeTheDamageOpen()
+    {
+        QFETCH(QString, sql);
+        QFETCH(int, row);
+        QFETCH(QString, text);
+        QVERIFY(test::runSql(m_path, sql));
+        const auto count = int(m_sound.rows.size());
+        text.replace(QStringLiteral("%after"), QString::number(count - row));
+        for (int id = count; id > 0; --id)
+            text.replace(QStringLiteral("%%1").arg(id), m_sound.rows[std::size_t(id - 1)].name);
+        const QByteArray before = test::fingerprint(m_path);
+        const Result<SessionContents> contents = checkSession(m_path);
+        QVERIFY(contents);
+        QVERIFY(contents->damage);
+        QVERIFY2(contents->damage->text().startsWith(text), qPrintable(contents->damage->text()));
+        QCOMPARE(contents->rows.size(), row == 0 ? m_sound.rows.size() : std::size_t(row - 1));
+        const RowId lost = row == 0 ? count + 1 : row;
+        if (QByteArray(QTest::currentDataTag()) != "the position")
+            QCOMPARE(contents->position, m_sound.position < lost ? m_sound.position : lost - 1);
+        salvageAndGoOn(*contents);
+        QCOMPARE(test::fingerprint(m_path), before);
+    }
+
+    void chainAndDifferenceDamagedCountTogether()
+    {
+        QVERIFY(test::runSql(m_path, QStringLiteral("UPDATE row SET name='X' WHERE id=9")));
+        QVERIFY(test::runSql(m_path, QStringLiteral("DELETE FROM delta WHERE row=5")));
+        const Result<SessionContents> contents = checkSession(m_path);
+        QVERIFY(contents && contents->damage);
+        QCOMPARE(contents->damage->row, RowId(5));
+        QCOMPARE(contents->damage->after, std::int64_t(m_sound.rows.size()) - 5);
+    }
+
+    void whatHasNothingSoundIsRefused_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::newRow("source") << QStringLiteral(
+            "UPDATE source SET json=replace(json,'nowhere','elsewhere')");
+        QTest::newRow("no source") << QStringLiteral("DELETE FROM source");
+        QTest::newRow("first row") << QStringLiteral("UPDATE row SET name='X' WHERE id=1");
+    }
+    void whatHasNothingSoundIsRefused()
+    {
+        QFETCH(QString, sql);
+        QVERIFY(test::runSql(m_path, sql));
+        const QByteArray before = test::fingerprint(m_path);
+        const Result<SessionContents> contents = checkSession(m_path);
+        QVERIFY(!contents);
+        QCOMPARE(contents.error().code, ErrorCode::SessionDamaged);
+        QCOMPARE(contents.error().arguments.value(0), m_path);
+        QCOMPARE(test::fingerprint(m_path), before);
+    }
+
+    /// Real damage: bytes of the file itself, wherever they lie.
+    void anyByteMayBeDamaged()
+    {
+        test::Random random(20261121);
+        int cut = 0;
+        int refused = 0;
+        for (int round = 0; round < (test::longRun() ? 600 : 40); ++round) {
+            QByteArray bytes = m_bytes;
+            const int length = test::randomInt(random, 0, 2) == 0 ? 1 : 300;
+            const int start = test::randomInt(random, 0, int(bytes.size()) - length);
+            for (int i = 0; i < length; ++i)
+                bytes[start + i] = char(bytes[start + i] ^ test::randomInt(random, 1, 255));
+            QFile file(m_path);
+            QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            QCOMPARE(file.write(bytes), qint64(bytes.size()));
+            file.close();
+            const Result<SessionContents> contents = checkSession(m_path);
+            if (!contents) {
+                ++refused;
+            } else {
+                QVERIFY2(isBeginning(contents->rows), qPrintable(QString::number(start)));
+                QVERIFY(contents->damage || contents->rows.size() == m_sound.rows.size());
+                cut += contents->damage ? 1 : 0;
+                salvageAndGoOn(*contents, round % 8 == 0);
+                if (QTest::currentTestFailed())
+                    return;
+                QVERIFY(QFile::remove(m_target));
+            }
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QVERIFY(file.readAll() == bytes);
+        }
+        QVERIFY2(
+            cut > 8 && refused < 30, qPrintable(QStringLiteral("%1 %2").arg(cut).arg(refused)));
+    }
+
+    void aFileCutShortOpensToWhereItEnds()
+    {
+        QFile file(m_path);
+        QVERIFY(file.resize(m_bytes.size() * 3 / 4));
+        const QByteArray before = test::fingerprint(m_path);
+        const Result<SessionContents> contents = checkSession(m_path);
+        if (contents) {
+            QVERIFY(contents->damage);
+            QVERIFY(isBeginning(contents->rows));
+        } else {
+            QCOMPARE(contents.error().code, ErrorCode::SessionDamaged);
+        }
+        QCOMPARE(test::fingerprint(m_path), before);
+    }
+
+    void aFileThatIsThereIsNotReplaced()
+    {
+        QVERIFY(test::runSql(m_path, QStringLiteral("DELETE FROM delta WHERE row=5")));
+        const Result<SessionContents> contents = checkSession(m_path);
+        QVERIFY(QFile::copy(m_path, m_target));
+        const QByteArray before = test::fingerprint(m_target);
+        QCOMPARE(salvageSession(m_path, *contents, m_target).error().code, ErrorCode::FileExists);
+        QCOMPARE(test::fingerprint(m_target), before);
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionDamageTest)
+#include "SessionDamageTest.moc"

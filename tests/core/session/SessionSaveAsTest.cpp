@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
+#include "core/session/SessionUse.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/SessionFiles.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <future>
+
+using namespace core;
+
+namespace {
+
+Result<void> saveAs(EditSession& session, const QString& target, bool replaceExisting = false)
+{
+    std::promise<Result<void>> promise;
+    session.saveAs(target, replaceExisting,
+        [&promise](const Result<void>& result) { promise.set_value(result); });
+    return promise.get_future().get();
+}
+
+} // namespace
+
+/// A session goes on in a copy; and sessions that are only looked at.
+class SessionSaveAsTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+    QString m_target;
+    QTemporaryDir m_pattern; ///< holds the session that tests copy
+    std::size_t m_rows = 0; ///< of that
+
+    QStringList filesIn() const
+    {
+        return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden);
+    }
+    std::unique_ptr<EditSession> open(reference::ReferenceEngine& engine, const QString& path) const
+    {
+        auto session = EditSession::open(engine, test::smallStudy(), path);
+        if (!session)
+            qFatal("%s", qPrintable(session.error().arguments.join(u' ')));
+        session->get()->setErrorListener([](const Error&) {});
+        return *std::move(session);
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const QString path = m_pattern.filePath(QStringLiteral("a.burin"));
+        QVERIFY(!test::makeSession(path).isEmpty());
+        m_rows = (*SessionFile::open(path, SessionFile::Access::ReadOnly))->contents().rows.size();
+    }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath(QStringLiteral("a.burin"));
+        m_target = m_folder->filePath(QStringLiteral("b.burin"));
+        QVERIFY(QFile::copy(m_pattern.filePath(QStringLiteral("a.burin")), m_path));
+    }
+
+    void goesOnInTheCopy()
+    {
+        reference::ReferenceEngine engine;
+        QByteArray afterSaving;
+        {
+            const auto session = open(engine, m_path);
+            QVERIFY(session->apply(test::drillAt(3)));
+            QVERIFY(saveAs(*session, m_target)); // with the row still on its way
+            QCOMPARE(session->file(), m_target);
+            QVERIFY(!isSessionInUse(m_path));
+            QVERIFY(isSessionInUse(m_target));
+            QVERIFY(session->apply(test::drillAt(5)));
+            QVERIFY(session->settle());
+            afterSaving = session->stateHash();
+            // What lies in the copy only comes from there.
+            QVERIFY(session->goTo(2));
+            QVERIFY(session->goTo(RowId(m_rows + 2)));
+            QVERIFY(session->settle());
+            QCOMPARE(session->stateHash(), afterSaving);
+        }
+        QCOMPARE(filesIn(), (QStringList{QStringLiteral("a.burin"), QStringLiteral("b.burin")}));
+        QCOMPARE(QFile::permissions(m_target)
+                & (QFileDevice::ReadGroup | QFileDevice::ReadOther | QFileDevice::WriteGroup
+                    | QFileDevice::WriteOther),
+            QFileDevice::Permissions());
+        const auto before = open(engine, m_path);
+        QVERIFY(before->history().rows().size() - m_rows <= 1);
+        reference::ReferenceEngine other;
+        const auto after = open(other, m_target);
+        QCOMPARE(after->history().rows().size(), m_rows + 2);
+        QCOMPARE(after->stateHash(), afterSaving);
+        QVERIFY(!after->document().segment(2)->visible);
+    }
+
+    void otherFilesAreReplacedOnlyWhenTold()
+    {
+        reference::ReferenceEngine engine;
+        const auto session = open(engine, m_path);
+        QFile other(m_target);
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write("mine");
+        other.close();
+        const QByteArray before = test::fingerprint(m_target);
+        QCOMPARE(saveAs(*session, m_target).error().code, ErrorCode::FileExists);
+        QCOMPARE(test::fingerprint(m_target), before);
+        QCOMPARE(session->file(), m_path);
+        QVERIFY(saveAs(*session, m_target, true));
+        QCOMPARE(session->file(), m_target);
+        QCOMPARE(saveAs(*session, m_target, true).error().code, ErrorCode::FileUnwritable);
+    }
+
+    void aSessionOfAnotherWindowIsNotReplaced()
+    {
+        reference::ReferenceEngine engine;
+        const auto session = open(engine, m_path);
+        QVERIFY(QFile::copy(m_pattern.filePath(QStringLiteral("a.burin")), m_target));
+        const QByteArray before = test::fingerprint(m_target);
+        {
+            const test::OtherWindow window(m_target);
+            const Result<void> saved = saveAs(*session, m_target, true);
+            QCOMPARE(saved.error().code, ErrorCode::FileUnwritable);
+            QVERIFY(saved.error().arguments.value(1).contains(QStringLiteral("another window")));
+        }
+        // Nor one whose last steps still lie beside it.
+        QFile beside(m_target + QStringLiteral("-wal"));
+        QVERIFY(beside.open(QIODevice::WriteOnly));
+        beside.write("steps");
+        beside.close();
+        QCOMPARE(saveAs(*session, m_target, true).error().code, ErrorCode::FileUnwritable);
+        QCOMPARE(test::fingerprint(m_target), before);
+        QCOMPARE(session->file(), m_path);
+    }
+
+    void aFullDiskChangesNothing()
+    {
+        reference::ReferenceEngine engine;
+        const auto session = open(engine, m_path);
+        const QStringList files = filesIn();
+        {
+            const test::FileSizeLimit limit(20000);
+            const Result<void> saved = saveAs(*session, m_target);
+            QVERIFY(!saved);
+            QCOMPARE(saved.error().code, ErrorCode::FileUnwritable);
+            QCOMPARE(saved.error().arguments.value(0), m_target);
+        }
+        QCOMPARE(filesIn(), files);
+        QCOMPARE(session->file(), m_path);
+        const Result<void> nowhere =
+            saveAs(*session, m_folder->filePath(QStringLiteral("no/such/b.burin")));
+        QCOMPARE(nowhere.error().code, ErrorCode::FileUnwritable);
+        QVERIFY(session->apply(test::drillAt(3)));
+        QVERIFY(session->settle());
+        QCOMPARE(session->stateHash(), session->history().rows().back().stateHash);
+    }
+
+    /// Steps that the session's own disk has no room for are saved with it to another place.
+    void stepsThatWaitAreSavedToo()
+    {
+        reference::ReferenceEngine engine;
+        QByteArray hash;
+        {
+            const auto session = open(engine, m_path);
+            // What is written is written anew, beside the file, until it is closed.
+            const QString beside = m_path + QStringLiteral("-wal");
+            for (int i = 0; QFileInfo(beside).size() < 2 * QFileInfo(m_path).size(); ++i) {
+                session->setSegmentVisible(1, i % 2 == 1);
+                QVERIFY(session->settle());
+            }
+            const test::FileSizeLimit limit(rlim_t(QFileInfo(beside).size()));
+            QVERIFY(session->apply(test::drillAt(3)));
+            QVERIFY(!session->settle());
+            QVERIFY(session->diskTrouble());
+            hash = session->stateHash();
+            const Result<void> saved = saveAs(*session, m_target);
+            QVERIFY2(saved, qPrintable(saved ? QString() : saved.error().arguments.join(u' ')));
+            QVERIFY(!session->diskTrouble());
+            QVERIFY(session->settle());
+        }
+        reference::ReferenceEngine other;
+        const auto after = open(other, m_target);
+        QCOMPARE(after->history().rows().size(), m_rows + 1);
+        QCOMPARE(after->stateHash(), hash);
+    }
+
+    void aViewRefusesEditsAndLeavesTheFile_data()
+    {
+        QTest::addColumn<bool>("unfinished");
+        QTest::newRow("closed") << false;
+        QTest::newRow("in use, with steps beside it") << true;
+    }
+    void aViewRefusesEditsAndLeavesTheFile()
+    {
+        QFETCH(bool, unfinished);
+        std::size_t rows = m_rows;
+        if (unfinished) {
+            // As another window leaves it while it works: its last steps lie beside.
+            reference::ReferenceEngine engine;
+            const auto session = open(engine, m_path);
+            QVERIFY(session->apply(test::drillAt(3)));
+            QVERIFY(session->settle());
+            for (const char* suffix : {"", "-wal"})
+                QVERIFY(
+                    QFile::copy(m_path + QLatin1String(suffix), m_target + QLatin1String(suffix)));
+            ++rows;
+        } else {
+            QVERIFY(QFile::copy(m_path, m_target));
+        }
+        const QByteArray before = test::fingerprint(m_target);
+        const QStringList files = filesIn();
+        const test::OtherWindow window(m_target);
+        QVERIFY(isSessionInUse(m_target));
+        reference::ReferenceEngine engine;
+        QCOMPARE(EditSession::open(engine, test::smallStudy(), m_target).error().code,
+            ErrorCode::FileUnreadable);
+        const auto viewed = EditSession::view(
+            engine, test::smallStudy(), m_target, QStringLiteral("open in another window"));
+        QVERIFY2(viewed, qPrintable(viewed ? QString() : viewed.error().arguments.join(u' ')));
+        EditSession& session = **viewed;
+        QCOMPARE(session.file(), m_target);
+        QCOMPARE(session.whyReadOnly(), QStringLiteral("open in another window"));
+        QCOMPARE(session.history().rows().size(), rows);
+        DrillStroke stroke = test::drillAt(0);
+        QCOMPARE(session.apply(stroke).error().code, ErrorCode::SessionReadOnly);
+        stroke.samples.clear();
+        QCOMPARE(session.begin(stroke).error().code, ErrorCode::SessionReadOnly);
+        QCOMPARE(session.begin(stroke).error().arguments,
+            (QStringList{m_target, QStringLiteral("open in another window")}));
+        for (const RowId row : {RowId(0), RowId(10), RowId(12)}) {
+            QVERIFY(session.goTo(row));
+            QVERIFY(session.settle());
+            QCOMPARE(session.history().position(), row);
+        }
+        session.setSegmentVisible(1, false);
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().rows().size(), rows);
+        QCOMPARE(test::fingerprint(m_target), before);
+        QCOMPARE(filesIn(), files);
+
+        const QString own = m_folder->filePath(QStringLiteral("own.burin"));
+        QVERIFY(saveAs(session, own));
+        QVERIFY(session.whyReadOnly().isEmpty());
+        QVERIFY(session.apply(test::drillAt(-4)));
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().rows().size(), rows + 1);
+        QCOMPARE(test::fingerprint(m_target), before);
+        const auto file = SessionFile::open(m_target, SessionFile::Access::ReadOnly);
+        QCOMPARE((*file)->contents().rows.size(), rows);
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionSaveAsTest)
+#include "SessionSaveAsTest.moc"
