@@ -118,6 +118,8 @@ private Q_SLOTS:
         QTest::addColumn<int>("steps");
         for (const int steps : {1, 9, 10, 11, 12, 13, 200})
             QTest::addRow("%d", steps) << steps;
+        if (qEnvironmentVariableIsSet("BURIN_LONG"))
+            QTest::addRow("%d", 10000) << 10000;
     }
     void noRowIsCut()
     {
