@@ -68,8 +68,10 @@ int runHistory(const QStringList& words)
     if (!target.isEmpty() && !ui::auditNameProblem(target).isEmpty())
         return tellUsage("history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
-    const core::Result<std::unique_ptr<core::SessionFile>> file =
-        core::SessionFile::open(arguments.rest().first(), core::SessionFile::Access::ReadOnly);
+    // A report also tells of a damaged session what is left of it.
+    using Access = core::SessionFile::Access;
+    const core::Result<std::unique_ptr<core::SessionFile>> file = core::SessionFile::open(
+        arguments.rest().first(), target.isEmpty() ? Access::ReadOnly : Access::SoundPart);
     if (!file)
         return tellFailure(file.error());
     if (!target.isEmpty())

@@ -43,6 +43,19 @@ QString stepsText(std::int64_t steps)
     return steps == 1 ? SessionOffers::tr("1 step") : SessionOffers::tr("%1 steps").arg(steps);
 }
 
+constexpr QSize thumbnailSize{64, 48};
+
+QPixmap thumbnail(const QByteArray& png, double pixelRatio)
+{
+    const QImage whole = QImage::fromData(png, "PNG");
+    if (whole.isNull())
+        return {};
+    QPixmap small = QPixmap::fromImage(
+        whole.scaled(thumbnailSize * pixelRatio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    small.setDevicePixelRatio(pixelRatio);
+    return small;
+}
+
 /// One line that is cut where there is no room for it.
 class Line : public QLabel {
 public:
@@ -166,6 +179,17 @@ QWidget* SessionOffers::card(const core::SessionPreview& preview)
     auto* row = new QHBoxLayout(frame);
     row->setContentsMargins(theme::padding, 8, 8, 8);
     row->setSpacing(theme::smallPadding);
+    if (const QPixmap picture = thumbnail(preview.thumbnail, devicePixelRatioF());
+        !picture.isNull()) {
+        auto* label = new QLabel(frame);
+        label->setObjectName(QStringLiteral("sessionThumbnail"));
+        label->setPixmap(picture);
+        label->setFixedSize(thumbnailSize);
+        label->setAlignment(Qt::AlignCenter);
+        label->setStyleSheet(QStringLiteral("background: %1").arg(theme::picture.name()));
+        row->addWidget(label);
+        row->addSpacing(theme::smallPadding);
+    }
     auto* words = new QVBoxLayout;
     words->setSpacing(2);
     words->addWidget(new Line(studyText(preview), theme::bodyFont(), theme::text, frame));

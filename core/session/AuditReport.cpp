@@ -64,6 +64,8 @@ Result<AuditReport> auditReport(SessionTables& tables, const QString& path)
         .keyframes = std::move(contents->keyframes),
         .chainEnd = contents->chainEnd,
         .made = presentOrigin()};
+    if (contents->damage)
+        report.damage.push_back({ErrorCode::SessionDamaged, {path, contents->damage->text()}});
     for (const HistoryRow& row : history.rows()) {
         if (row.stateHash.isEmpty())
             continue;

@@ -37,12 +37,13 @@ struct AuditReport {
     std::vector<Keyframe> keyframes; ///< by row, with their pictures
     QString chainEnd; ///< hex; covers the source and every row
     int sealed = 0; ///< rows whose second half is there and whose difference has its hash
-    std::vector<Error> damage; ///< differences that do not
+    std::vector<Error> damage; ///< differences that do not, and what follows the last sound row
     RowOrigin made; ///< of the report
 };
 
-/// Reads all of a session; the report says so where differences are damaged. Belongs to the thread
-/// of @p tables. Cost: reads the file once. Errors: SessionDamaged where rows themselves are.
+/// Reads all of a session; the report says so where it is damaged. Belongs to the thread of
+/// @p tables. Cost: reads the file once. Errors: SessionDamaged where it does not even say what it
+/// was made on.
 [[nodiscard]] Result<AuditReport> auditReport(SessionTables& tables, const QString& path);
 
 } // namespace core

@@ -56,6 +56,13 @@ Result<SessionPreview> previewSession(const QString& path)
         return failure(ErrorCode::SessionDamaged, path,
             read ? QStringLiteral("it does not say what it was made on") : (*database)->reason());
     preview.source = *std::move(source);
+    if ((*database)->version() >= 2)
+        // A picture that cannot be read is one that is not there.
+        (*database)->query(QStringLiteral("SELECT png FROM keyframe ORDER BY at DESC LIMIT 1"), {},
+            [&preview](const QSqlQuery& answer) {
+                preview.thumbnail = answer.value(0).toByteArray();
+                return true;
+            });
     return preview;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/session/SessionSource.h"
 
+#include <QByteArray>
 #include <QDateTime>
 #include <QString>
 
@@ -23,6 +24,7 @@ struct SessionPreview {
     Condition condition = Condition::Closed;
     SessionSource source;
     std::int64_t steps = 0; ///< rows of its history
+    QByteArray thumbnail; ///< PNG: its newest keyframe; empty if it has none
 };
 
 /// Reads no row and checks no chain; touches neither the file nor its folder. Any thread.

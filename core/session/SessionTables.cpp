@@ -76,8 +76,6 @@ Result<SessionContents> SessionTables::readAgain()
     const std::vector<QString> chains = m_chains;
     Result<SessionContents> contents = read();
     m_chains = chains;
-    if (contents && contents->damage)
-        return failure(ErrorCode::SessionDamaged, m_path, contents->damage->text());
     return contents;
 }
 

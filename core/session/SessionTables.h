@@ -21,7 +21,7 @@ public:
     [[nodiscard]] Result<void> create(const SessionSource& source);
     /// Errors: those of SessionFile::open().
     [[nodiscard]] Result<SessionContents> open(SessionAccess access);
-    /// What an open file holds now, with every hash of the rows checked anew.
+    /// What an open file holds now, with every hash of the rows checked anew; damage is told.
     [[nodiscard]] Result<SessionContents> readAgain();
     /// All of it into a file that is empty or not there yet.
     [[nodiscard]] Result<void> copyInto(const QString& path);

@@ -8,8 +8,10 @@
 #include "ui/SessionOffers.h"
 #include "ui/StartPage.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -198,6 +200,33 @@ private Q_SLOTS:
         QSignalSpy asked(&offers, &ui::SessionOffers::openAsked);
         buttons(offers, "Open").at(1)->click();
         QCOMPARE(asked.value(0).value(0).toString(), path(QStringLiteral("1.burin")));
+    }
+
+    void showsTheNewestPicture()
+    {
+        QImage image(256, 170, QImage::Format_RGB888);
+        image.fill(QColor(10, 200, 30));
+        QByteArray png;
+        QBuffer buffer(&png);
+        QVERIFY(buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG"));
+        write("Without", 2, 3);
+        {
+            reference::ReferenceEngine engine;
+            const auto session = *core::EditSession::create(
+                engine, test::smallStudy(), {.file = path(QStringLiteral("with.burin"))});
+            QVERIFY(session->apply(test::addSegment("A")));
+            session->addKeyframe(1, png);
+            QVERIFY(session->settle());
+        }
+        ui::SessionOffers offers;
+        QSignalSpy changed(&offers, &ui::SessionOffers::changed);
+        offers.showFolder(m_folder->path());
+        QVERIFY(changed.wait(patience));
+        QCOMPARE(offers.count(), 2);
+        const auto shown = offers.findChildren<QLabel*>(QStringLiteral("sessionThumbnail"));
+        QCOMPARE(shown.size(), 1);
+        const QImage small = shown.first()->pixmap().toImage();
+        QCOMPARE(small.pixelColor(small.rect().center()), QColor(10, 200, 30));
     }
 
     void discardsAfterAQuestion()

@@ -2,7 +2,6 @@
 #include "ui/report/AuditTexts.h"
 
 #include "ui/CountText.h"
-#include "ui/ErrorText.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -71,7 +70,10 @@ std::vector<AuditTexts::Fact> studyFacts(const core::SessionSource& source)
     const auto spacing = [&matrix](int axis) {
         return QString::number(glm::length(glm::dvec3(matrix[axis])), 'g', 4);
     };
+    QStringList series{source.seriesDescription, source.modality, source.studyDate};
+    series.removeAll(QString());
     return {
+        {tr("Series"), known(series.join(QStringLiteral(" · ")))},
         {tr("Study UID"), known(source.studyUid)},
         {tr("Series UID"), known(source.seriesUid)},
         {tr("Size"),
@@ -161,13 +163,15 @@ QString explanationText(const core::AuditReport& report)
                     "recorded.")
                      .arg(countText(report.sealed),
                          rows == 1 ? tr("1 step is") : tr("%1 steps are").arg(countText(rows)));
-    const qlonglong open = rows - report.sealed - qlonglong(report.damage.size());
+    const auto open = qlonglong(std::count_if(report.steps.begin(), report.steps.end(),
+        [](const core::AuditStep& step) { return step.row.stateHash.isEmpty(); }));
     if (open > 0)
         sentences += tr("%1 written down but not finished when the session was left; it is carried "
                         "out again when the session is opened.")
                          .arg(open == 1 ? tr("1 step was") : tr("%1 steps were").arg(open));
+    // Where the file lies is nobody's business here: folders are named after patients.
     for (const core::Error& error : report.damage)
-        sentences += errorText(error) + u'.';
+        sentences += tr("Damaged: %1.").arg(error.arguments.value(1));
     return sentences.join(u' ');
 }
 

@@ -39,6 +39,12 @@ private Q_SLOTS:
             QVERIFY(session->apply(test::drillAt(2.0 * i - 4.0)));
         QVERIFY(session->settle());
         QVERIFY(session->undo());
+        session->setOrigin([at = QDateTime::currentDateTimeUtc()]() mutable {
+            at = at.addSecs(1);
+            return RowOrigin{.at = at, .author = {}, .program = {}};
+        });
+        session->addKeyframe(5, "older");
+        session->addKeyframe(3, "newest");
         QVERIFY(session->settle());
 
         // As it lies there after a crash.
@@ -57,6 +63,7 @@ private Q_SLOTS:
             QCOMPARE(preview->file, each);
             QCOMPARE(preview->condition, each == file ? Condition::Closed : Condition::Unfinished);
             QCOMPARE(preview->steps, std::int64_t(5));
+            QCOMPARE(preview->thumbnail, QByteArray("newest"));
             QCOMPARE(preview->source.seriesDescription, QStringLiteral("Bone 1.0"));
             QCOMPARE(preview->source.modality, QStringLiteral("CT"));
             QCOMPARE(preview->source.studyDate, QStringLiteral("2026-11-20"));
@@ -72,6 +79,18 @@ private Q_SLOTS:
 
         const test::OtherWindow window(file);
         QCOMPARE(previewSession(file)->condition, Condition::InUse);
+    }
+
+    void olderSessionsHaveNoThumbnail()
+    {
+        const QString file = path("old.burin");
+        QVERIFY(QFile::copy(
+            QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin"),
+            file));
+        const Result<SessionPreview> preview = previewSession(file);
+        QVERIFY(preview);
+        QCOMPARE(preview->steps, std::int64_t(13));
+        QCOMPARE(preview->thumbnail, QByteArray());
     }
 
     void whatIsNoSessionIsNotOffered()

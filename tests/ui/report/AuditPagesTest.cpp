@@ -185,12 +185,15 @@ private Q_SLOTS:
         QCOMPARE(texts.steps[2].who, QStringLiteral("—"));
         QVERIFY(texts.sound);
 
-        report.damage = {{ErrorCode::SessionDamaged, {report.file, QStringLiteral("row 3: gone")}}};
+        report.damage = {{ErrorCode::SessionDamaged,
+            {QStringLiteral("/home/Doe^Jane/a.burin"), QStringLiteral("row 3: gone")}}};
         report.sealed = 3;
         const AuditTexts damaged = AuditTexts::of(report);
         QVERIFY(!damaged.sound);
         QVERIFY(damaged.explanation.contains(QStringLiteral("row 3: gone")));
+        QVERIFY(!damaged.explanation.contains(QStringLiteral("Jane")));
         report.damage.clear();
+        report.steps.back().row.stateHash.clear();
         QVERIFY(AuditTexts::of(report).explanation.contains(QStringLiteral("not finished")));
 
         report.steps.front().row.origin = {};
