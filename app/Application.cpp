@@ -122,13 +122,13 @@ void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, c
 {
     const QString file = sessionFile(loaded->volume);
     const QString series = loaded->volume.identity.seriesUid;
-    core::Result<void> begun;
-    if (QFileInfo::exists(file)) {
-        const auto plan = core::checkSession(file).and_then(
-            [&file](const core::SessionContents& contents) { return planFor(file, contents); });
-        begun = plan ? goOn(std::move(*loaded), *plan)
-                     : core::Result<void>(tl::unexpected(plan.error()));
-    } else {
+    // The study may be the open one: its session is closed before it is looked into.
+    core::Result<void> begun = makeRoom();
+    if (begun && QFileInfo::exists(file)) {
+        const auto contents = core::checkSession(file);
+        begun = contents ? goOn(std::move(*loaded), file, *contents)
+                         : core::Result<void>(tl::unexpected(contents.error()));
+    } else if (begun) {
         begun = begin(std::move(*loaded), file);
     }
     if (begun)
@@ -140,27 +140,24 @@ void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, c
 void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
     const QString& file, const std::shared_ptr<const core::SessionContents>& contents)
 {
-    const auto plan = planFor(file, *contents);
-    const auto begun =
-        plan ? goOn(std::move(*loaded), *plan) : core::Result<void>(tl::unexpected(plan.error()));
+    const auto begun = goOn(std::move(*loaded), file, *contents);
     if (!begun)
         tell(begun.error());
-    else if (!isWorkingSession(file))
-        ui::RecentStudies::add(plan->file);
+    else if (!isWorkingSession(m_sessionFile))
+        ui::RecentStudies::add(m_sessionFile);
 }
 
 core::Result<void> Application::makeRoom()
 {
     if (!ui::mayLoseUnwrittenSteps(*m_workspace, *m_window))
         return core::failure(core::ErrorCode::Cancelled);
-    m_workspace->setSession(nullptr);
+    if (m_workspace->session())
+        m_workspace->setSession(nullptr);
     return {};
 }
 
 core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& newFile)
 {
-    if (const auto free = makeRoom(); !free)
-        return free;
     m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
     auto session = core::EditSession::create(
         m_engine->edits(), std::move(loaded), {.file = newFile, .wakeUp = [this] { wake(); }});
@@ -172,31 +169,52 @@ core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& 
     return {};
 }
 
-core::Result<void> Application::goOn(core::LoadedVolume loaded, const SessionPlan& plan)
+core::Result<std::unique_ptr<core::EditSession>> Application::opened(
+    core::LoadedVolume loaded, const SessionPlan& plan)
 {
-    if (const auto free = makeRoom(); !free) {
-        if (plan.isNew)
-            QFile::remove(plan.file);
-        return free;
-    }
     const auto wakeUp = [this] { wake(); };
     m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
-    auto session = plan.whyReadOnly.isEmpty()
-        ? core::EditSession::open(m_engine->edits(), std::move(loaded), plan.file, wakeUp)
-        : core::EditSession::view(
+    if (!plan.whyReadOnly.isEmpty())
+        return core::EditSession::view(
             m_engine->edits(), std::move(loaded), plan.file, plan.whyReadOnly, wakeUp);
+    auto session = core::EditSession::open(m_engine->edits(), std::move(loaded), plan.file, wakeUp);
+    for (const auto& [row, hash] : plan.redo) {
+        if (session && (*session)->history().row(row).stateHash != hash)
+            return core::failure(core::ErrorCode::SessionDamaged, plan.damaged);
+    }
+    return session;
+}
+
+core::Result<void> Application::goOn(
+    core::LoadedVolume loaded, const QString& file, const core::SessionContents& contents)
+{
+    if (const auto free = makeRoom(); !free)
+        return free;
+    const auto plan = planFor(file, contents, !m_notRedone.contains(file));
+    if (!plan)
+        return tl::unexpected(plan.error());
+    auto session = opened(std::move(loaded), *plan);
+    if (!session && !plan->redo.empty()) {
+        withdraw(*plan, file);
+        m_notRedone.insert(file);
+        m_window->opener().openSession(file);
+        return core::failure(core::ErrorCode::Cancelled);
+    }
     if (!session)
         return tl::unexpected(session.error());
     const std::size_t steps = (*session)->history().rows().size();
-    m_sessionFile = plan.file;
-    m_rowsAtFirst = plan.isNew ? std::optional(steps) : std::nullopt;
+    m_sessionFile = plan->file;
+    m_rowsAtFirst = plan->isNew ? std::optional(steps) : std::nullopt;
     m_workspace->setSession(std::move(*session));
-    if (plan.damage) {
-        m_workspace->fail(*plan.damage);
-    } else if (!plan.whyReadOnly.isEmpty()) {
+    const bool nothingLost = !plan->redo.empty() && !contents.damage;
+    if (nothingLost) {
+        m_window->messages().show(ui::MessageBar::Kind::Caution, ui::errorText(*plan->damage));
+    } else if (plan->damage) {
+        m_workspace->fail(*plan->damage);
+    } else if (!plan->whyReadOnly.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("%1 is %2. Here it can be looked at, not edited.")
-                .arg(QFileInfo(plan.file).fileName(), plan.whyReadOnly),
+                .arg(QFileInfo(file).fileName(), plan->whyReadOnly),
             QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
     } else if (steps > 0) {
         m_workspace->say(

@@ -5,14 +5,16 @@
 #include "core/base/Result.h"
 
 #include <QObject>
+#include <QSet>
 
 #include <atomic>
 #include <memory>
 #include <optional>
 
 namespace core {
+class EditSession;
 struct LoadedVolume;
-}
+} // namespace core
 namespace gpu {
 class GpuEngine;
 }
@@ -48,7 +50,11 @@ private:
     void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file,
         const std::shared_ptr<const core::SessionContents>& contents);
     core::Result<void> begin(core::LoadedVolume loaded, const QString& newFile);
-    core::Result<void> goOn(core::LoadedVolume loaded, const SessionPlan& plan);
+    /// An existing session file. Cancelled also where it is opened once more (SessionPlan::redo).
+    core::Result<void> goOn(
+        core::LoadedVolume loaded, const QString& file, const core::SessionContents& contents);
+    core::Result<std::unique_ptr<core::EditSession>> opened(
+        core::LoadedVolume loaded, const SessionPlan& plan);
     /// The engine holds one volume at a time: the old session closes its file first. Errors:
     /// Cancelled (it holds steps that are on no disk, and the user stays with them).
     core::Result<void> makeRoom();
@@ -65,6 +71,7 @@ private:
     std::unique_ptr<gpu::GpuEngine> m_engine;
     std::atomic<bool> m_pollQueued = false;
     QString m_sessionFile;
+    QSet<QString> m_notRedone; ///< files whose rows did not come to their hashes again
     /// Of a file that was made for this session: how many rows it began with. None: it stays.
     std::optional<std::size_t> m_rowsAtFirst;
     std::unique_ptr<ui::Workspace> m_workspace;

@@ -41,18 +41,60 @@ QString freeNameIn(const QString& folder, const QString& name)
     return path;
 }
 
-core::Error lost(
-    const QString& damaged, const core::SessionContents& contents, const QString& target)
+/// What is told, besides which file is damaged.
+QString newsOf(const core::SessionContents& contents, const QString& target)
 {
     const std::size_t left = contents.rows.size();
-    const QString rows = left == 1 ? QStringLiteral("The row before it is")
-                                   : QStringLiteral("The %1 rows before it are").arg(left);
-    const bool allThere = contents.damage->row == 0;
-    return {core::ErrorCode::SessionDamaged,
-        {damaged,
-            QStringLiteral("%1. %2 open in %3; the damaged file keeps its bytes")
-                .arg(contents.damage->text(), allThere ? QStringLiteral("All rows are") : rows,
-                    target)}};
+    const QString where =
+        QStringLiteral("open in %1; the damaged file keeps its bytes").arg(target);
+    if (contents.damage && contents.damage->row > 0)
+        return left == 1
+            ? QStringLiteral("%1. The row before it is %2").arg(contents.damage->text(), where)
+            : QStringLiteral("%1. The %2 rows before it are %3")
+                  .arg(contents.damage->text())
+                  .arg(left)
+                  .arg(where);
+    if (contents.damage)
+        return QStringLiteral("%1. All rows are %2").arg(contents.damage->text(), where);
+    const core::SessionDamage& first = contents.redo.front();
+    const std::size_t others = contents.redo.size() - 1;
+    return QStringLiteral("what row %1 '%2'%3 changed could not be read; it was carried out again "
+                          "and came to the same. Nothing is lost; everything is %4")
+        .arg(first.row)
+        .arg(first.name, others == 0 ? QString() : QStringLiteral(" (and %1 more)").arg(others),
+            where);
+}
+
+core::Error told(
+    const QString& damaged, const core::SessionContents& contents, const QString& target)
+{
+    return {
+        core::ErrorCode::SessionDamaged, {damaged, newsOf(contents, QFileInfo(target).fileName())}};
+}
+
+SessionPlan planAround(const QString& damaged, const core::SessionContents& contents,
+    const QString& target, bool isNew)
+{
+    SessionPlan plan{.file = target,
+        .whyReadOnly = {},
+        .damage = told(damaged, contents, target),
+        .isNew = isNew,
+        .damaged = damaged,
+        .redo = {}};
+    for (const core::SessionDamage& row : contents.redo)
+        plan.redo.emplace_back(row.row, contents.rows[std::size_t(row.row - 1)].stateHash);
+    return plan;
+}
+
+/// With what lies beside it.
+bool rename(const QString& from, const QString& to)
+{
+    for (const char* suffix : {"-wal", "-journal", ""}) {
+        const QString part = from + QLatin1String(suffix);
+        if (QFileInfo::exists(part) && !QFile::rename(part, to + QLatin1String(suffix)))
+            return false;
+    }
+    return true;
 }
 
 core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionContents& contents)
@@ -64,13 +106,11 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
             freeNameIn(beside ? info.absolutePath() : sessionFolder(), info.completeBaseName());
         if (const auto salvaged = core::salvageSession(file, contents, target); !salvaged)
             return tl::unexpected(salvaged.error());
-        return SessionPlan{.file = target,
-            .whyReadOnly = {},
-            .damage = lost(file, contents, QFileInfo(target).fileName()),
-            .isNew = true};
+        return planAround(file, contents, target, true);
     }
     if (core::isSessionInUse(file))
-        return core::failure(core::ErrorCode::SessionDamaged, file, contents.damage->text());
+        return core::failure(core::ErrorCode::SessionDamaged, file,
+            (contents.damage ? *contents.damage : contents.redo.front()).text());
     // The study finds its working session by name, so the damaged one gives that up.
     const QString aside = file + QStringLiteral(".damaged-")
         + QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
@@ -78,27 +118,38 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
     core::removeSession(target);
     if (const auto salvaged = core::salvageSession(file, contents, target); !salvaged)
         return tl::unexpected(salvaged.error());
-    for (const char* suffix : {"-wal", "-journal", ""}) {
-        const QString part = file + QLatin1String(suffix);
-        if (QFileInfo::exists(part) && !QFile::rename(part, aside + QLatin1String(suffix)))
-            return core::failure(core::ErrorCode::FileUnwritable, aside);
-    }
+    if (!rename(file, aside))
+        return core::failure(core::ErrorCode::FileUnwritable, aside);
     if (!QFile::rename(target, file))
         return core::failure(core::ErrorCode::FileUnwritable, file);
-    return SessionPlan{.file = file,
-        .whyReadOnly = {},
-        .damage = lost(aside, contents, QFileInfo(file).fileName()),
-        .isNew = false};
+    return planAround(aside, contents, file, false);
 }
 
 } // namespace
 
-core::Result<SessionPlan> planFor(const QString& file, const core::SessionContents& contents)
+core::Result<SessionPlan> planFor(const QString& file, core::SessionContents contents, bool redo)
 {
-    if (contents.damage)
+    if (!redo && !contents.redo.empty()) {
+        const core::SessionDamage first = contents.redo.front();
+        contents.cut(first);
+    }
+    if (contents.damage && contents.rows.empty())
+        return core::failure(core::ErrorCode::SessionDamaged, file, contents.damage->text());
+    if (contents.damage || !contents.redo.empty())
         return aroundDamage(file, contents);
-    return SessionPlan{
-        .file = file, .whyReadOnly = whyReadOnly(file), .damage = {}, .isNew = false};
+    return SessionPlan{.file = file,
+        .whyReadOnly = whyReadOnly(file),
+        .damage = {},
+        .isNew = false,
+        .damaged = {},
+        .redo = {}};
+}
+
+void withdraw(const SessionPlan& plan, const QString& file)
+{
+    core::removeSession(plan.file);
+    if (plan.damaged != file)
+        rename(plan.damaged, file);
 }
 
 } // namespace app

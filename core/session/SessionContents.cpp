@@ -49,6 +49,9 @@ void SessionContents::cut(const SessionDamage& at)
                               || rows[std::size_t(child - 1)].parent != parent;
                       }),
         visited.end());
+    redo.erase(std::remove_if(redo.begin(), redo.end(),
+                   [last](const SessionDamage& lost) { return lost.row > last; }),
+        redo.end());
     keyframes.erase(std::remove_if(keyframes.begin(), keyframes.end(),
                         [last](const Keyframe& keyframe) { return keyframe.row > last; }),
         keyframes.end());

@@ -44,6 +44,9 @@ struct SessionContents {
     QString chainEnd; ///< hex; it covers the source and every row
     QJsonObject display; ///< as the window put it together; empty: none kept
     std::optional<SessionDamage> damage; ///< then rows and position are those before it
+    /// Rows that lack a sound difference while their edit and their hash are sound: they can be
+    /// carried out again. Told by checkSession() only.
+    std::vector<SessionDamage> redo;
 
     /// Keeps what comes before the damage. A position behind it becomes the last row that is left.
     void cut(const SessionDamage& at);

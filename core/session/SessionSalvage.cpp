@@ -4,6 +4,7 @@
 #include "core/base/StagedFile.h"
 #include "core/session/SessionFile.h"
 
+#include <algorithm>
 #include <future>
 #include <utility>
 
@@ -23,8 +24,10 @@ Result<void> copyRows(SessionFile& from, const SessionContents& sound, SessionFi
 {
     for (const HistoryRow& row : sound.rows) {
         to.addRow(row);
-        // One whose second half was never written is carried out again when the copy is opened.
-        if (row.stateHash.isEmpty())
+        // One that lacks its second half is carried out again when the copy is opened.
+        const bool again = std::any_of(sound.redo.begin(), sound.redo.end(),
+            [&row](const SessionDamage& lost) { return lost.row == row.id; });
+        if (row.stateHash.isEmpty() || again)
             continue;
         const Result<BrickDelta> delta = from.readDelta(row.id);
         if (!delta)
@@ -55,26 +58,20 @@ Result<SessionContents> checkSession(const QString& path, const Progress& progre
     if (!file)
         return tl::unexpected(file.error());
     SessionContents contents = (*file)->contents();
+    const auto count = std::int64_t(contents.rows.size());
+    const bool lost = contents.damage && contents.damage->row > 0;
+    const std::int64_t behind = lost ? contents.damage->after : 0;
     for (const HistoryRow& row : contents.rows) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
+        progress.report(QStringLiteral("Checking the session"), int(row.id), int(count));
         if (row.stateHash.isEmpty())
             continue;
-        if (const Result<BrickDelta> delta = (*file)->readDelta(row.id); !delta) {
-            const std::int64_t known = contents.damage ? contents.damage->after : 0;
-            const bool lost = contents.damage && contents.damage->row > 0;
-            const auto behind = std::int64_t(contents.rows.size()) - row.id;
-            SessionDamage damage{.row = row.id,
+        if (const Result<BrickDelta> delta = (*file)->readDelta(row.id); !delta)
+            contents.redo.push_back({.row = row.id,
                 .name = row.name,
-                .after = !lost  ? behind
-                    : known < 0 ? -1
-                                : behind + 1 + known,
-                .reason = reasonOf(delta.error())};
-            contents.cut(damage);
-            break;
-        }
-        progress.report(
-            QStringLiteral("Checking the session"), int(row.id), int(contents.rows.size()));
+                .after = behind < 0 ? -1 : count - row.id + (lost ? 1 + behind : 0),
+                .reason = reasonOf(delta.error())});
     }
     if (contents.damage && contents.rows.empty())
         return failure(ErrorCode::SessionDamaged, path, contents.damage->text());

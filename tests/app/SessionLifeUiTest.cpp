@@ -2,6 +2,7 @@
 #include "app/Application.h"
 #include "app/SessionFiles.h"
 #include "core/session/EditSession.h"
+#include "core/session/RowText.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionUse.h"
 #include "core/study/StudyLoader.h"
@@ -172,27 +173,65 @@ private Q_SLOTS:
         QCOMPARE(session().file(), path("case/s (recovered 2).burin"));
     }
 
+    void aDamagedWorkingSessionMakesWay_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("row") << QStringLiteral("UPDATE row SET name='X' WHERE id=3") << 2
+                             << QStringLiteral("row 3 'X' and the one after it cannot be read");
+        QTest::newRow("difference")
+            << QStringLiteral("DELETE FROM delta WHERE row=3") << 4
+            << QStringLiteral("it was carried out again and came to the same. Nothing is lost");
+    }
     void aDamagedWorkingSessionMakesWay()
     {
+        QFETCH(QString, sql);
+        QFETCH(int, rows);
+        QFETCH(QString, words);
         open(path("case/ct"));
         const QString file = session().file();
         for (int i = 0; i < 4; ++i)
             edit(test::drillAt(2.0 * i - 3.0));
+        const QByteArray hash = session().stateHash();
         window().closeStudy();
-        QVERIFY(test::runSql(file, QStringLiteral("DELETE FROM delta WHERE row=3")));
+        QVERIFY(test::runSql(file, sql));
         const QByteArray before = test::fingerprint(file);
         open(path("case/ct"));
         QCOMPARE(session().file(), file);
-        QCOMPARE(session().history().rows().size(), std::size_t(2));
-        QVERIFY2(bar().contains(QStringLiteral("and the one after it cannot be read")),
-            qPrintable(bar()));
+        QCOMPARE(int(session().history().rows().size()), rows);
+        if (rows == 4)
+            QCOMPARE(session().stateHash(), hash);
+        QVERIFY2(bar().contains(words), qPrintable(bar()));
         window().closeStudy();
         const QStringList aside = filesIn(app::sessionFolder(), "*.damaged-*");
         QCOMPARE(aside.size(), 1);
         QCOMPARE(test::fingerprint(QDir(app::sessionFolder()).filePath(aside.first())), before);
         open(path("case/ct"));
-        QCOMPARE(session().history().rows().size(), std::size_t(2));
+        QCOMPARE(int(session().history().rows().size()), rows);
         QVERIFY(bar().isEmpty());
+    }
+
+    /// A hash that its edit does not come to: what cannot be carried out again is lost after all.
+    void whatDoesNotComeToItsHashIsLost()
+    {
+        const QString file = path("case/s.burin");
+        writeSession(file, path("case/ct"));
+        const QString chain = test::text(file, QStringLiteral("SELECT chain FROM row WHERE id=7"));
+        const QString hash(64, u'7');
+        const QString deltaHash =
+            test::text(file, QStringLiteral("SELECT deltaSha256 FROM row WHERE id=7"));
+        QVERIFY(test::runSql(file,
+            QStringLiteral("UPDATE row SET stateHash='%1', seal='%2' WHERE id=7")
+                .arg(hash, core::seal(chain, hash, deltaHash))));
+        QVERIFY(test::runSql(file, QStringLiteral("DELETE FROM delta WHERE row=7")));
+        const QByteArray before = test::fingerprint(file);
+        open(file);
+        QCOMPARE(session().history().rows().size(), std::size_t(6));
+        QCOMPARE(session().file(), path("case/s (recovered).burin"));
+        QVERIFY2(bar().contains(QStringLiteral("row 7 'Grow")), qPrintable(bar()));
+        QCOMPARE(test::fingerprint(file), before);
+        QCOMPARE(filesIn(path("case"), "*.burin").size(), 2);
     }
 
     void theSecondWindowOnlyLooks()
@@ -304,6 +343,17 @@ private Q_SLOTS:
         window().closeStudy();
         open(path("case/ct"));
         QCOMPARE(session().history().rows().size(), std::size_t(0));
+    }
+
+    void theOpenStudyOpensAgain()
+    {
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        QSignalSpy changed(&workspace(), &ui::Workspace::sessionChanged);
+        window().opener().open(path("case/ct"));
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, patience); // closed, opened
+        QCOMPARE(session().history().rows().size(), std::size_t(1));
+        QVERIFY(bar().isEmpty());
     }
 
     void aPlaceThatCannotBeWrittenChangesNothing()

@@ -65,7 +65,9 @@ void writeSmallSeries(
     writeSeries(series, folder);
 }
 
-bool runSql(const QString& path, const QString& sql)
+namespace {
+
+bool withDatabase(const QString& path, const std::function<bool(QSqlQuery&)>& work)
 {
     bool good = false;
     {
@@ -74,10 +76,29 @@ bool runSql(const QString& path, const QString& sql)
         database.setDatabaseName(path);
         good = database.open();
         QSqlQuery query(database);
-        good = good && query.exec(sql) && query.numRowsAffected() > 0;
+        good = good && work(query);
     }
     QSqlDatabase::removeDatabase(QStringLiteral("test"));
     return good;
+}
+
+} // namespace
+
+bool runSql(const QString& path, const QString& sql)
+{
+    return withDatabase(
+        path, [&](QSqlQuery& query) { return query.exec(sql) && query.numRowsAffected() > 0; });
+}
+
+QString text(const QString& path, const QString& sql)
+{
+    QString value;
+    withDatabase(path, [&](QSqlQuery& query) {
+        const bool found = query.exec(sql) && query.next();
+        value = found ? query.value(0).toString() : QString();
+        return found;
+    });
+    return value;
 }
 
 QByteArray fingerprint(const QString& path)

@@ -24,6 +24,9 @@ void writeSmallSeries(
 /// One statement on a closed session file. @return whether it changed something
 bool runSql(const QString& path, const QString& sql);
 
+/// The one value that a query on a closed session file answers.
+[[nodiscard]] QString text(const QString& path, const QString& sql);
+
 /// SHA-256 of a file's bytes, hex.
 [[nodiscard]] QByteArray fingerprint(const QString& path);
 
