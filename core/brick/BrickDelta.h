@@ -11,11 +11,11 @@
 
 namespace core {
 
-/// What an edit changed, small enough to keep: the XOR of before and after of every brick, bytes of
-/// four-byte words put together by significance, compressed with zstd.
+/// What an edit changed, small enough to keep: the XOR of before and after of every brick (which
+/// voxels differ, then those by significance of their bytes), compressed with zstd.
 ///
-/// The stream inside is "BDL1", then for each brick, in the order of keys: field, plane, 0, 0 (one
-/// byte each), brick number (4 bytes little-endian), the brick's XOR (4096 or 16384 bytes).
+/// The stream inside is described in core/session/README.md; generations of seed words stand in it
+/// as distances from what their neighbours foretell (SeedWordForecast.h).
 /// XOR knows no direction: it leads from before to after and from after to before.
 struct BrickDelta {
     static constexpr std::size_t maxPieceBytes = std::size_t(4) << 20;
@@ -26,7 +26,7 @@ struct BrickDelta {
     [[nodiscard]] bool empty() const { return pieces.empty(); }
 };
 
-/// Compresses; about 300 MB/s on one core. Any thread.
+/// Compresses; the liver of an adult, grown, in half a second. Any thread.
 [[nodiscard]] BrickDelta makeDelta(const std::vector<BrickChange>& changes);
 
 /// The XOR images again, every one with its bytes. Any thread.

@@ -52,6 +52,22 @@ void BeforeImages::capture(
     m_batches.push_back(std::move(batch));
 }
 
+void BeforeImages::capture(std::vector<core::BrickKey> keys)
+{
+    constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> bricks;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        bricks.push_back(keys[i].brick);
+        const bool last = i + 1 == keys.size() || keys[i + 1].field != keys[i].field
+            || keys[i + 1].plane != keys[i].plane || bricks.size() == bricksAtOnce;
+        if (!last)
+            continue;
+        capture(keys[i].field, keys[i].plane, bricks);
+        bricks.clear();
+    }
+}
+
 std::vector<std::vector<std::uint8_t>> BeforeImages::images(
     std::span<const core::BrickKey> keys) const
 {

@@ -277,8 +277,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::SwapBricks& command)
     if (const core::Result<void> checked = checkKeys(keys); !checked)
         return tl::unexpected(checked.error());
     BeforeImages before(*m_fields);
-    for (const core::BrickKey& key : keys)
-        before.capture(key.field, key.plane, std::span<const std::uint32_t>(&key.brick, 1));
+    before.capture(keys);
     writeImages(*m_fields, command.bricks);
     core::EngineResult result;
     result.changes = before.changes(std::move(keys));

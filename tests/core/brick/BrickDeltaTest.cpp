@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <random>
+#include <zstd.h>
 
 using namespace core;
 
@@ -91,6 +92,59 @@ private Q_SLOTS:
                 change.after.push_back(std::uint8_t(word >> shift));
         }
         QVERIFY(makeDelta({change}).bytes() < change.after.size() / 20);
+    }
+
+    /// A growth through noise: labels and seed words change in the same voxels, with holes.
+    void growthThroughNoiseComesBack()
+    {
+        std::mt19937 random(4);
+        std::vector<BrickChange> changes(2);
+        changes[0].key = {.field = Field::Labels, .plane = 2, .brick = 77};
+        changes[1].key = {.field = Field::SeedWords, .plane = 2, .brick = 77};
+        for (std::uint32_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
+            const bool hole = random() % 50 == 0;
+            const std::uint32_t generation =
+                9 + voxel % 16 + voxel / 16 % 16 + voxel / 256 + (random() % 90 == 0 ? 2 : 0);
+            const std::uint32_t direction = voxel % 16 != 0 ? 0 : voxel / 16 % 16 != 0 ? 2 : 4;
+            const std::uint32_t word = hole ? 0xFFFFFFFFU : generation << 13 | 7U << 5 | direction;
+            changes[0].after.push_back(hole ? 0 : 7);
+            for (int shift = 0; shift < 32; shift += 8)
+                changes[1].after.push_back(std::uint8_t(word >> shift));
+        }
+        const BrickDelta together = makeDelta(changes);
+        QVERIFY(together.bytes() < 1200);
+        QVERIFY(together.bytes() + 100
+            < makeDelta({changes[0]}).bytes() + makeDelta({changes[1]}).bytes());
+        const Result<std::vector<BrickImage>> images = expandDelta(together);
+        QVERIFY(images);
+        for (std::size_t i = 0; i < changes.size(); ++i)
+            QVERIFY(exclusiveOr({changes[i].key, {}}, images->at(i)).bytes == changes[i].after);
+    }
+
+    /// Whole bricks, bytes of words by significance.
+    void differencesOfFormat1AreRead()
+    {
+        std::mt19937 random(5);
+        const std::vector<std::uint8_t> labels = randomBytes(random, Field::Labels, 3);
+        const std::vector<std::uint8_t> words = randomBytes(random, Field::SeedWords, 256);
+        QByteArray stream("BDL1");
+        stream += QByteArray("\x02\x01\0\0\x05\x01\0\0", 8);
+        stream.append(reinterpret_cast<const char*>(labels.data()), qsizetype(labels.size()));
+        stream += QByteArray("\x03\x01\0\0\x06\0\0\0", 8);
+        for (std::size_t byte = 0; byte < 4; ++byte) {
+            for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel)
+                stream += char(words[voxel * 4 + byte]);
+        }
+        QByteArray packed(qsizetype(ZSTD_compressBound(std::size_t(stream.size()))), '\0');
+        packed.resize(qsizetype(ZSTD_compress(packed.data(), std::size_t(packed.size()),
+            stream.constData(), std::size_t(stream.size()), 3)));
+        const Result<std::vector<BrickImage>> images = expandDelta({{packed}});
+        QVERIFY(images);
+        QCOMPARE(images->size(), std::size_t(2));
+        QVERIFY((images->at(0).key == BrickKey{Field::Labels, 1, 0x105}));
+        QVERIFY(images->at(0).bytes == labels);
+        QVERIFY((images->at(1).key == BrickKey{Field::SeedWords, 1, 6}));
+        QVERIFY(images->at(1).bytes == words);
     }
 
     void damageIsNoticed_data()
