@@ -1,17 +1,22 @@
 #!/usr/bin/env bash
-# Times Burin against ITK and VTK on the demonstration head, in one run, after checking that the
-# results are equal.
-#   packaging/bench.sh          a table
-#   packaging/bench.sh --json   [{"id","peer","oursMs","peerMs","ratio"}], ratio = peer / ours
+# Measures Burin against ITK and VTK on the demonstration head, and its history against whole-image
+# undo on 512 x 512 x 600 voxels (3 GB of memory), in one run, after checking that the results are
+# equal.
+#   packaging/bench.sh             a table
+#   packaging/bench.sh --json      [{"id","peer","oursMs","peerMs","ratio"}], ratio = peer / ours;
+#                                  "oursBytes", "peerBytes" for sizes; without a peer only ours
+#   packaging/bench.sh --history   the history only
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-case ${1-} in
-    "" | --json) ;;
-    *) fail "usage: packaging/bench.sh [--json]" ;;
-esac
+for option in "$@"; do
+    case $option in
+        --json | --history) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--history]" ;;
+    esac
+done
 
 {
     installPackages build run test bench

@@ -37,38 +37,51 @@ void PeerReport::ReportRuns(const std::vector<Run>& runs)
     }
 }
 
-std::vector<PeerReport::Pair> PeerReport::pairs() const
+std::vector<PeerReport::Figure> PeerReport::figures() const
 {
-    std::vector<Pair> pairs;
+    std::vector<Figure> figures;
     for (const std::string& id : m_ids) {
         const auto& times = m_milliseconds.at(id);
         const auto own = times.find(ours);
+        if (own == times.end())
+            continue;
         for (const auto& [who, milliseconds] : times) {
-            if (who != ours && own != times.end())
-                pairs.push_back({id, who, median(own->second), median(milliseconds)});
+            if (who != ours)
+                figures.push_back({id, "Ms", median(own->second), who, median(milliseconds)});
         }
+        if (times.size() == 1)
+            figures.push_back({id, "Ms", median(own->second)});
     }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    std::sort(figures.begin(), figures.end(), [](const Figure& a, const Figure& b) {
         return std::tie(a.id, a.peer) < std::tie(b.id, b.peer);
     });
-    return pairs;
+    figures.insert(figures.end(), m_figures.begin(), m_figures.end());
+    return figures;
 }
 
 void PeerReport::printTable() const
 {
-    std::printf("%-14s %-24s %12s %12s %8s\n", "work", "peer", "Burin ms", "peer ms", "ratio");
-    for (const Pair& pair : pairs())
-        std::printf("%-14s %-24s %12.1f %12.1f %7.2fx\n", pair.id.c_str(), pair.peer.c_str(),
-            pair.oursMs, pair.peerMs, pair.peerMs / pair.oursMs);
+    std::printf("%-24s %-26s %5s %14s %14s %9s\n", "work", "peer", "", "Burin", "peer", "ratio");
+    for (const Figure& figure : figures()) {
+        const int decimals = figure.unit == "Bytes" ? 0 : 2;
+        std::printf("%-24s %-26s %5s %14.*f", figure.id.c_str(), figure.peer.c_str(),
+            figure.unit.c_str(), decimals, figure.ours);
+        if (!figure.peer.empty())
+            std::printf(" %14.*f %8.2fx", decimals, figure.theirs, figure.theirs / figure.ours);
+        std::printf("\n");
+    }
 }
 
 void PeerReport::printJson() const
 {
     const char* separator = "[";
-    for (const Pair& pair : pairs()) {
-        std::printf(R"(%s{"id":"%s","peer":"%s","oursMs":%.3f,"peerMs":%.3f,"ratio":%.3f})",
-            separator, pair.id.c_str(), pair.peer.c_str(), pair.oursMs, pair.peerMs,
-            pair.peerMs / pair.oursMs);
+    for (const Figure& figure : figures()) {
+        std::printf(R"(%s{"id":"%s","ours%s":%.3f)", separator, figure.id.c_str(),
+            figure.unit.c_str(), figure.ours);
+        if (!figure.peer.empty())
+            std::printf(R"(,"peer":"%s","peer%s":%.3f,"ratio":%.3f)", figure.peer.c_str(),
+                figure.unit.c_str(), figure.theirs, figure.theirs / figure.ours);
+        std::printf("}");
         separator = ",\n ";
     }
     std::printf("%s]\n", separator[0] == '[' ? "[" : "");

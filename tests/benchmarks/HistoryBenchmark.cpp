@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/HistoryBenchmark.h"
+
+#include "gpu/GpuEngine.h"
+#include "tests/benchmarks/SessionDriver.h"
+#include "tests/benchmarks/TorsoVolume.h"
+#include "tests/benchmarks/WholeImageUndo.h"
+#include "ui/ErrorText.h"
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <numeric>
+
+namespace bench {
+
+namespace {
+
+using Voxels = std::vector<std::uint8_t>;
+
+constexpr int strokeCount = 20;
+constexpr int dabs = 60; ///< half a second of a pen
+
+core::GrowSteps liverGrowth()
+{
+    core::GrowSteps grow;
+    grow.lower = TorsoVolume::lowerHu;
+    grow.upper = TorsoVolume::upperHu;
+    return grow;
+}
+
+/// Along a curve of about 60 mm through the liver.
+core::SeedStroke seedStroke()
+{
+    core::SeedStroke stroke{.segment = 1, .pointsLps = {}};
+    for (int i = 0; i < dabs; ++i)
+        stroke.pointsLps.push_back(TorsoVolume::liverLps()
+            + glm::dvec3(i - dabs / 2, 6.0 * std::sin(0.15 * i), 4.0 * std::sin(0.1 * i)));
+    return stroke;
+}
+
+/// From the front into the belly, with the tool's usual radius and depth: a curve of 60 mm.
+core::DrillStroke drillStroke(int number)
+{
+    core::DrillStroke stroke;
+    const glm::dvec3 target((number % 5 - 2) * 45.0, 0.0, (number / 5 - 2) * 90.0 + 40.0);
+    stroke.view = {.eyeLps = target - glm::dvec3(0.0, 600.0, 0.0),
+        .targetLps = target,
+        .up = {0.0, 0.0, 1.0},
+        .heightMm = 400.0};
+    stroke.surfaceThreshold = -350.0;
+    for (int i = 0; i < dabs; ++i)
+        stroke.samples.push_back({.xMm = double(i) - dabs / 2,
+            .yMm = 8.0 * std::sin(0.12 * i + number),
+            .pressure = 0.6 + 0.4 * std::sin(0.05 * i),
+            .tSeconds = i / 120.0});
+    return stroke;
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+/// Both fields, as a peer would have to keep them.
+struct State {
+    Voxels labels;
+    Voxels coverage;
+    bool operator==(const State&) const = default;
+};
+
+/// The scenario: a segment, a seed stroke, a liver, twenty drill strokes; then back and forth.
+class Scenario {
+public:
+    Scenario(gpu::GpuEngine& engine, PeerReport& report)
+        : m_engine(engine)
+        , m_report(report)
+    {
+    }
+
+    QString run()
+    {
+        if (!m_folder.isValid())
+            return QStringLiteral("no temporary folder");
+        std::fprintf(stderr, "history: making 512 x 512 x 600 voxels\n");
+        m_volume = TorsoVolume::make();
+        m_driver = SessionDriver::create(m_engine.edits(), m_volume, file());
+        if (!m_driver)
+            return QStringLiteral("no session");
+        for (const auto step : {&Scenario::work, &Scenario::walkAndCompare, &Scenario::timeWalks,
+                 &Scenario::reopen, &Scenario::timeWalksFromFile, &Scenario::close}) {
+            if (const QString why = (this->*step)(); !why.isEmpty())
+                return why;
+        }
+        return {};
+    }
+
+private:
+    QString file() const { return m_folder.filePath(QStringLiteral("bench.burin")); }
+    State state()
+    {
+        return {m_driver->dense(core::Field::Labels, 0), m_driver->dense(core::Field::Coverage, 1)};
+    }
+
+    QString work()
+    {
+        SessionDriver& session = *m_driver;
+        session.apply(
+            core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0xB04030, .code = {}});
+        session.apply(seedStroke());
+        m_seedRow = session.lastRow();
+        m_beforeGrowth = state();
+        const SessionDriver::Commit growth = session.apply(liverGrowth());
+        m_growthRow = session.lastRow();
+        const auto litres = double(session.history().row(m_growthRow).statistics.voxelsChanged)
+            * 0.75 * 0.75 * 1.0 / 1e6;
+        std::fprintf(stderr, "history: grew %.2f L in %.0f ms\n", litres, growth.wallMs);
+        if (litres < 1.2 || litres > 1.8)
+            return QStringLiteral("history: the liver has %1 L").arg(litres);
+        m_report.add({"history.growth.held", "Ms", growth.longestCallMs()});
+
+        std::vector<double> longest;
+        std::vector<double> sums;
+        for (int number = 0; number < strokeCount; ++number) {
+            if (number == strokeCount - 1)
+                m_beforeDrill = state();
+            const SessionDriver::Commit commit = session.stroke(drillStroke(number));
+            longest.push_back(commit.longestCallMs());
+            sums.push_back(std::accumulate(commit.callsMs.begin(), commit.callsMs.end(), 0.0));
+        }
+        m_drillRow = session.lastRow();
+        m_afterDrill = state();
+        if (session.history().rows().size() != strokeCount + 3)
+            return QStringLiteral("history: a stroke changed nothing");
+        m_heldMs = median(longest);
+        m_report.add(
+            {"history.drill.held.worst", "Ms", *std::max_element(longest.begin(), longest.end())});
+        m_report.add({"history.drill.held.sum", "Ms", median(sums)});
+        return session.problem();
+    }
+
+    /// Nothing is timed before this holds.
+    QString walkAndCompare()
+    {
+        SessionDriver& session = *m_driver;
+        const QByteArray hash = session.hash();
+        const auto same = [this](const State& expected) { return state() == expected; };
+        session.undo();
+        if (!same(m_beforeDrill)
+            || session.hash() != session.history().row(m_drillRow - 1).stateHash)
+            return QStringLiteral("history: undo of a stroke leads elsewhere");
+        session.redo();
+        if (!same(m_afterDrill) || session.hash() != hash)
+            return QStringLiteral("history: redo of a stroke leads elsewhere");
+        session.goTo(m_growthRow);
+        session.undo();
+        if (!same(m_beforeGrowth)
+            || session.hash() != session.history().row(m_growthRow - 1).stateHash)
+            return QStringLiteral("history: undo of the growth leads elsewhere");
+        session.goTo(m_drillRow);
+        if (!same(m_afterDrill) || session.hash() != hash)
+            return QStringLiteral("history: the way back leads elsewhere");
+        return session.problem();
+    }
+
+    QString timeWalks()
+    {
+        timePeers();
+        timeWalk("history.drill.undo", m_drillRow);
+        timeWalk("history.growth.undo", m_growthRow);
+        runTimed();
+        return m_driver->problem();
+    }
+    /// Opened anew: no difference is in memory.
+    QString reopen()
+    {
+        m_driver->goTo(m_drillRow);
+        m_driver.reset();
+        m_driver = SessionDriver::open(m_engine.edits(), m_volume, file());
+        if (!m_driver)
+            return QStringLiteral("history: the session does not open again");
+        if (m_driver->hash() != m_driver->history().row(m_drillRow).stateHash)
+            return QStringLiteral("history: the session opens with other voxels");
+        return {};
+    }
+    QString timeWalksFromFile()
+    {
+        timeWalk("history.drill.undo.file", m_drillRow);
+        timeWalk("history.growth.undo.file", m_growthRow);
+        runTimed();
+        m_driver->goTo(m_drillRow);
+        if (state() != m_afterDrill)
+            return QStringLiteral("history: the walks from the file lead elsewhere");
+        return m_driver->problem();
+    }
+
+    /// From the call until the voxels are in place, back and forth over one row.
+    void timeWalk(const char* id, core::RowId row)
+    {
+        benchmark::RegisterBenchmark((std::string(id) + "/" + PeerReport::ours).c_str(),
+            [this, row](benchmark::State& times) {
+                m_driver->goTo(row);
+                for (auto _ : times) {
+                    times.SetIterationTime(m_driver->undo() / 1000.0);
+                    m_driver->redo();
+                }
+            })
+            ->UseManualTime()
+            ->Iterations(5);
+    }
+    void timePeers()
+    {
+        const auto time = [](const char* who, auto work) {
+            benchmark::RegisterBenchmark((std::string("history.drill.undo/") + who).c_str(),
+                [work](benchmark::State& times) {
+                    for (auto _ : times)
+                        work();
+                })
+                ->Iterations(1);
+        };
+        const auto spare = std::make_shared<State>(m_afterDrill);
+        time("full copy", [this, spare] {
+            std::memcpy(spare->labels.data(), m_beforeDrill.labels.data(), spare->labels.size());
+            std::memcpy(
+                spare->coverage.data(), m_beforeDrill.coverage.data(), spare->coverage.size());
+            benchmark::ClobberMemory();
+        });
+        const auto labels =
+            std::make_shared<peer::RunLengthImage>(m_beforeDrill.labels, TorsoVolume::size.x);
+        const auto coverage =
+            std::make_shared<peer::RunLengthImage>(m_beforeDrill.coverage, TorsoVolume::size.x);
+        time("whole-image RLE", [spare, labels, coverage] {
+            labels->decode(spare->labels);
+            coverage->decode(spare->coverage);
+            benchmark::ClobberMemory();
+        });
+        const auto difference = std::make_shared<peer::RunLengthDifference>(
+            m_beforeDrill.coverage, m_afterDrill.coverage);
+        time("RLE of the difference", [spare, difference] {
+            difference->apply(spare->coverage);
+            benchmark::ClobberMemory();
+        });
+    }
+    void runTimed()
+    {
+        benchmark::RunSpecifiedBenchmarks(&m_report);
+        benchmark::ClearRegisteredBenchmarks();
+    }
+
+    QString close()
+    {
+        m_driver.reset();
+        addBytes("history.drill.bytes", m_drillRow, m_beforeDrill.coverage, m_afterDrill.coverage,
+            m_afterDrill);
+        addBytes("history.growth.bytes", m_growthRow, m_beforeGrowth.labels, m_afterDrill.labels,
+            {m_afterDrill.labels, m_beforeGrowth.coverage});
+        m_report.add({"history.seeds.bytes", "Bytes", double(bytesInFile(file(), m_seedRow))});
+        const auto beginning = std::chrono::steady_clock::now();
+        const State copy = m_afterDrill;
+        const std::chrono::duration<double, std::milli> copied =
+            std::chrono::steady_clock::now() - beginning;
+        const peer::RunLengthImage labels(copy.labels, TorsoVolume::size.x);
+        const peer::RunLengthImage coverage(copy.coverage, TorsoVolume::size.x);
+        const std::chrono::duration<double, std::milli> encoded =
+            std::chrono::steady_clock::now() - beginning - copied;
+        m_report.add({"history.drill.held", "Ms", m_heldMs, "full copy", copied.count()});
+        m_report.add({"history.drill.held", "Ms", m_heldMs, "whole-image RLE", encoded.count()});
+        return {};
+    }
+    void addBytes(const char* id, core::RowId row, const Voxels& before, const Voxels& after,
+        const State& whole)
+    {
+        const auto own = double(bytesInFile(file(), row));
+        const double full = double(whole.labels.size() + whole.coverage.size());
+        const peer::RunLengthImage labels(whole.labels, TorsoVolume::size.x);
+        const peer::RunLengthImage coverage(whole.coverage, TorsoVolume::size.x);
+        const peer::RunLengthDifference difference(before, after);
+        m_report.add({id, "Bytes", own, "full copy", full});
+        m_report.add(
+            {id, "Bytes", own, "whole-image RLE", double(labels.bytes() + coverage.bytes())});
+        m_report.add({id, "Bytes", own, "RLE of the difference", double(difference.bytes())});
+    }
+
+    gpu::GpuEngine& m_engine;
+    PeerReport& m_report;
+    QTemporaryDir m_folder;
+    core::LoadedVolume m_volume;
+    std::unique_ptr<SessionDriver> m_driver;
+    core::RowId m_seedRow = 0;
+    core::RowId m_growthRow = 0;
+    core::RowId m_drillRow = 0; ///< the last one
+    State m_beforeGrowth;
+    State m_beforeDrill; ///< before the last one
+    State m_afterDrill;
+    double m_heldMs = 0.0;
+};
+
+/// Ten thousand small strokes on a small block, as fast as they go.
+QString measureMemory(gpu::GpuEngine& engine, PeerReport& report)
+{
+    constexpr int strokes = 10000;
+    constexpr int columns = 100;
+    core::LoadedVolume block;
+    block.volume.geometry.size = glm::ivec3(128);
+    block.volume.encoding.rescaleIntercept = -1024.0;
+    block.volume.voxelsSha256 = QByteArray(64, '1');
+    block.codes.assign(block.volume.geometry.voxelCount(), 1100);
+    const QTemporaryDir folder;
+    const auto driver =
+        SessionDriver::create(engine.edits(), block, folder.filePath(QStringLiteral("many.burin")));
+    if (!driver)
+        return QStringLiteral("no session");
+    std::fprintf(stderr, "history: %d strokes on a small block\n", strokes);
+    const auto begun = residentBytes();
+    auto half = begun;
+    for (int number = 0; number < strokes; ++number) {
+        core::DrillStroke stroke;
+        const glm::dvec3 target(64.0);
+        stroke.view = {.eyeLps = target - glm::dvec3(0.0, 200.0, 0.0),
+            .targetLps = target,
+            .up = {0.0, 0.0, 1.0},
+            .heightMm = 150.0};
+        stroke.radiusMm = 1.5;
+        stroke.depthMm = 4.0;
+        const double x = (number % columns - columns / 2) * 1.2;
+        const double y = (number / columns - columns / 2) * 1.2;
+        for (int i = 0; i < 10; ++i)
+            stroke.samples.push_back(
+                {.xMm = x + 0.1 * i, .yMm = y, .pressure = 1.0, .tSeconds = i / 120.0});
+        driver->apply(stroke);
+        // What waits for the disk is no memory that stays.
+        if (number % 100 == 99)
+            driver->settle();
+        if (number + 1 == strokes / 2)
+            half = residentBytes();
+    }
+    if (driver->history().rows().size() != strokes)
+        return QStringLiteral("history: %1 of %2 strokes changed something")
+            .arg(driver->history().rows().size())
+            .arg(strokes);
+    const auto ended = residentBytes();
+    report.add({"history.memory.stroke", "Bytes", double(ended - begun) / strokes});
+    report.add({"history.memory.laterStroke", "Bytes", double(ended - half) / (strokes / 2)});
+    return driver->problem();
+}
+
+} // namespace
+
+QString measureHistory(PeerReport& report)
+{
+    const auto engine = gpu::GpuEngine::create();
+    if (!engine)
+        return ui::errorText(engine.error());
+    // First: what others have freed would hide what is taken.
+    if (const QString why = measureMemory(**engine, report); !why.isEmpty())
+        return why;
+    return Scenario(**engine, report).run();
+}
+
+} // namespace bench
