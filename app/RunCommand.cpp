@@ -38,6 +38,8 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     case ErrorCode::SeedOutsideVolume:
     case ErrorCode::UnknownSegment:
     case ErrorCode::SegmentNotCoded:
+    case ErrorCode::SegmentLocked:
+    case ErrorCode::StepsEntangled:
         return recipe.path;
     default:
         return {};

@@ -37,6 +37,9 @@ QString errorText(const core::Error& error)
         return QStringLiteral("unknown edit '%1'%2").arg(first, reason);
     case ErrorCode::InvalidField:
         return QStringLiteral("field '%1'%2").arg(first, reason);
+    case ErrorCode::SegmentLocked:
+        return first.isEmpty() ? QStringLiteral("every segment is locked")
+                               : QStringLiteral("segment '%1' is locked").arg(first);
     case ErrorCode::StepsEntangled:
         return QStringLiteral("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:

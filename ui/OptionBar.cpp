@@ -3,11 +3,11 @@
 
 #include "ui/Theme.h"
 #include "ui/tools/Tool.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QToolButton>
 
 namespace ui {
@@ -25,21 +25,6 @@ QFrame* verticalLine(QWidget* parent)
     return line;
 }
 
-/// As much of its text as fits, at the right; all of it in the tool tip.
-class FittingLabel : public QLabel {
-public:
-    using QLabel::QLabel;
-
-protected:
-    void paintEvent(QPaintEvent*) override
-    {
-        QPainter painter(this);
-        painter.setPen(palette().color(foregroundRole()));
-        painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter,
-            fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-    }
-};
-
 } // namespace
 
 OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget* parent)
@@ -47,7 +32,7 @@ OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget
     , m_workspace(workspace)
     , m_layout(new QHBoxLayout(this))
     , m_tool(new QLabel(this))
-    , m_keys(new FittingLabel(this))
+    , m_keys(new FittingLabel(Qt::AlignRight, this))
 {
     setProperty("role", QStringLiteral("bar"));
     setFixedHeight(barHeight);

@@ -4,6 +4,7 @@
 #include "ui/Icons.h"
 #include "ui/Theme.h"
 #include "ui/panels/Panel.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QAction>
 #include <QApplication>
@@ -64,12 +65,12 @@ void PanelSection::buildHeader()
     auto* title = new QLabel(m_panel.title(), m_header);
     title->setFont(theme::headingFont());
     row->addWidget(title);
-    row->addStretch(1);
-    auto* summary = new QLabel(m_panel.summary(), m_header);
+    auto* summary = new FittingLabel(Qt::AlignRight, m_header);
+    summary->setText(m_panel.summary());
     summary->setFont(theme::smallFont());
     summary->setProperty("role", QStringLiteral("secondary"));
-    summary->setContentsMargins(0, 0, 4, 0);
-    row->addWidget(summary);
+    summary->setContentsMargins(theme::padding, 0, 4, 0);
+    row->addWidget(summary, 1);
     for (QAction* action : m_panel.actions()) {
         auto* button = new QToolButton(m_header);
         button->setDefaultAction(action);

@@ -12,7 +12,7 @@ std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
     std::vector<glm::ivec3> voxels;
     const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
     const core::History& history = session.history();
-    for (const core::RowId id : history.pathTo(history.position())) {
+    for (const core::RowId id : history.standing()) {
         const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit);
         if (!stroke || stroke->segment != label)
             continue;
@@ -29,7 +29,7 @@ int sketchedSeeds(const core::EditSession& session)
 {
     std::size_t count = 0;
     const core::History& history = session.history();
-    for (const core::RowId id : history.pathTo(history.position())) {
+    for (const core::RowId id : history.standing()) {
         if (const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit))
             count += stroke->pointsLps.size();
     }

@@ -3,10 +3,10 @@
 
 #include "ui/Theme.h"
 #include "ui/tools/Tool.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 
 namespace ui {
 
@@ -14,29 +14,10 @@ namespace {
 
 constexpr int saidMilliseconds = 8000;
 
-/// As much of its text as fits; all of it in the tool tip.
-class FittingLabel : public QLabel {
-public:
-    using QLabel::QLabel;
-
-protected:
-    void paintEvent(QPaintEvent*) override
-    {
-        QPainter painter(this);
-        painter.setPen(palette().color(foregroundRole()));
-        painter.drawText(
-            rect(), alignment(), fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-    }
-};
-
 QLabel* label(QWidget* parent, Qt::Alignment alignment)
 {
-    auto* result = new FittingLabel(parent);
+    auto* result = new FittingLabel(alignment, parent);
     result->setFont(theme::smallFont());
-    result->setTextFormat(Qt::PlainText);
-    result->setAlignment(alignment | Qt::AlignVCenter);
-    // Long texts are cut rather than widening the window.
-    result->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     return result;
 }
 

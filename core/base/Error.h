@@ -26,6 +26,7 @@ enum class ErrorCode {
     InvalidField,
     SeedOutsideVolume,
     UnknownSegment,
+    SegmentLocked, ///< argument 0: its name; none: every segment is
     InvalidRecipe,
     // Export: argument 0 is the file, argument 1 what does not agree.
     ExportMismatch,

@@ -18,7 +18,7 @@ namespace core {
 [[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(
     const SeedStroke& stroke, const VolumeGeometry& geometry);
 
-/// Errors: UnknownSegment, InvalidField (it is locked), SeedOutsideVolume.
+/// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume.
 [[nodiscard]] Result<SeedPlacement> seedPlacement(
     const SeedStroke& stroke, const Document& document);
 

@@ -23,8 +23,7 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
         return failure(ErrorCode::UnknownSegment, QString::number(stroke.segment),
             QStringLiteral("in field 'seed.segment'"));
     if (segment->locked)
-        return failure(ErrorCode::InvalidField, QStringLiteral("seed.segment"),
-            QStringLiteral("segment %1 is locked").arg(stroke.segment));
+        return failure(ErrorCode::SegmentLocked, segment->name);
 
     Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke, document.volumes.front().geometry);
     if (!voxels)
@@ -76,12 +75,16 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
         .frozen = {}};
     if (const Growth* growth = document.growth(plane))
         burst.generation = growth->generation;
+    bool anyGrows = false;
     for (const Segment& segment : document.segments) {
         if (segment.plane != plane)
             continue;
+        anyGrows = anyGrows || !segment.locked;
         burst.frozen[segment.label] = segment.locked;
         burst.overwritable[segment.label] = grow.overwriteUnlocked && !segment.locked;
     }
+    if (!anyGrows && burst.frozen.any())
+        return failure(ErrorCode::SegmentLocked, QString());
     return burst;
 }
 

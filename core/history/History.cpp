@@ -2,6 +2,7 @@
 #include "core/history/History.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace core {
@@ -13,6 +14,22 @@ std::vector<RowId> History::pathTo(RowId id) const
         path.push_back(id);
     std::reverse(path.begin(), path.end());
     return path;
+}
+
+std::vector<RowId> History::standing() const
+{
+    // From the newest on, so that a row is known to stand before it takes others back.
+    std::vector<RowId> stands;
+    std::set<RowId> taken;
+    for (RowId id = m_position; id != 0; id = row(id).parent) {
+        if (taken.count(id) != 0)
+            continue;
+        stands.push_back(id);
+        if (const auto* revert = std::get_if<RevertRows>(&row(id).edit))
+            taken.insert(revert->rows.begin(), revert->rows.end());
+    }
+    std::reverse(stands.begin(), stands.end());
+    return stands;
 }
 
 std::vector<RowId> History::line() const

@@ -51,6 +51,9 @@ public:
     }
     /// Rows from the beginning to @p id, oldest first.
     [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
+    /// The rows on the way to the position whose effect stands: without those that a standing
+    /// RevertRows took back. Oldest first.
+    [[nodiscard]] std::vector<RowId> standing() const;
     /// The line that undo and redo walk: pathTo(position), then the rows that redo would bring
     /// back.
     [[nodiscard]] std::vector<RowId> line() const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <iterator>
 #include <utility>
 
 namespace core {
@@ -19,7 +20,7 @@ tl::unexpected<Error> refused(const QString& reason)
 
 QString titled(const HistoryRow& row)
 {
-    return QStringLiteral("step %1 ('%2')").arg(row.id).arg(row.name);
+    return QStringLiteral("'%1' (row %2)").arg(row.name).arg(row.id);
 }
 
 std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
@@ -29,6 +30,30 @@ std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
     for (const BrickImage& image : images)
         keys.push_back(image.key);
     return keys;
+}
+
+/// Whether segments that are locked keep their voxels.
+Result<void> checkLocks(const Document& document, const std::vector<BrickChange>& now,
+    const std::vector<BrickImage>& then)
+{
+    std::bitset<256> touched; // labels that lose or gain a voxel
+    for (std::size_t brick = 0; brick < now.size(); ++brick) {
+        if (now[brick].key.field != Field::Labels)
+            continue;
+        const std::vector<std::uint8_t>& held = now[brick].after;
+        const std::vector<std::uint8_t>& coming = then[brick].bytes;
+        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
+            const std::uint8_t a = held.empty() ? 0 : held[i];
+            const std::uint8_t b = coming.empty() ? 0 : coming[i];
+            if (a != b)
+                touched.set(a).set(b);
+        }
+    }
+    for (const Segment& segment : document.segments) {
+        if (segment.locked && touched.test(segment.label))
+            return failure(ErrorCode::SegmentLocked, segment.name);
+    }
+    return {};
 }
 
 } // namespace
@@ -62,7 +87,7 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
     const std::vector<RowId> path = state.history.pathTo(state.history.position());
     for (const RowId id : m_edit.rows) {
         if (std::find(path.begin(), path.end(), id) == path.end())
-            return refused(QStringLiteral("step %1 is not among the steps done so far").arg(id));
+            return refused(QStringLiteral("row %1 is not among the steps done so far").arg(id));
         const HistoryRow& row = state.history.row(id);
         if (changesDocumentOnly(row.edit))
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
@@ -78,7 +103,7 @@ void RevertOperation::loadNext(SessionState& state)
     }
     if (const Result<void> checked = checkReach(state); !checked)
         return giveUp(state, checked.error());
-    read(state);
+    layOver(state);
 }
 
 void RevertOperation::takeDifferences(
@@ -116,70 +141,28 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
     return {};
 }
 
-void RevertOperation::read(SessionState& state)
+void RevertOperation::layOver(SessionState& state)
 {
-    std::vector<BrickKey> keys;
-    for (const auto& [row, differences] : m_differences) {
-        if (!isTakenBack(row))
-            continue;
-        for (const BrickImage& difference : differences)
-            keys.push_back(difference.key);
+    std::vector<BrickImage> taken;
+    for (auto& [row, differences] : m_differences) {
+        if (isTakenBack(row))
+            std::move(differences.begin(), differences.end(), std::back_inserter(taken));
     }
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    m_reading = state.engine.submit(ReadBricks{std::move(keys)});
+    m_differences.clear();
+    m_swap.start(state, std::move(taken), [&state](const auto& now, const auto& then) {
+        return checkLocks(state.document, now, then);
+    });
 }
 
 void RevertOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    const bool read = m_reading && result.ticket == *m_reading;
-    const bool swapped = m_swapping && result.ticket == *m_swapping;
-    if (!read && !swapped)
+    std::optional<Result<EngineResult>> swapped = m_swap.takeResult(state, std::move(result));
+    if (!swapped)
         return;
-    if (result.error)
-        return giveUp(state, *result.error);
-    if (swapped)
-        return finish(state, std::move(result));
-
-    std::map<BrickKey, BrickImage> images;
-    for (const BrickChange& now : result.changes)
-        images[now.key] = {now.key, now.after};
-    for (const auto& [row, differences] : m_differences) {
-        if (!isTakenBack(row))
-            continue;
-        for (const BrickImage& difference : differences)
-            images[difference.key] = exclusiveOr(images[difference.key], difference);
-    }
-    m_differences.clear();
-    if (const Result<void> checked = checkLocks(state, images, result.changes); !checked)
-        return giveUp(state, checked.error());
-    SwapBricks swap;
-    for (auto& [key, image] : images)
-        swap.bricks.push_back(std::move(image));
-    m_reading.reset();
-    m_swapping = state.engine.submit(std::move(swap));
-}
-
-Result<void> RevertOperation::checkLocks(const SessionState& state,
-    const std::map<BrickKey, BrickImage>& images, const std::vector<BrickChange>& now) const
-{
-    std::bitset<256> touched; // labels that lose or gain a voxel
-    for (const BrickChange& brick : now) {
-        if (brick.key.field != Field::Labels)
-            continue;
-        const std::vector<std::uint8_t>& then = images.at(brick.key).bytes;
-        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
-            const std::uint8_t a = brick.after.empty() ? 0 : brick.after[i];
-            const std::uint8_t b = then.empty() ? 0 : then[i];
-            if (a != b)
-                touched.set(a).set(b);
-        }
-    }
-    for (const Segment& segment : state.document.segments) {
-        if (segment.locked && touched.test(segment.label))
-            return refused(QStringLiteral("segment '%1' is locked").arg(segment.name));
-    }
-    return {};
+    if (*swapped)
+        finish(state, **std::move(swapped));
+    else
+        giveUp(state, swapped->error());
 }
 
 void RevertOperation::finish(SessionState& state, EngineResult&& result)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/session/DifferenceSwap.h"
 #include "core/session/Operation.h"
 
 #include <map>
@@ -24,10 +25,8 @@ private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
     [[nodiscard]] Result<void> checkReach(const SessionState& state) const;
     [[nodiscard]] bool isTakenBack(RowId row) const;
-    [[nodiscard]] Result<void> checkLocks(const SessionState& state,
-        const std::map<BrickKey, BrickImage>& images, const std::vector<BrickChange>& now) const;
     void loadNext(SessionState& state);
-    void read(SessionState& state);
+    void layOver(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
 
@@ -36,8 +35,7 @@ private:
     std::vector<RowId> m_path; ///< from the first row that is taken back to the position
     std::vector<RowId> m_toLoad; ///< the last is loaded next
     std::map<RowId, std::vector<BrickImage>> m_differences;
-    std::optional<Ticket> m_reading;
-    std::optional<Ticket> m_swapping;
+    DifferenceSwap m_swap;
     bool m_done = false;
 };
 

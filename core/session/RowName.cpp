@@ -71,16 +71,21 @@ QString changeName(const ChangeSegment& edit, const Document& document)
     return QStringLiteral("Recolour segment '%1'").arg(name);
 }
 
-QString revertName(const RevertRows& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes)
+/// A row without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2 mm".
+QString titleOf(const HistoryRow& row)
 {
-    QStringList rows;
-    for (const std::int64_t row : edit.rows)
-        rows.append(QString::number(row));
-    const QString what = rows.size() == 1 ? QStringLiteral("step ") : QStringLiteral("steps ");
+    const qsizetype figures = row.name.lastIndexOf(QLatin1String(", "));
+    return figures < 0 ? row.name : row.name.left(figures);
+}
+
+QString revertName(const RevertRows& edit, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const History& history)
+{
+    const QString what = edit.rows.size() == 1
+        ? QLatin1Char('\'') + titleOf(history.row(edit.rows.front())) + QLatin1Char('\'')
+        : counted(std::int64_t(edit.rows.size()), "step");
     const std::int64_t voxels = statistics.voxelsChanged;
-    return QStringLiteral("Undo only ") + what + rows.join(QStringLiteral(" + "))
-        + QStringLiteral(", ")
+    return QStringLiteral("Undo only ") + what + QStringLiteral(", ")
         + (voxels > 0 ? counted(voxels, "voxel")
                       : counted(seedWordsChanged(changes), "seed voxel"));
 }
@@ -88,7 +93,7 @@ QString revertName(const RevertRows& edit, const EditStatistics& statistics,
 } // namespace
 
 QString rowName(const Edit& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document)
+    const std::vector<BrickChange>& changes, const Document& document, const History& history)
 {
     if (const auto* add = std::get_if<AddSegment>(&edit))
         return QStringLiteral("Add segment '%1'").arg(add->name);
@@ -105,7 +110,7 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
             .arg(counted(statistics.generations, "step"),
                 counted(statistics.voxelsChanged, "voxel"));
     if (const auto* revert = std::get_if<RevertRows>(&edit))
-        return revertName(*revert, statistics, changes);
+        return revertName(*revert, statistics, changes, history);
     return QStringLiteral("Drill %1 mm, %2")
         .arg(QString::number(deepestMm(std::get<DrillStroke>(edit)), 'f', 1),
             counted(statistics.bricks, "brick"));

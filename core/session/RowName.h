@@ -5,12 +5,14 @@
 #include "core/document/Document.h"
 #include "core/edits/Edits.h"
 #include "core/engine/EngineCommands.h"
+#include "core/history/History.h"
 
 namespace core {
 
 /// A row's name for people: "Drill 6.2 mm, 214 bricks", "Grow 41 steps, +18 204 voxels".
 /// @param document as it is after the edit
+/// @param history before the row; it names the rows that an edit speaks of
 [[nodiscard]] QString rowName(const Edit& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document);
+    const std::vector<BrickChange>& changes, const Document& document, const History& history);
 
 } // namespace core

@@ -45,7 +45,7 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     placeSegments();
 
     HistoryRow row;
-    row.name = rowName(edit, statistics, changes, document);
+    row.name = rowName(edit, statistics, changes, document, history);
     row.edit = edit;
     row.statistics = statistics;
     row.origin = origin();

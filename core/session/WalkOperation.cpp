@@ -45,14 +45,17 @@ void WalkOperation::step(SessionState& state)
         m_done = true;
         return;
     }
-    if (const Changes changes = state.recent(m_row)) {
+    const Changes changes = state.recent(m_row);
+    if (!changes) {
+        state.worker->load(m_row);
+    } else if (changes->empty()) {
+        arrive(state, {});
+    } else {
         std::vector<BrickImage> images;
         images.reserve(changes->size());
         for (const BrickChange& change : *changes)
             images.push_back({change.key, m_back ? change.before : change.after});
-        swap(state, std::move(images));
-    } else {
-        state.worker->load(m_row);
+        m_swap.put(state, std::move(images));
     }
 }
 
@@ -60,47 +63,26 @@ void WalkOperation::takeDifferences(
     SessionState& state, Result<std::vector<BrickImage>>&& differences)
 {
     if (!differences)
-        return giveUp(state, differences.error());
-    m_differences = *std::move(differences);
-    if (m_differences.empty())
-        return arrive(state, {});
-    ReadBricks read;
-    for (const BrickImage& difference : m_differences)
-        read.keys.push_back(difference.key);
-    m_reading = state.engine.submit(std::move(read));
-}
-
-void WalkOperation::swap(SessionState& state, std::vector<BrickImage> images)
-{
-    if (images.empty())
-        return arrive(state, {});
-    m_swapping = state.engine.submit(SwapBricks{std::move(images)});
+        giveUp(state, differences.error());
+    else if (differences->empty())
+        arrive(state, {});
+    else
+        m_swap.start(state, *std::move(differences));
 }
 
 void WalkOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    const bool read = m_reading && result.ticket == *m_reading;
-    const bool swapped = m_swapping && result.ticket == *m_swapping;
-    if (!read && !swapped)
+    std::optional<Result<EngineResult>> swapped = m_swap.takeResult(state, std::move(result));
+    if (!swapped)
         return;
-    if (result.error)
-        return giveUp(state, *result.error);
-    if (swapped)
-        return arrive(state, std::move(result.changes));
-    m_reading.reset();
-    std::vector<BrickImage> images;
-    images.reserve(result.changes.size());
-    for (std::size_t i = 0; i < result.changes.size(); ++i) {
-        BrickChange& now = result.changes[i];
-        images.push_back(exclusiveOr({now.key, std::move(now.after)}, m_differences[i]));
-    }
-    m_differences.clear();
-    swap(state, std::move(images));
+    if (*swapped)
+        arrive(state, std::move((*swapped)->changes));
+    else
+        giveUp(state, swapped->error());
 }
 
 void WalkOperation::arrive(SessionState& state, std::vector<BrickChange> changes)
 {
-    m_swapping.reset();
     state.moveTo(m_back ? state.history.row(m_row).parent : m_row, std::move(changes));
     if (m_aim == Aim::Row)
         step(state);

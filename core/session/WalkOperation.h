@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/session/DifferenceSwap.h"
 #include "core/session/Operation.h"
 
 namespace core {
@@ -24,7 +25,6 @@ private:
     /// Chooses the next row and the direction. @return false: arrived
     [[nodiscard]] bool choose(const History& history);
     void step(SessionState& state);
-    void swap(SessionState& state, std::vector<BrickImage> images);
     void arrive(SessionState& state, std::vector<BrickChange> changes);
     void giveUp(SessionState& state, const Error& error);
 
@@ -32,9 +32,7 @@ private:
     RowId m_target = 0;
     RowId m_row = 0; ///< whose difference is laid over the bricks now
     bool m_back = false; ///< undoing it
-    std::vector<BrickImage> m_differences;
-    std::optional<Ticket> m_reading;
-    std::optional<Ticket> m_swapping;
+    DifferenceSwap m_swap;
     bool m_done = false;
 };
 

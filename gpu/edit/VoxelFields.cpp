@@ -11,7 +11,8 @@ VoxelFields::VoxelFields(const ShaderLibrary& library, VolumeTextures& shared)
     , m_copier(library, m_grid)
     , m_radiationKernel(library, m_grid)
 {
-    coverage(0).reserve();
+    // What a session begins with (core::initialDocument).
+    coverage(1).reserve();
     seedWords(0).reserve();
 }
 

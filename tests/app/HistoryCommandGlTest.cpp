@@ -188,7 +188,7 @@ private Q_SLOTS:
         const Outcome refused =
             run(recipe("s.json", {{key("edits"), seeds}}), "a.burin", {key("--append")});
         QCOMPARE(refused.status, 1);
-        QVERIFY2(refused.complaint.contains("step 5 ('Grow "), qPrintable(refused.complaint));
+        QVERIFY2(refused.complaint.contains("(row 5) wrote"), qPrintable(refused.complaint));
         QCOMPARE(history("a.burin")[key("position")].toInt(), 6);
 
         const Outcome verified = burin({key("replay"), path("a.burin"), key("--verify")});

@@ -11,6 +11,7 @@
 #include <QAbstractSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollBar>
@@ -135,6 +136,30 @@ private Q_SLOTS:
         PanelsFixture fixture(QSize(1280, 720));
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
         QCOMPARE(clippedTexts(fixture.window), QStringList());
+    }
+
+    void theHistoryKeepsItsRowsInALowWindow()
+    {
+        PanelsFixture fixture(QSize(1280, 720));
+        core::EditSession& session = *fixture.workspace.session();
+        for (const char* name : {"Left ventricle with its papillary muscles", "Skull"})
+            QVERIFY(session.apply(core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
+        for (int place = 1; place < 4; ++place)
+            QVERIFY(session.apply(core::ChangeSegment{
+                .segment = 1, .name = QStringLiteral("Left ventricle, version %1").arg(place)}));
+        QVERIFY(session.settle());
+        QTest::qWait(50);
+        QCOMPARE(fixture.window.size(), QSize(1280, 720));
+        QCOMPARE(clippedTexts(fixture.window), QStringList());
+        const auto* list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
+        QVERIFY2(list->height() >= 3 * list->sizeHintForRow(0),
+            qPrintable(QString::number(list->height())));
+        // Where there is room, the timeline is there.
+        fixture.window.resize(1280, 1000);
+        QTest::qWait(50);
+        const auto* timeline =
+            fixture.window.findChild<QWidget*>(QStringLiteral("historyTimeline"));
+        QVERIFY(timeline->isVisible());
     }
 
     /// With more than fits the column scrolls, and its bar takes nothing from the panels.

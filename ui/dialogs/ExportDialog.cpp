@@ -79,7 +79,7 @@ std::bitset<256> growingLabels(core::EditSession& session)
     bool grown = false;
     const core::History& history = session.history();
     std::bitset<256> pending;
-    for (const core::RowId id : history.pathTo(history.position())) {
+    for (const core::RowId id : history.standing()) {
         const core::Edit& edit = history.row(id).edit;
         if (const auto* seed = std::get_if<core::SeedStroke>(&edit)) {
             seeded.set(std::size_t(seed->segment));

@@ -39,6 +39,13 @@ QPushButton* transportButton(
     return button;
 }
 
+bool everySegmentLocked(const core::Document& document)
+{
+    return !document.segments.empty()
+        && std::all_of(document.segments.begin(), document.segments.end(),
+            [](const core::Segment& segment) { return segment.locked; });
+}
+
 } // namespace
 
 GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
@@ -335,12 +342,14 @@ void GrowthPanel::showState()
 {
     core::EditSession* session = m_workspace.session();
     const int seeds = session ? sketchedSeeds(*session) : 0;
-    m_step->setEnabled(seeds > 0 && !m_running);
-    m_play->setEnabled(seeds > 0);
-    m_toClosure->setEnabled(seeds > 0 && !m_running);
+    const bool allLocked = session && everySegmentLocked(session->document());
+    const bool canGrow = m_running || (seeds > 0 && !allLocked);
+    m_step->setEnabled(canGrow && !m_running);
+    m_play->setEnabled(canGrow);
+    m_toClosure->setEnabled(canGrow && !m_running);
     // Dark on the accent, as its text is.
     m_play->setIcon(QIcon(tintedIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play"),
-        seeds > 0 ? theme::window : theme::secondary, 16, devicePixelRatioF())));
+        canGrow ? theme::window : theme::secondary, 16, devicePixelRatioF())));
     m_play->setText(m_running ? tr("Pause") : tr("Grow"));
     m_fromSeeds->setEnabled(!m_seedValues.empty());
 
@@ -349,6 +358,8 @@ void GrowthPanel::showState()
                              "segment."));
     } else if (m_running) {
         m_advice->setText(tr("Growing. Pause keeps what has grown; undo takes it back."));
+    } else if (allLocked) {
+        m_advice->setText(tr("Every segment is locked: unlock the one that is to grow."));
     } else {
         m_advice->setText(seedText(seeds));
     }

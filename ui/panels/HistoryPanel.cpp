@@ -14,6 +14,13 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int rowsBesideTimeline = 4;
+constexpr int timelineHeight = 40;
+
+} // namespace
+
 HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
     , m_workspace(workspace)
@@ -77,6 +84,13 @@ bool HistoryPanel::eventFilter(QObject* watched, QEvent* event)
             return true;
     }
     return Panel::eventFilter(watched, event);
+}
+
+void HistoryPanel::resizeEvent(QResizeEvent* event)
+{
+    // In a low window the steps themselves come first.
+    m_timeline->setRoom(height() >= rowsBesideTimeline * theme::rowHeight + timelineHeight);
+    Panel::resizeEvent(event);
 }
 
 bool HistoryPanel::takeFoldKey(int key)

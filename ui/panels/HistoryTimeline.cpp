@@ -90,11 +90,17 @@ int HistoryTimeline::lineIndexOf(core::RowId row) const
     return found == line.end() ? -1 : int(found - line.begin());
 }
 
+void HistoryTimeline::setRoom(bool room)
+{
+    m_room = room;
+    setVisible(m_room && maximum() >= leastSteps);
+}
+
 void HistoryTimeline::showStep(int lineIndex)
 {
     const QSignalBlocker quiet(this);
     const int steps = int(m_model.line().size()) - 1;
-    setVisible(steps >= leastSteps);
+    setVisible(m_room && steps >= leastSteps);
     setRange(0, std::max(0, steps));
     setValue(std::max(0, lineIndex));
     setCaption(tr("step %1 of %2: %3")

@@ -24,6 +24,8 @@ class HistoryTimeline : public StepSlider {
 public:
     HistoryTimeline(Workspace& workspace, const HistoryModel& model, QWidget* parent = nullptr);
 
+    /// Whether there is room for it.
+    void setRoom(bool room);
     /// The handle stands where the study is not yet.
     [[nodiscard]] bool isScrubbing() const { return m_wanted.has_value(); }
 
@@ -55,6 +57,7 @@ private:
     KeyframePictures* m_pictures = nullptr;
     KeyframePopup* m_popup = nullptr;
     int m_pointedAt = -1; ///< place on the line that the popup speaks of; −1: it is hidden
+    bool m_room = true;
     std::optional<core::RowId> m_wanted;
     std::optional<core::RowId> m_walkingTo;
 };

@@ -17,7 +17,7 @@ void SeedMarks::update(const core::EditSession* session)
     if (!session)
         return;
     const core::History& history = session->history();
-    for (const core::RowId id : history.pathTo(history.position())) {
+    for (const core::RowId id : history.standing()) {
         const core::Edit& edit = history.row(id).edit;
         if (std::holds_alternative<core::GrowSteps>(edit)) {
             m_marks.clear();

@@ -63,7 +63,22 @@ private Q_SLOTS:
         const SeedStroke stroke{.segment = 9, .pointsLps = {{100, -50, 30}}};
         QCOMPARE(seedPlacement(stroke, document).error().code, ErrorCode::UnknownSegment);
         document.segment(1)->locked = true;
-        QVERIFY(!seedPlacement({.segment = 1, .pointsLps = {{100, -50, 30}}}, document));
+        const auto placement =
+            seedPlacement({.segment = 1, .pointsLps = {{100, -50, 30}}}, document);
+        QCOMPARE(placement.error().code, ErrorCode::SegmentLocked);
+        QCOMPARE(placement.error().arguments.value(0), document.segment(1)->name);
+    }
+
+    void aGrowthNeedsOneSegmentThatIsNotLocked()
+    {
+        Document document = smallDocument();
+        for (Segment& segment : document.segments)
+            segment.locked = true;
+        const Result<GrowBurst> refused = growBurst({.lower = 0, .upper = 1}, document);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::SegmentLocked);
+        document.segments.back().locked = false;
+        QVERIFY(growBurst({.lower = 0, .upper = 1}, document));
     }
 
     void boundsAreInclusive()

@@ -53,6 +53,23 @@ private Q_SLOTS:
         QCOMPARE(history.row(3).name, QStringLiteral("c"));
     }
 
+    void whatWasTakenBackDoesNotStand()
+    {
+        History history = branched(); // 1 ─ 4 ─ 5
+        const auto revert = [&history](std::vector<std::int64_t> rows) {
+            HistoryRow row = named("revert");
+            row.edit = RevertRows{std::move(rows)};
+            history.append(std::move(row));
+        };
+        QCOMPARE(history.standing(), (std::vector<RowId>{1, 4, 5}));
+        revert({4, 5});
+        QCOMPARE(history.standing(), (std::vector<RowId>{1, 6}));
+        revert({6}); // brings them back
+        QCOMPARE(history.standing(), (std::vector<RowId>{1, 4, 5, 7}));
+        history.moveTo(6);
+        QCOMPARE(history.standing(), (std::vector<RowId>{1, 6}));
+    }
+
     void redoGoesWhereOneWasLast()
     {
         History history = branched();

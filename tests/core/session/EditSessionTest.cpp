@@ -331,7 +331,7 @@ private Q_SLOTS:
         QCOMPARE(bench.lastRow().name, QStringLiteral("Lock segment 'A'"));
         const std::int64_t locked = bench.voxels(1);
         QVERIFY(locked > 10);
-        QCOMPARE(bench.session->apply(test::seedInBrain(1)).error().code, ErrorCode::InvalidField);
+        QCOMPARE(bench.session->apply(test::seedInBrain(1)).error().code, ErrorCode::SegmentLocked);
         SeedStroke beside = test::seedInBrain(2);
         beside.pointsLps = {beside.pointsLps.back() + glm::dvec3(6, 0, 0)};
         bench.run(beside);
@@ -340,6 +340,9 @@ private Q_SLOTS:
         bench.run(grow);
         QCOMPARE(bench.voxels(1), locked);
         QVERIFY(bench.voxels(2) > 10 * locked);
+        bench.run(ChangeSegment{.segment = 2, .locked = true});
+        QCOMPARE(bench.session->apply(grow).error().code, ErrorCode::SegmentLocked);
+        bench.run(ChangeSegment{.segment = 2, .locked = false});
 
         bench.run(ChangeSegment{.segment = 1, .locked = false});
         QCOMPARE(bench.lastRow().name, QStringLiteral("Unlock segment 'A'"));

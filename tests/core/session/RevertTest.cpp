@@ -57,9 +57,12 @@ struct Bench {
             result = session->settle();
         if (result || session->stateHash() != before || session->history().rows().size() != rows)
             return QStringLiteral("was not refused");
-        if (result.error().code != ErrorCode::StepsEntangled)
-            return QStringLiteral("another error: ") + result.error().arguments.join(u' ');
-        return result.error().arguments.value(0);
+        const QString argument = result.error().arguments.value(0);
+        if (result.error().code == ErrorCode::SegmentLocked)
+            return QStringLiteral("locked: ") + argument;
+        return result.error().code == ErrorCode::StepsEntangled
+            ? argument
+            : QStringLiteral("another error: ") + argument;
     }
 
     reference::ReferenceEngine engine;
@@ -90,7 +93,8 @@ private Q_SLOTS:
             hashOf(test::smallStudy(), {segment, test::seedInBrain(1), test::growBrain(4)}));
         const HistoryRow& row = bench.session->history().rows().back();
         QCOMPARE(row.parent, RowId(4)); // the drill itself stays in the history
-        QVERIFY2(row.name.startsWith(QStringLiteral("Undo only step 2, ")), qPrintable(row.name));
+        QVERIFY2(row.name.startsWith(QStringLiteral("Undo only 'Drill ")), qPrintable(row.name));
+        QVERIFY2(row.name.contains(QStringLiteral("mm', ")), qPrintable(row.name));
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
         QCOMPARE(bench.session->stateHash(),
@@ -112,9 +116,9 @@ private Q_SLOTS:
     {
         Bench bench(test::smallStudy(),
             {test::addSegment("Brain"), test::drillAt(-2), test::drillAt(0), test::drillAt(1)});
-        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("step 3 ")));
-        QVERIFY(bench.refusal(RevertRows{{2, 3}}).contains(QStringLiteral("step 4 ")));
-        QVERIFY(bench.refusal(RevertRows{{2, 4}}).contains(QStringLiteral("step 3 ")));
+        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("(row 3) wrote")));
+        QVERIFY(bench.refusal(RevertRows{{2, 3}}).contains(QStringLiteral("(row 4) wrote")));
+        QVERIFY(bench.refusal(RevertRows{{2, 4}}).contains(QStringLiteral("(row 3) wrote")));
         bench.run(RevertRows{{3, 4}});
         QCOMPARE(bench.session->stateHash(),
             hashOf(test::smallStudy(), {test::addSegment("Brain"), test::drillAt(-2)}));
@@ -125,10 +129,13 @@ private Q_SLOTS:
         Bench bench(test::smallStudy(),
             {test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(3)});
         const QString refusal = bench.refusal(RevertRows{{2}});
-        QVERIFY2(refusal.startsWith(QStringLiteral("step 3 ('Grow ")), qPrintable(refusal));
-        QVERIFY2(
-            refusal.contains(QStringLiteral("after step 2 ('Seed stroke")), qPrintable(refusal));
+        QVERIFY2(refusal.startsWith(QStringLiteral("'Grow ")), qPrintable(refusal));
+        QVERIFY2(refusal.contains(QStringLiteral("after 'Seed stroke")), qPrintable(refusal));
+        QVERIFY2(refusal.endsWith(QStringLiteral("(row 2)")), qPrintable(refusal));
         bench.run(RevertRows{{2, 3}});
+        QVERIFY2(bench.session->history().rows().back().name.startsWith(
+                     QStringLiteral("Undo only 2 steps, ")),
+            qPrintable(bench.session->history().rows().back().name));
         // The counter of generations never goes back but with its row.
         bench.run(RevertRows{{4}});
         QCOMPARE(bench.session->stateHash(),
@@ -149,7 +156,7 @@ private Q_SLOTS:
         Bench bench(test::smallStudy(),
             {test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(3), test::drillAt(0),
                 ChangeSegment{.segment = 1, .locked = true}});
-        QCOMPARE(bench.refusal(RevertRows{{2, 3}}), QStringLiteral("segment 'Brain' is locked"));
+        QCOMPARE(bench.refusal(RevertRows{{2, 3}}), QStringLiteral("locked: Brain"));
         bench.run(RevertRows{{4}}); // the drill has nothing to do with it
         bench.run(ChangeSegment{.segment = 1, .locked = false});
         bench.run(RevertRows{{2, 3}});
@@ -161,8 +168,8 @@ private Q_SLOTS:
         Bench bench(test::smallStudy(), {test::addSegment("Brain"), test::drillAt(0)});
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
-        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("step 2 is not among")));
-        QVERIFY(bench.refusal(RevertRows{{77}}).contains(QStringLiteral("step 77 is not among")));
+        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("row 2 is not among")));
+        QVERIFY(bench.refusal(RevertRows{{77}}).contains(QStringLiteral("row 77 is not among")));
         QVERIFY(bench.refusal(RevertRows{{1}}).contains(QStringLiteral("changed no voxel")));
         for (const RevertRows& wrong : {RevertRows{}, RevertRows{{0}}, RevertRows{{2, 1}},
                  RevertRows{{1, 1}}, RevertRows{{-3}}}) {
