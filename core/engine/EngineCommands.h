@@ -57,7 +57,15 @@ struct DrillCut {
     DrillFrame frame;
 };
 
-using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut>;
+/// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
+/// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from
+/// it; what is left of other labels keeps its generations.
+struct EraseLabel {
+    std::uint8_t plane = 0;
+    std::uint8_t label = 0;
+};
+
+using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -81,10 +89,11 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause>;
 
 // A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField: BeginEdit
 // while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of another kind
-// of edit; SwapBricks while a transaction is open; a brick or voxel that the volume does not have;
-// an image that is neither empty nor whole; a connectivity other than 6; a segment label of 0; a
-// frame whose pitch, rampHalfWidth or gapSamples is below 1; a table of opacities of another length
-// than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is open too.
+// of edit; SwapBricks or MuteLayers while a transaction is open; a brick or voxel that the volume
+// does not have; an image that is neither empty nor whole; a connectivity other than 6; a segment
+// label of 0; a frame whose pitch, rampHalfWidth or gapSamples is below 1; a table of opacities of
+// another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
+// open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -104,6 +113,12 @@ struct EndEdit {
 /// once. The result lists the bricks that differ, with statistics, as EndEdit does.
 struct SwapBricks {
     std::vector<BrickImage> bricks;
+};
+/// From now on these sculpt layers are left out where layers are composed: radiation, and with it
+/// strokes, picks and pictures, is that of the greatest coverage of all others. Their own coverage
+/// stays, and can be cut, read and swapped. Opening a volume unmutes all. The result is empty.
+struct MuteLayers {
+    std::bitset<256> muted {};
 };
 /// Fetch bricks; the result lists each with `after` filled and `before` empty, in this order.
 struct ReadBricks {
@@ -140,8 +155,8 @@ struct PickVoxels {
     std::vector<std::uint32_t> opacityOfCode {}; ///< 256 entries, only for Opacity
 };
 
-using EngineCommand
-    = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, ReadBricks, ProbeVoxels, PickVoxels>;
+using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
+    ReadBricks, ProbeVoxels, PickVoxels>;
 
 // --- Results ----------------------------------------------------------------------------------------
 

@@ -37,6 +37,8 @@ public:
     void ensure(std::span<const std::uint32_t> bricks);
     /// Takes the pages away again; their content is lost.
     void release(std::span<const std::uint32_t> bricks);
+    /// No brick has a page.
+    [[nodiscard]] bool empty() const { return m_freePages.size() == m_pageCount; }
     /// All bricks that have a page, ascending.
     [[nodiscard]] std::vector<std::uint32_t> heldBricks() const;
 

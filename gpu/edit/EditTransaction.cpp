@@ -31,6 +31,13 @@ core::Result<void> check(const core::DrillCut& edit, const core::BrickGrid&)
     return {};
 }
 
+core::Result<void> check(const core::EraseLabel& edit, const core::BrickGrid&)
+{
+    if (edit.label == 0)
+        return refusal("label", "0 is no segment");
+    return {};
+}
+
 } // namespace
 
 tl::unexpected<core::Error> refusal(const char* field, const char* reason)
@@ -73,6 +80,8 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_growth->open();
     } else if (const auto* drill = std::get_if<core::DrillCut>(&edit)) {
         transaction->m_drill.emplace(programs.drill, fields, before, *drill);
+    } else if (const auto* erase = std::get_if<core::EraseLabel>(&edit)) {
+        transaction->m_erasedBricks = eraseLabel(programs.erase, fields, before, *erase);
     }
     return transaction;
 }
@@ -109,7 +118,7 @@ void EditTransaction::advance(int rings)
 
 std::vector<core::BrickKey> EditTransaction::touchedKeys() const
 {
-    std::vector<core::BrickKey> keys;
+    std::vector<core::BrickKey> keys = m_erasedBricks;
     const auto add = [&keys](core::Field field, std::uint8_t plane,
                          const std::vector<std::uint32_t>& bricks) {
         for (const std::uint32_t brick : bricks)

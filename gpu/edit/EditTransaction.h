@@ -5,6 +5,7 @@
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BeforeImages.h"
 #include "gpu/edit/DrillKernel.h"
+#include "gpu/edit/EraseKernel.h"
 #include "gpu/edit/GrowthKernel.h"
 
 #include <memory>
@@ -17,11 +18,13 @@ struct EditPrograms {
     explicit EditPrograms(const ShaderLibrary& library)
         : growth(library)
         , drill(library)
+        , erase(library)
     {
     }
 
     GrowthPrograms growth;
     DrillPrograms drill;
+    ErasePrograms erase;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -55,6 +58,7 @@ private:
     BeforeImages m_before;
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
+    std::vector<core::BrickKey> m_erasedBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<DrillKernel> m_drill;
     int m_stepsLeft = 0; ///< negative: to closure

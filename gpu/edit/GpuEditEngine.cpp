@@ -285,6 +285,14 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::SwapBricks& command)
     return result;
 }
 
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::MuteLayers& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    m_fields->setMutedLayers(command.muted);
+    return core::EngineResult{};
+}
+
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
 {
     if (const core::Result<void> checked = checkKeys(command.keys); !checked)

@@ -60,6 +60,7 @@ private:
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);
     Outcome carryOut(const core::SwapBricks& command);
+    Outcome carryOut(const core::MuteLayers& command);
     Outcome carryOut(const core::ReadBricks& command);
     Outcome carryOut(const core::ProbeVoxels& command);
     Outcome carryOut(const core::PickVoxels& command);

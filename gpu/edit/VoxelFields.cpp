@@ -73,6 +73,11 @@ bool VoxelFields::hasData(const core::BrickKey& key)
     return m_labelledBricks.count(key.brick) != 0;
 }
 
+std::vector<std::uint32_t> VoxelFields::labelledBricks() const
+{
+    return {m_labelledBricks.begin(), m_labelledBricks.end()};
+}
+
 core::VoxelBox VoxelFields::boxOf(std::span<const std::uint32_t> bricks) const
 {
     core::VoxelBox box;
@@ -107,12 +112,7 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
     if (bricks.empty())
         return;
     if (field == core::Field::Coverage) {
-        const std::vector<std::uint32_t> affected = withNeighbours(bricks);
-        std::vector<BrickField*> layers;
-        for (auto& layer : m_coverage)
-            layers.push_back(&layer.second);
-        m_radiationKernel.updateFromCoverage(layers, m_radiation, affected);
-        m_shared.markDirty(VolumeField::Radiation, boxOf(affected));
+        updateRadiation(bricks);
     } else if (field == core::Field::Labels) {
         m_labelledBricks.insert(bricks.begin(), bricks.end());
         m_shared.markDirty(VolumeField::Labels, boxOf(bricks));
@@ -121,6 +121,34 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
                 m_staleSegmentation.insert(brick);
         }
     }
+}
+
+void VoxelFields::updateRadiation(std::span<const std::uint32_t> changed)
+{
+    const std::vector<std::uint32_t> affected = withNeighbours(changed);
+    std::vector<BrickField*> layers;
+    for (auto& [layer, field] : m_coverage) {
+        if (!m_mutedLayers[layer] && !field.empty())
+            layers.push_back(&field);
+    }
+    m_radiationKernel.updateFromCoverage(layers, m_radiation, affected);
+    m_shared.markDirty(VolumeField::Radiation, boxOf(affected));
+}
+
+void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
+{
+    const std::bitset<256> switched = muted ^ m_mutedLayers;
+    m_mutedLayers = muted;
+    std::set<std::uint32_t> bricks;
+    for (const auto& [layer, field] : m_coverage) {
+        if (!switched[layer])
+            continue;
+        const std::vector<std::uint32_t> held = field.heldBricks();
+        bricks.insert(held.begin(), held.end());
+    }
+    const std::vector<std::uint32_t> changed(bricks.begin(), bricks.end());
+    if (!changed.empty())
+        updateRadiation(changed);
 }
 
 void VoxelFields::setShownLabels(const std::bitset<256>& shown)

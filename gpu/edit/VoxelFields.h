@@ -14,9 +14,9 @@ namespace gpu {
 
 /// Every field that edits write, and what is derived from them. Engine thread only.
 ///
-/// Radiation follows coverage at once, since strokes and picks read it. The segmentation map is for
-/// pictures only and follows between edits (updateSegmentation). What pictures show of a change is
-/// marked dirty in VolumeTextures.
+/// Radiation follows the coverage of the layers that are not muted at once, since strokes and picks
+/// read it. The segmentation map is for pictures only and follows between edits
+/// (updateSegmentation). What pictures show of a change is marked dirty in VolumeTextures.
 class VoxelFields {
 public:
     /// @param shared the dense textures of the open volume; outlive the fields
@@ -34,9 +34,13 @@ public:
     /// The paged field, or null for the dense label planes.
     [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
     [[nodiscard]] bool hasData(const core::BrickKey& key);
+    /// Bricks in which a label plane was ever written, ascending: all that hold labels.
+    [[nodiscard]] std::vector<std::uint32_t> labelledBricks() const;
 
     /// Tell what was written. Coverage: radiation is brought up to date around these bricks.
     void noteChanged(core::Field field, std::span<const std::uint32_t> bricks);
+    /// Which layers are left out of radiation; brings it up to date where any of them has cut.
+    void setMutedLayers(const std::bitset<256>& muted);
     /// Bricks whose radiation depends on these: they and their neighbours.
     [[nodiscard]] std::vector<std::uint32_t> withNeighbours(
         std::span<const std::uint32_t> bricks) const;
@@ -50,6 +54,7 @@ public:
 
 private:
     [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
+    void updateRadiation(std::span<const std::uint32_t> changed);
 
     core::BrickGrid m_grid;
     VolumeTextures& m_shared;
@@ -60,6 +65,7 @@ private:
     std::map<std::uint8_t, BrickField> m_coverage;
     std::map<std::uint8_t, BrickField> m_seedWords;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
+    std::bitset<256> m_mutedLayers;
     std::bitset<256> m_shownLabels;
     std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels
     std::set<std::uint32_t> m_staleSegmentation;

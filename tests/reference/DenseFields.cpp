@@ -52,13 +52,16 @@ DenseArray<std::uint32_t>& DenseFields::seedWords(std::uint8_t plane)
     return named<std::uint32_t>(m_seedWords, plane, size(), core::seedWord::unvisited);
 }
 
-DenseArray<std::uint8_t> DenseFields::composedCoverage() const
+DenseArray<std::uint8_t> DenseFields::composedCoverage(const std::bitset<256>& muted) const
 {
     DenseFields nothing(size());
     DenseArray<std::uint8_t> composed = nothing.coverage(0);
-    for (const auto& [layer, coverage] : m_coverage)
+    for (const auto& [layer, coverage] : m_coverage) {
+        if (muted[layer])
+            continue;
         for (std::size_t i = 0; i < composed.values.size(); ++i)
             composed.values[i] = std::max(composed.values[i], coverage.values[i]);
+    }
     return composed;
 }
 

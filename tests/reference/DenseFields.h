@@ -3,6 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 
+#include <bitset>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -43,8 +44,8 @@ public:
     [[nodiscard]] DenseArray<std::uint8_t>& labels(std::uint8_t plane);
     [[nodiscard]] DenseArray<std::uint32_t>& seedWords(std::uint8_t plane);
     [[nodiscard]] const Layers& coverageLayers() const { return m_coverage; }
-    /// Coverage of the composed layers: the greatest of all at each voxel.
-    [[nodiscard]] DenseArray<std::uint8_t> composedCoverage() const;
+    /// Coverage of the composed layers: at each voxel the greatest of all that are not muted.
+    [[nodiscard]] DenseArray<std::uint8_t> composedCoverage(const std::bitset<256>& muted) const;
 
     [[nodiscard]] bool holds(const core::BrickKey& key) const;
     /// Bytes of one brick as the seam speaks of them: none where every voxel is empty.

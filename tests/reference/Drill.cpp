@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/Drill.h"
 
-#include "tests/reference/Radiation.h"
-
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace reference {
 
@@ -39,9 +38,10 @@ std::int64_t ramp(std::int64_t t, std::int64_t halfWidth)
 
 } // namespace
 
-Drill::Drill(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::DrillCut cut)
+Drill::Drill(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
+    DenseFields& fields, core::DrillCut cut)
     : m_codes(codes)
-    , m_radiation(radiation(fields.composedCoverage()))
+    , m_radiation(std::move(radiation))
     , m_coverage(fields.coverage(cut.layer))
     , m_frame(cut.frame)
 {

@@ -14,8 +14,9 @@ namespace reference {
 /// One open drill stroke (core/sculpt/DrillCut.h). Codes and fields are borrowed.
 class Drill {
 public:
-    /// Remembers the surface as it is now.
-    Drill(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::DrillCut cut);
+    /// @param radiation as it is now
+    Drill(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
+        DenseFields& fields, core::DrillCut cut);
 
     void extend(const std::vector<core::DrillSample>& samples);
 

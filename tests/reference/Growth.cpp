@@ -36,6 +36,19 @@ void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement)
     }
 }
 
+void eraseLabel(DenseFields& fields, const core::EraseLabel& erase)
+{
+    for (std::uint8_t& label : fields.labels(erase.plane).values) {
+        if (label == erase.label)
+            label = 0;
+    }
+    for (std::uint32_t& word : fields.seedWords(erase.plane).values) {
+        const bool bears = seedWord::isMember(word) || seedWord::isPendingSeed(word);
+        if (bears && seedWord::label(word) == erase.label)
+            word = seedWord::unvisited;
+    }
+}
+
 Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::GrowBurst burst)
     : m_codes(codes)
     , m_burst(std::move(burst))

@@ -9,6 +9,9 @@ namespace reference {
 /// Marks pending seeds (core::SeedPlacement).
 void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement);
 
+/// Takes a label out of labels and seed words (core::EraseLabel).
+void eraseLabel(DenseFields& fields, const core::EraseLabel& erase);
+
 /// One open burst of growth (core::GrowBurst). Codes and fields are borrowed.
 class Growth {
 public:

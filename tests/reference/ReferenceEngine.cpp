@@ -42,6 +42,7 @@ core::Result<void> ReferenceEngine::openVolume(
     m_open.reset();
     m_codes = {size, {codes.begin(), codes.end()}};
     m_fields = DenseFields(size);
+    m_muted.reset();
     return {};
 }
 
@@ -66,6 +67,11 @@ std::vector<core::EngineResult> ReferenceEngine::collect()
     return std::exchange(m_results, {});
 }
 
+DenseArray<std::uint8_t> ReferenceEngine::carved() const
+{
+    return radiation(m_fields.composedCoverage(m_muted));
+}
+
 core::GrowthProgress ReferenceEngine::growthProgress() const
 {
     core::GrowthProgress progress;
@@ -81,8 +87,7 @@ core::GrowthProgress ReferenceEngine::growthProgress() const
     return progress;
 }
 
-core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> ReferenceEngine::begin(
-    core::SeedPlacement& edit)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SeedPlacement& edit)
 {
     if (edit.label == 0)
         return refuse("label", "0 is no segment");
@@ -91,23 +96,29 @@ core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> Referenc
             return refuse("voxels", "outside the volume");
     }
     placeSeeds(m_fields, edit);
-    return SeedsPlaced{};
+    return Done{};
 }
 
-core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> ReferenceEngine::begin(
-    core::GrowBurst& edit)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::GrowBurst& edit)
 {
     if (edit.connectivity != 6)
         return refuse("connectivity", "only 6 is known");
     return Growth(m_codes, m_fields, std::move(edit));
 }
 
-core::Result<std::variant<ReferenceEngine::SeedsPlaced, Growth, Drill>> ReferenceEngine::begin(
-    core::DrillCut& edit)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::DrillCut& edit)
 {
     if (edit.frame.pitch < 1 || edit.frame.rampHalfWidth < 1 || edit.frame.gapSamples < 1)
         return refuse("frame", "pitch, rampHalfWidth and gapSamples are at least 1");
-    return Drill(m_codes, m_fields, edit);
+    return Drill(m_codes, carved(), m_fields, edit);
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::EraseLabel& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    eraseLabel(m_fields, edit);
+    return Done{};
 }
 
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::BeginEdit& command)
@@ -186,6 +197,14 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::SwapBricks& command)
     return result;
 }
 
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::MuteLayers& command)
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    m_muted = command.muted;
+    return core::EngineResult{};
+}
+
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ReadBricks& command)
 {
     core::EngineResult result;
@@ -212,10 +231,10 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
 {
     if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
         return refuse("opacityOfCode", "has 256 entries");
-    const DenseArray<std::uint8_t> carved = radiation(m_fields.composedCoverage());
+    const DenseArray<std::uint8_t> seen = carved();
     core::EngineResult result;
     for (const core::PickVoxels::Ray& ray : command.rays)
-        result.picks.push_back(pick({m_codes, carved}, command, ray));
+        result.picks.push_back(pick({m_codes, seen}, command, ray));
     return result;
 }
 

@@ -26,13 +26,17 @@ public:
     [[nodiscard]] core::GrowthProgress growthProgress() const override;
 
     [[nodiscard]] const DenseFields& fields() const { return m_fields; }
+    /// Radiation of the layers that are not muted, as it is now.
+    [[nodiscard]] DenseArray<std::uint8_t> carved() const;
 
 private:
-    struct SeedsPlaced { };
+    /// An edit that is done once it has begun.
+    struct Done { };
+    using Work = std::variant<Done, Growth, Drill>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;
-        std::variant<SeedsPlaced, Growth, Drill> work;
+        Work work;
     };
     using Outcome = core::Result<std::optional<core::EngineResult>>;
 
@@ -40,19 +44,19 @@ private:
     [[nodiscard]] Outcome carryOut(core::ExtendEdit& command);
     [[nodiscard]] Outcome carryOut(core::EndEdit& command);
     [[nodiscard]] Outcome carryOut(core::SwapBricks& command);
+    [[nodiscard]] Outcome carryOut(core::MuteLayers& command);
     [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
     [[nodiscard]] Outcome carryOut(core::ProbeVoxels& command);
     [[nodiscard]] Outcome carryOut(core::PickVoxels& command);
 
-    [[nodiscard]] core::Result<std::variant<SeedsPlaced, Growth, Drill>> begin(
-        core::SeedPlacement& edit);
-    [[nodiscard]] core::Result<std::variant<SeedsPlaced, Growth, Drill>> begin(
-        core::GrowBurst& edit);
-    [[nodiscard]] core::Result<std::variant<SeedsPlaced, Growth, Drill>> begin(
-        core::DrillCut& edit);
+    [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
+    [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);
+    [[nodiscard]] core::Result<Work> begin(core::DrillCut& edit);
+    [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;
+    std::bitset<256> m_muted; ///< layers
     std::optional<Transaction> m_open;
     std::vector<core::EngineResult> m_results;
     core::Ticket m_lastTicket = 0;

@@ -29,6 +29,8 @@ namespace test {
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> pickCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> eraseCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> layerCases(int randomCount); ///< muted ones
 [[nodiscard]] std::vector<EngineCase> refusalCases();
 
 } // namespace test

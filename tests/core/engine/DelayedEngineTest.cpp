@@ -97,7 +97,8 @@ void DelayedEngineTest::delayChangesNothing()
 {
     const int random = test::longRun() ? 100 : 15;
     std::vector<test::EngineCase> cases = test::growthCases(random);
-    for (auto more : {test::drillCases(random), test::pickCases(random), test::refusalCases()})
+    for (auto more : {test::drillCases(random), test::pickCases(random), test::eraseCases(random),
+             test::layerCases(random), test::refusalCases()})
         cases.insert(cases.end(), more.begin(), more.end());
     std::uint32_t seed = 0;
     for (const test::EngineCase& engineCase : cases) {

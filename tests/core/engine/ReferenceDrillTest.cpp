@@ -57,6 +57,7 @@ private Q_SLOTS:
     void staysUnderItsMask();
     void leavesWhatItDoesNotSee();
     void ignoresItsOwnCut();
+    void seesThroughAMutedLayer();
     void obliqueOnesCutBetweenTwoPlanes();
     void portionsMakeNoDifference();
 };
@@ -181,7 +182,7 @@ void ReferenceDrillTest::ignoresItsOwnCut()
             (void)view.drill(engine);
         }
         reference::DenseFields fields = engine.fields();
-        const auto carved = fields.composedCoverage();
+        const auto carved = fields.composedCoverage({});
         for (int z = 0; z < size.z; ++z)
             deepest = carved.at({16, 16, z}) >= 128 ? z : deepest;
         return deepest;
@@ -192,6 +193,33 @@ void ReferenceDrillTest::ignoresItsOwnCut()
     const int twice = depthAfter(2, 1, 0);
     QVERIFY(twice >= once + 4 && twice <= once + 6); // the next one starts from the cut
     QCOMPARE(depthAfter(2, 1, 1), twice); // whatever layer holds it
+}
+
+/// With layer 1 muted a stroke into layer 2 is what it is where there is no layer 1; unmuted, it
+/// starts from the cut in layer 1.
+void ReferenceDrillTest::seesThroughAMutedLayer()
+{
+    const glm::ivec3 size(32, 32, 32);
+    const auto second = [&](bool first, std::initializer_list<std::size_t> muted) {
+        ReferenceEngine engine;
+        (void)engine.openVolume(size, test::slab(size, 2, 4, 31).values);
+        StraightView view(size);
+        if (first)
+            (void)view.drill(engine);
+        MuteLayers mute;
+        for (const std::size_t layer : muted)
+            mute.muted.set(layer);
+        engine.submit(mute);
+        view.stroke.layer = 2;
+        (void)view.drill(engine);
+        reference::DenseFields fields = engine.fields();
+        return fields.coverage(2).values;
+    };
+    const auto alone = second(false, {});
+    QVERIFY(second(true, {1}) == alone);
+    QVERIFY(second(true, {1, 2}) == alone); // a muted layer can be cut all the same
+    QVERIFY(second(true, {}) != alone);
+    QVERIFY(second(true, {2}) != alone);
 }
 
 void ReferenceDrillTest::obliqueOnesCutBetweenTwoPlanes()

@@ -112,6 +112,7 @@ private Q_SLOTS:
     void corridorIsAsLongAsItIs();
     void portionsMakeNoDifference();
     void competingLabelsMeetHalfWay();
+    void anErasedLabelNeverGrowsAgain();
 };
 
 void ReferenceGrowthTest::isBreadthFirst_data()
@@ -252,6 +253,26 @@ void ReferenceGrowthTest::competingLabelsMeetHalfWay()
     reference::DenseFields fields = engine.fields();
     for (int x = 0; x < size.x; ++x) // the tie in the middle goes to the lower label
         QCOMPARE(int(fields.labels(0).at({x, 1, 1})), x < 10 ? 9 : 4);
+}
+
+void ReferenceGrowthTest::anErasedLabelNeverGrowsAgain()
+{
+    const glm::ivec3 size(21, 3, 3);
+    ReferenceEngine engine;
+    QVERIFY(engine.openVolume(size, test::constantVolume(size, 5).values));
+    submitWhole(engine, SeedPlacement{.label = 9, .voxels = {{0, 1, 1}}});
+    submitWhole(engine, SeedPlacement{.label = 4, .voxels = {{20, 1, 1}}});
+    submitWhole(engine, GrowBurst{.lowCode = 5, .highCode = 5}, {GrowAdvance{5}});
+    submitWhole(engine, SeedPlacement{.label = 9, .voxels = {{10, 0, 0}}});
+    submitWhole(engine, EraseLabel{.label = 9});
+    submitWhole(engine, GrowBurst{.lowCode = 5, .highCode = 5, .generation = 6}, {GrowAdvance{}});
+    // Label 4 goes on from where it stood and takes everything.
+    QCOMPARE(lastResult(engine).generation, 6u + 17u);
+    reference::DenseFields fields = engine.fields();
+    for (const std::uint8_t label : fields.labels(0).values)
+        QCOMPARE(int(label), 4);
+    for (const std::uint32_t word : fields.seedWords(0).values)
+        QVERIFY(seedWord::isMember(word) && seedWord::label(word) == 4);
 }
 
 QTEST_GUILESS_MAIN(ReferenceGrowthTest)

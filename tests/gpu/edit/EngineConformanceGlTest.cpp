@@ -53,8 +53,9 @@ std::vector<EngineCase> EngineConformanceGlTest::cases()
 {
     const bool all = test::longRun();
     std::vector<EngineCase> collected = test::growthCases(all ? 400 : 20);
-    for (auto more :
-        {test::drillCases(all ? 400 : 20), test::pickCases(all ? 150 : 8), test::refusalCases()})
+    for (auto more : {test::drillCases(all ? 400 : 20), test::pickCases(all ? 150 : 8),
+             test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
+             test::refusalCases()})
         collected.insert(collected.end(), more.begin(), more.end());
     return collected;
 }
@@ -113,8 +114,7 @@ void EngineConformanceGlTest::derivedTexturesFollow()
 
     reference::DenseFields fields = oracle.fields();
     QVERIFY(m_gpu.read(gpu::VolumeField::Labels).values == fields.labels(0).values);
-    QVERIFY(m_gpu.read(gpu::VolumeField::Radiation).values
-        == reference::radiation(fields.composedCoverage()).values);
+    QVERIFY(m_gpu.read(gpu::VolumeField::Radiation).values == oracle.carved().values);
     reference::DenseArray<std::uint8_t> members = fields.labels(0);
     for (std::uint8_t& value : members.values)
         value = shown.test(value) ? 255 : 0;

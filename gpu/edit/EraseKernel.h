@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/VoxelFields.h"
+
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels that take a label away (eraseLabel.comp).
+struct ErasePrograms {
+    explicit ErasePrograms(const ShaderLibrary& library);
+
+    Program labels;
+    Program seedWords;
+};
+
+/// Takes a label out of its plane and its seed map (EraseLabel in core/engine/EngineCommands.h).
+/// Bricks that hold it are looked for first; only those are captured and written. Returns their
+/// keys. Cost ∝ the bricks that have ever held a label or hold seed words. Engine thread only.
+std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::EraseLabel& erase);
+
+} // namespace gpu
