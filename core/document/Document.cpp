@@ -8,6 +8,15 @@
 
 namespace core {
 
+namespace {
+
+QJsonArray json(const glm::dvec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+} // namespace
+
 const Segment* Document::segment(int label) const
 {
     const auto found = std::find_if(segments.begin(), segments.end(),
@@ -18,6 +27,41 @@ const Segment* Document::segment(int label) const
 Segment* Document::segment(int label)
 {
     return const_cast<Segment*>(std::as_const(*this).segment(label));
+}
+
+const SculptLayer* Document::layer(int id) const
+{
+    const auto found = std::find_if(layers.begin(), layers.end(),
+        [id](const SculptLayer& candidate) { return candidate.id == id; });
+    return found == layers.end() ? nullptr : &*found;
+}
+
+SculptLayer* Document::layer(int id)
+{
+    return const_cast<SculptLayer*>(std::as_const(*this).layer(id));
+}
+
+const CameraBookmark* Document::bookmark(int id) const
+{
+    const auto found = std::find_if(bookmarks.begin(), bookmarks.end(),
+        [id](const CameraBookmark& candidate) { return candidate.id == id; });
+    return found == bookmarks.end() ? nullptr : &*found;
+}
+
+int Document::lastLabelGiven() const
+{
+    int last = greatestRemovedLabel;
+    for (const Segment& segment : segments)
+        last = std::max<int>(last, segment.label);
+    return last;
+}
+
+int Document::lastBookmarkGiven() const
+{
+    int last = greatestRemovedBookmark;
+    for (const CameraBookmark& bookmark : bookmarks)
+        last = std::max(last, bookmark.id);
+    return last;
 }
 
 const Growth* Document::growth(int plane) const
@@ -57,11 +101,32 @@ QJsonObject Document::hashedState() const
             {QStringLiteral("plane"), int(growth.plane)},
         });
     }
-    return {
+    QJsonObject state{
         {QStringLiteral("growths"), growthList},
         {QStringLiteral("layers"), layerList},
         {QStringLiteral("segments"), segmentList},
     };
+    // What follows stands there only where it says something, so that the states of a time that
+    // did not know it keep their hashes.
+    QJsonArray bookmarkList;
+    for (const CameraBookmark& bookmark : bookmarks) {
+        bookmarkList.append(QJsonObject{
+            {QStringLiteral("crosshairLps"), json(bookmark.crosshairLps)},
+            {QStringLiteral("eyeLps"), json(bookmark.view.eyeLps)},
+            {QStringLiteral("heightMm"), bookmark.view.heightMm},
+            {QStringLiteral("id"), bookmark.id},
+            {QStringLiteral("name"), bookmark.name},
+            {QStringLiteral("targetLps"), json(bookmark.view.targetLps)},
+            {QStringLiteral("up"), json(bookmark.view.up)},
+        });
+    }
+    if (!bookmarkList.isEmpty())
+        state.insert(QStringLiteral("bookmarks"), bookmarkList);
+    if (greatestRemovedBookmark > 0 && greatestRemovedBookmark == lastBookmarkGiven())
+        state.insert(QStringLiteral("lastBookmark"), greatestRemovedBookmark);
+    if (greatestRemovedLabel > 0 && greatestRemovedLabel == lastLabelGiven())
+        state.insert(QStringLiteral("lastLabel"), greatestRemovedLabel);
+    return state;
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "core/document/OrthographicView.h"
 #include "core/volume/Volume.h"
 
 #include <QJsonObject>
@@ -36,9 +37,17 @@ struct Segment {
 
 /// What hides part of the volume in the 3D view. Changes no segment and no statistic.
 struct SculptLayer {
-    std::uint8_t id = 0;
+    std::uint8_t id = 0; ///< 1 … 255, unique; names its coverage
     QString name;
-    bool muted = false;
+    bool muted = false; ///< hides nothing, and is absent for whatever reads what is carved
+};
+
+/// A view to come back to.
+struct CameraBookmark {
+    int id = 0; ///< 1, 2, 3 …, unique and never used again
+    QString name;
+    OrthographicView view; ///< of the 3D view
+    glm::dvec3 crosshairLps{0.0};
 };
 
 /// The live growth of one label plane.
@@ -52,11 +61,20 @@ struct Growth {
 struct Document {
     std::vector<Volume> volumes;
     std::vector<Segment> segments;
-    std::vector<SculptLayer> layers;
+    std::vector<SculptLayer> layers; ///< in the order of their list, which decides nothing
     std::vector<Growth> growths;
+    std::vector<CameraBookmark> bookmarks;
+    int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
+    int greatestRemovedBookmark = 0; ///< likewise
 
     [[nodiscard]] const Segment* segment(int label) const;
     [[nodiscard]] Segment* segment(int label);
+    [[nodiscard]] const SculptLayer* layer(int id) const;
+    [[nodiscard]] SculptLayer* layer(int id);
+    [[nodiscard]] const CameraBookmark* bookmark(int id) const;
+    /// The last that was given to a segment, present or not; 0: none.
+    [[nodiscard]] int lastLabelGiven() const;
+    [[nodiscard]] int lastBookmarkGiven() const;
     /// The growth of a label plane; null if nothing has grown there.
     [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
@@ -66,7 +84,17 @@ struct Document {
 
 /// News for views and item models.
 struct DocumentChange {
-    enum class What { Volume, Segments, Layers, Labels, Coverage, Growth, History, Disk };
+    enum class What {
+        Volume,
+        Segments,
+        Layers,
+        Bookmarks,
+        Labels,
+        Coverage,
+        Growth,
+        History,
+        Disk
+    };
     What what = What::Volume;
     VoxelBox box; ///< where voxels changed; empty for the rest
 };

@@ -4,6 +4,7 @@
 #include "core/edits/EngineEdits.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace core {
@@ -11,55 +12,171 @@ namespace core {
 namespace {
 
 constexpr int lastLabel = 255;
+constexpr int lastLayer = 255;
 
-Result<bool> add(const AddSegment& edit, Document& document)
+Result<bool> apply(const AddSegment& edit, Document& document)
 {
-    // Segments are never taken out of the list, so the greatest label is the last one given.
-    int label = 1;
-    for (const Segment& segment : document.segments)
-        label = std::max(label, segment.label + 1);
+    const int label = document.lastLabelGiven() + 1;
     if (label > lastLabel)
         return failure(ErrorCode::InvalidField, QStringLiteral("addSegment"),
-            QStringLiteral("a label plane holds at most %1 segments").arg(lastLabel));
+            QStringLiteral("a label plane has room for %1 segments, those deleted included")
+                .arg(lastLabel));
     document.segments.push_back(
         {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
     return true;
 }
 
-Result<bool> change(const ChangeSegment& edit, Document& document)
+tl::unexpected<Error> unknownSegment(int label)
 {
-    Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment));
-    bool changed = false;
-    const auto assign = [&changed](auto& target, const auto& value) {
-        if (!value || target == *value)
-            return;
-        target = *value;
-        changed = true;
-    };
-    assign(segment->name, edit.name);
-    assign(segment->rgb, edit.rgb);
-    assign(segment->code, edit.code);
-    assign(segment->locked, edit.locked);
-    return changed;
+    return failure(ErrorCode::UnknownSegment, QString::number(label));
 }
 
-Result<bool> move(const MoveSegment& edit, Document& document)
+tl::unexpected<Error> unknownLayer(const char* field, int id)
 {
-    std::vector<Segment>& segments = document.segments;
-    const auto from = std::find_if(segments.begin(), segments.end(),
-        [&edit](const Segment& segment) { return segment.label == edit.segment; });
-    if (from == segments.end())
-        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment));
-    const auto to =
-        segments.begin() + (std::min<std::ptrdiff_t>(edit.place, std::ssize(segments)) - 1);
+    return failure(ErrorCode::InvalidField, QLatin1String(field),
+        QStringLiteral("there is no sculpt layer %1").arg(id));
+}
+
+/// Takes what is given and differs. @return whether there was any
+template <class T> bool assign(T& target, const std::optional<T>& value)
+{
+    if (!value || target == *value)
+        return false;
+    target = *value;
+    return true;
+}
+
+/// Puts a member of a list to a place counted from 1. @return whether it was elsewhere
+template <class T>
+bool move(std::vector<T>& list, typename std::vector<T>::iterator from, int place)
+{
+    const auto to = list.begin() + (std::min<std::ptrdiff_t>(place, std::ssize(list)) - 1);
     if (from < to)
         std::rotate(from, from + 1, to + 1);
     else
         std::rotate(to, from, from + 1);
     return from != to;
 }
+
+Result<bool> apply(const ChangeSegment& edit, Document& document)
+{
+    Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    bool changed = assign(segment->name, edit.name);
+    changed |= assign(segment->rgb, edit.rgb);
+    changed |= assign(segment->code, edit.code);
+    changed |= assign(segment->locked, edit.locked);
+    return changed;
+}
+
+Result<bool> apply(const MoveSegment& edit, Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    std::vector<Segment>& segments = document.segments;
+    return move(segments, segments.begin() + (segment - segments.data()), edit.place);
+}
+
+Result<bool> apply(const RemoveSegment& edit, Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
+    document.segments.erase(document.segments.begin() + (segment - document.segments.data()));
+    return true;
+}
+
+Result<bool> apply(const AddLayer& edit, Document& document)
+{
+    int id = 1;
+    for (const SculptLayer& layer : document.layers)
+        id = std::max(id, layer.id + 1);
+    if (id > lastLayer)
+        return failure(ErrorCode::InvalidField, QStringLiteral("addLayer"),
+            QStringLiteral("there are at most %1 sculpt layers").arg(lastLayer));
+    document.layers.push_back({.id = std::uint8_t(id), .name = edit.name});
+    return true;
+}
+
+Result<bool> apply(const ChangeLayer& edit, Document& document)
+{
+    SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("changeLayer.layer", edit.layer);
+    bool changed = assign(layer->name, edit.name);
+    changed |= assign(layer->muted, edit.muted);
+    return changed;
+}
+
+Result<bool> apply(const MoveLayer& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("moveLayer.layer", edit.layer);
+    std::vector<SculptLayer>& layers = document.layers;
+    return move(layers, layers.begin() + (layer - layers.data()), edit.place);
+}
+
+Result<bool> apply(const AddBookmark& edit, Document& document)
+{
+    if (const Result<glm::dmat3> axes = viewAxes(edit.view, QStringLiteral("addBookmark.view"));
+        !axes)
+        return tl::unexpected(axes.error());
+    document.bookmarks.push_back({.id = document.lastBookmarkGiven() + 1,
+        .name = edit.name,
+        .view = edit.view,
+        .crosshairLps = edit.crosshairLps});
+    return true;
+}
+
+Result<bool> apply(const RemoveBookmark& edit, Document& document)
+{
+    const CameraBookmark* bookmark = document.bookmark(edit.bookmark);
+    if (!bookmark)
+        return failure(ErrorCode::InvalidField, QStringLiteral("removeBookmark.bookmark"),
+            QStringLiteral("there is no bookmark %1").arg(edit.bookmark));
+    document.greatestRemovedBookmark = std::max(document.greatestRemovedBookmark, edit.bookmark);
+    document.bookmarks.erase(document.bookmarks.begin() + (bookmark - document.bookmarks.data()));
+    return true;
+}
+
+// What changes voxels only, or by the history.
+Result<bool> apply(const SeedStroke&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const GrowSteps&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const DrillStroke&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const RevertRows&, Document&)
+{
+    return false;
+}
+
+/// A stroke into a layer that is not there or not seen would be lost work.
+Result<void> checkLayer(const DrillStroke& stroke, const Document& document)
+{
+    const SculptLayer* layer = document.layer(stroke.layer);
+    if (!layer)
+        return unknownLayer("drill.layer", stroke.layer);
+    if (layer->muted)
+        return failure(ErrorCode::InvalidField, QStringLiteral("drill.layer"),
+            QStringLiteral("sculpt layer '%1' is muted: what is carved there would not be seen")
+                .arg(layer->name));
+    return {};
+}
+
+template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 template <class T> Result<void> discardValue(const Result<T>& result)
 {
@@ -72,34 +189,48 @@ template <class T> Result<void> discardValue(const Result<T>& result)
 
 bool changesDocumentOnly(const Edit& edit)
 {
-    return std::holds_alternative<AddSegment>(edit) || std::holds_alternative<ChangeSegment>(edit)
-        || std::holds_alternative<MoveSegment>(edit);
+    return changedPart(edit) && !std::holds_alternative<RemoveSegment>(edit);
+}
+
+std::optional<DocumentChange::What> changedPart(const Edit& edit)
+{
+    return std::visit(
+        [](const auto& known) -> std::optional<DocumentChange::What> {
+            using E = std::decay_t<decltype(known)>;
+            using What = DocumentChange::What;
+            if constexpr (isOneOf<E, AddSegment, ChangeSegment, MoveSegment, RemoveSegment>)
+                return What::Segments;
+            else if constexpr (isOneOf<E, AddLayer, ChangeLayer, MoveLayer>)
+                return What::Layers;
+            else if constexpr (isOneOf<E, AddBookmark, RemoveBookmark>)
+                return What::Bookmarks;
+            else
+                return std::nullopt;
+        },
+        edit);
 }
 
 Result<bool> applyToDocument(const Edit& edit, Document& document)
 {
-    if (const auto* addSegment = std::get_if<AddSegment>(&edit))
-        return add(*addSegment, document);
-    if (const auto* changeSegment = std::get_if<ChangeSegment>(&edit))
-        return change(*changeSegment, document);
-    if (const auto* moveSegment = std::get_if<MoveSegment>(&edit))
-        return move(*moveSegment, document);
-    return false;
+    return std::visit([&document](const auto& known) { return apply(known, document); }, edit);
 }
 
 Result<void> checkAgainst(const Document& document, const Edit& edit)
 {
-    if (changesDocumentOnly(edit)) {
-        Document copy = {.volumes = {}, .segments = document.segments, .layers = {}, .growths = {}};
+    if (changedPart(edit)) {
+        Document copy = document;
         return discardValue(applyToDocument(edit, copy));
     }
     if (const auto* seed = std::get_if<SeedStroke>(&edit))
         return discardValue(seedPlacement(*seed, document));
     if (const auto* grow = std::get_if<GrowSteps>(&edit))
         return discardValue(growBurst(*grow, document));
-    if (std::holds_alternative<RevertRows>(edit))
-        return {}; // it reads the history, not the document
-    return discardValue(drillCut(std::get<DrillStroke>(edit), document));
+    if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
+        if (const Result<void> checked = checkLayer(*drill, document); !checked)
+            return checked;
+        return discardValue(drillCut(*drill, document));
+    }
+    return {}; // "undo only" reads the history, not the document
 }
 
 Document initialDocument(Volume volume)

@@ -5,14 +5,21 @@
 #include "core/document/Document.h"
 #include "core/edits/Edits.h"
 
+#include <optional>
+
 namespace core {
 
 /// Whether an edit changes the document only, and no voxel.
 [[nodiscard]] bool changesDocumentOnly(const Edit& edit);
 
-/// Carries out an edit on the document; edits of voxels leave it as it is.
+/// Which list of the document an edit changes; none if it changes voxels only.
+[[nodiscard]] std::optional<DocumentChange::What> changedPart(const Edit& edit);
+
+/// Carries out on the document what an edit changes there; its voxels are an engine's
+/// (EngineEdits.h).
 /// @return whether anything is different now
-/// Errors: UnknownSegment; InvalidField (no label is left). Nothing is changed then.
+/// Errors: UnknownSegment, SegmentLocked, InvalidField (no label, layer or bookmark of that number,
+/// none left, a view without a direction). Nothing is changed then.
 Result<bool> applyToDocument(const Edit& edit, Document& document);
 
 /// What would be refused later: segments, seeds, bounds and views that do not fit the document.

@@ -24,22 +24,6 @@ Fixed3 toFixed30(const glm::dvec3& v)
     return {std::llround(v.x * fixed30), std::llround(v.y * fixed30), std::llround(v.z * fixed30)};
 }
 
-/// The view's axes in LPS: right, up, forward, as matrix columns.
-Result<glm::dmat3> viewAxes(const OrthographicView& view)
-{
-    const glm::dvec3 towards = view.targetLps - view.eyeLps;
-    if (!(glm::length(towards) > 1e-6))
-        return failure(ErrorCode::InvalidField, QStringLiteral("drill.view"),
-            QStringLiteral("eyeLps and targetLps are the same point"));
-    const glm::dvec3 forward = glm::normalize(towards);
-    const glm::dvec3 across = glm::cross(forward, view.up);
-    if (!(glm::length(across) > 1e-6))
-        return failure(ErrorCode::InvalidField, QStringLiteral("drill.view.up"),
-            QStringLiteral("points along the view direction"));
-    const glm::dvec3 right = glm::normalize(across);
-    return glm::dmat3(right, glm::cross(right, forward), forward);
-}
-
 Result<void> checkRange(const char* field, double value, double minimum, double maximum)
 {
     if (value >= minimum && value <= maximum)
@@ -58,6 +42,21 @@ std::int32_t depthAt(const DrillFrame& frame, int exponent, std::int64_t pressur
 
 } // namespace
 
+Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field)
+{
+    const glm::dvec3 towards = view.targetLps - view.eyeLps;
+    if (!(glm::length(towards) > 1e-6))
+        return failure(ErrorCode::InvalidField, field,
+            QStringLiteral("eyeLps and targetLps are the same point"));
+    const glm::dvec3 forward = glm::normalize(towards);
+    const glm::dvec3 across = glm::cross(forward, view.up);
+    if (!(glm::length(across) > 1e-6))
+        return failure(ErrorCode::InvalidField, field + QStringLiteral(".up"),
+            QStringLiteral("points along the view direction"));
+    const glm::dvec3 right = glm::normalize(across);
+    return glm::dmat3(right, glm::cross(right, forward), forward);
+}
+
 Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
 {
     if (document.volumes.empty())
@@ -75,7 +74,7 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
         if (!check)
             return tl::unexpected(check.error());
     }
-    const Result<glm::dmat3> axes = viewAxes(stroke.view);
+    const Result<glm::dmat3> axes = viewAxes(stroke.view, QStringLiteral("drill.view"));
     if (!axes)
         return tl::unexpected(axes.error());
 

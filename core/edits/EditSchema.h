@@ -24,6 +24,12 @@ template <class E> inline constexpr const char* editName = nullptr;
 template <> inline constexpr const char* editName<AddSegment> = "addSegment";
 template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
 template <> inline constexpr const char* editName<MoveSegment> = "moveSegment";
+template <> inline constexpr const char* editName<RemoveSegment> = "removeSegment";
+template <> inline constexpr const char* editName<AddLayer> = "addLayer";
+template <> inline constexpr const char* editName<ChangeLayer> = "changeLayer";
+template <> inline constexpr const char* editName<MoveLayer> = "moveLayer";
+template <> inline constexpr const char* editName<AddBookmark> = "addBookmark";
+template <> inline constexpr const char* editName<RemoveBookmark> = "removeBookmark";
 template <> inline constexpr const char* editName<SeedStroke> = "seed";
 template <> inline constexpr const char* editName<GrowSteps> = "grow";
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
@@ -32,13 +38,33 @@ template <> inline constexpr const char* editName<RevertRows> = "revert";
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
 inline constexpr const char* editMeaning<AddSegment> =
-    "Adds an empty segment. Segments are numbered 1, 2, 3 … in the order they are added.";
+    "Adds an empty segment. Segments are numbered 1, 2, 3 … in the order they are added, and a "
+    "number is never used again.";
 template <>
 inline constexpr const char* editMeaning<ChangeSegment> =
-    "Renames, recolours or codes a segment; fields left out stay as they are.";
+    "Renames, recolours, codes or locks a segment; fields left out stay as they are.";
 template <>
 inline constexpr const char* editMeaning<MoveSegment> =
     "Puts a segment at another place of the list.";
+template <>
+inline constexpr const char* editMeaning<RemoveSegment> =
+    "Deletes a segment that is not locked, with its voxels and seeds.";
+template <>
+inline constexpr const char* editMeaning<AddLayer> =
+    "Adds an empty sculpt layer. Layer 1 is there from the start; others are numbered 2, 3 … in "
+    "the order they are added.";
+template <>
+inline constexpr const char* editMeaning<ChangeLayer> =
+    "Renames or mutes a sculpt layer; fields left out stay as they are.";
+template <>
+inline constexpr const char* editMeaning<MoveLayer> =
+    "Puts a sculpt layer at another place of the list.";
+template <>
+inline constexpr const char* editMeaning<AddBookmark> =
+    "Keeps a view of the patient by name. Bookmarks are numbered 1, 2, 3 … in the order they are "
+    "added.";
+template <>
+inline constexpr const char* editMeaning<RemoveBookmark> = "Forgets a view that was kept.";
 template <>
 inline constexpr const char* editMeaning<SeedStroke> =
     "Marks the voxels nearest to some points as seeds of a segment; the next growth starts there.";
@@ -53,11 +79,33 @@ inline constexpr const char* editMeaning<RevertRows> =
     "Undoes older strokes and growths only, where nothing wrote or read the same place since.";
 
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
+inline constexpr editFields::WholeNumber layerNumber{1, 255};
+inline constexpr editFields::WholeNumber bookmarkNumber{1, 1000000};
 inline constexpr editFields::Number modalityValue{
     "modality units", -quantum::unbounded, quantum::unbounded, 0.0};
 inline constexpr editFields::Number millimetres{
     "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 inline constexpr editFields::Point positionLps{millimetres};
+
+/// A camera, as every edit that needs one writes it.
+template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
+{
+    using namespace editFields;
+    visit.group("view", "the camera, orthographic", [&](auto& inside) {
+        inside.field("eyeLps", Presence::Required, view.eyeLps, positionLps,
+            "where the viewer stands, patient coordinates (LPS)");
+        inside.field("targetLps", Presence::Required, view.targetLps, positionLps,
+            "the middle of the view plane, patient coordinates (LPS)");
+        inside.field("up", Presence::Required, view.up,
+            Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
+            "a direction that points upwards in the view, patient coordinates (LPS)");
+        inside.field("heightMm", Presence::Required, view.heightMm,
+            Number{"mm", 1.0 / quantum::perMillimetre, quantum::reachMm, quantum::perMillimetre},
+            "what the view's height shows; decides no voxel");
+        inside.constant(
+            "orthographic", Presence::Optional, true, "perspective views are converted");
+    });
+}
 
 template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
 {
@@ -84,6 +132,44 @@ template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
         "its new place in the list, 1 is the first");
 }
 
+template <class Visitor> void visitFields(Visitor& visit, RemoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, AddLayer& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, ChangeLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("muted", edit.muted, editFields::Flag{},
+        "whether it hides nothing, as if it were not there");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visit.field("place", Presence::Required, edit.place, layerNumber,
+        "its new place in the list, 1 is the first");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, AddBookmark& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the menu");
+    visitView(visit, edit.view);
+    visit.field("crosshairLps", Presence::Required, edit.crosshairLps, positionLps,
+        "where the slices cross, patient coordinates (LPS)");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, RemoveBookmark& edit)
+{
+    visit.field("bookmark", Presence::Required, edit.bookmark, bookmarkNumber, "which bookmark");
+}
+
 template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
@@ -108,22 +194,9 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
 template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
 {
     using namespace editFields;
-    visit.field("layer", Presence::Optional, edit.layer, WholeNumber{1, 255},
-        "the sculpt layer that is carved");
-    visit.group("view", "the camera, orthographic", [&](auto& inside) {
-        inside.field("eyeLps", Presence::Required, edit.view.eyeLps, positionLps,
-            "where the viewer stands, patient coordinates (LPS)");
-        inside.field("targetLps", Presence::Required, edit.view.targetLps, positionLps,
-            "the middle of the view plane, patient coordinates (LPS)");
-        inside.field("up", Presence::Required, edit.view.up,
-            Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
-            "a direction that points upwards in the view, patient coordinates (LPS)");
-        inside.field("heightMm", Presence::Required, edit.view.heightMm,
-            Number{"mm", 1.0 / quantum::perMillimetre, quantum::reachMm, quantum::perMillimetre},
-            "what the view's height shows; decides no voxel");
-        inside.constant(
-            "orthographic", Presence::Optional, true, "perspective views are converted");
-    });
+    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+    visitView(visit, edit.view);
     visit.group("mask", "what is pressed into the volume, parallel to the view", [&](auto& inside) {
         inside.constant("shape", Presence::Required, QStringLiteral("circle"), "a disc");
         inside.field("radiusMm", Presence::Required, edit.radiusMm,

@@ -37,6 +37,41 @@ struct MoveSegment {
     int place = 0; ///< 1: first; beyond the end: last
 };
 
+/// Delete a segment with its voxels, seeds and what has grown from them. Its label is not used
+/// again.
+struct RemoveSegment {
+    int segment = 0; ///< label
+};
+
+/// An empty sculpt layer, last in the list.
+struct AddLayer {
+    QString name{};
+};
+
+/// Rename or mute a sculpt layer; absent fields stay.
+struct ChangeLayer {
+    int layer = 0; ///< id
+    std::optional<QString> name{};
+    std::optional<bool> muted{};
+};
+
+/// Put a sculpt layer at another place of the list.
+struct MoveLayer {
+    int layer = 0; ///< id
+    int place = 0; ///< 1: first; beyond the end: last
+};
+
+/// Keep a view of the patient by name.
+struct AddBookmark {
+    QString name{};
+    OrthographicView view{}; ///< of the 3D view
+    glm::dvec3 crosshairLps{0.0};
+};
+
+struct RemoveBookmark {
+    int bookmark = 0; ///< id
+};
+
 /// Sketched seeds: the voxels nearest to these points.
 struct SeedStroke {
     int segment = 0;
@@ -49,14 +84,6 @@ struct GrowSteps {
     int connectivity = 6;
     std::optional<int> steps{}; ///< none: to closure
     bool overwriteUnlocked = false;
-};
-
-/// An orthographic camera; a perspective one is converted at the picked depth.
-struct OrthographicView {
-    glm::dvec3 eyeLps{0.0};
-    glm::dvec3 targetLps{0.0};
-    glm::dvec3 up{0.0, 0.0, 1.0};
-    double heightMm = 300.0; ///< what the view shows; decides no voxel
 };
 
 struct PenSample {
@@ -83,7 +110,8 @@ struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
 
-using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, SeedStroke, GrowSteps,
-    DrillStroke, RevertRows>;
+using Edit =
+    std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer, ChangeLayer,
+        MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke, RevertRows>;
 
 } // namespace core

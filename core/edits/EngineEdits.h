@@ -25,6 +25,13 @@ namespace core {
 /// Errors: InvalidField (connectivity other than 6, lower > upper).
 [[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
 
+/// Errors: UnknownSegment, SegmentLocked.
+[[nodiscard]] Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document);
+
+/// A view's axes in LPS: right, up, forward, as matrix columns. Errors: InvalidField (below
+/// @p field: eye and target are one point, or up points along the view).
+[[nodiscard]] Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field);
+
 /// The frame of a drill stroke; its samples are not looked at. Errors: InvalidField.
 [[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
 

@@ -88,4 +88,15 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
     return burst;
 }
 
+Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
+            QStringLiteral("in field 'removeSegment.segment'"));
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    return EraseLabel{.plane = segment->plane, .label = segment->label};
+}
+
 } // namespace core

@@ -89,6 +89,7 @@ bool isBoundToStudy(const RecipeStep& step)
     const auto* edit = std::get_if<Edit>(&step);
     return !edit || std::holds_alternative<SeedStroke>(*edit)
         || std::holds_alternative<DrillStroke>(*edit)
+        || std::holds_alternative<AddBookmark>(*edit)
         || std::holds_alternative<RevertRows>(*edit);
 }
 

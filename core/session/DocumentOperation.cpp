@@ -20,15 +20,12 @@ void DocumentOperation::start(SessionState& state)
         state.complete(m_again, {});
         return;
     }
-    const Result<bool> changed = applyToDocument(m_edit, state.document);
-    if (!changed) {
+    Document after = state.document;
+    const Result<bool> changed = applyToDocument(m_edit, after);
+    if (!changed)
         state.fail(changed.error());
-        return;
-    }
-    if (*changed) {
+    else if (*changed)
         state.commit(m_edit, {}, {}, {});
-        state.tell(DocumentChange::What::Segments);
-    }
 }
 
 bool DocumentOperation::foresee(Document& document) const

@@ -91,6 +91,8 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
         const HistoryRow& row = state.history.row(id);
         if (changesDocumentOnly(row.edit))
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
+        if (changedPart(row.edit))
+            return refused(QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
     }
     return {};
 }

@@ -23,6 +23,11 @@ QString counted(std::int64_t count, const char* noun)
         + (count == 1 ? QString() : QStringLiteral("s"));
 }
 
+QString quoted(const QString& name)
+{
+    return QLatin1Char('\'') + name + QLatin1Char('\'');
+}
+
 QString segmentName(int label, const Document& document)
 {
     const Segment* segment = document.segment(label);
@@ -71,6 +76,56 @@ QString changeName(const ChangeSegment& edit, const Document& document)
     return QStringLiteral("Recolour segment '%1'").arg(name);
 }
 
+QString removeName(const RemoveSegment& edit, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const Document& document)
+{
+    const std::int64_t seeds = seedWordsChanged(changes);
+    QString lost = QStringLiteral("empty");
+    if (statistics.voxelsChanged > 0)
+        lost = QStringLiteral("−") + counted(statistics.voxelsChanged, "voxel");
+    else if (seeds > 0)
+        lost = QStringLiteral("−") + counted(seeds, "seed voxel");
+    return QStringLiteral("Delete segment %1, %2")
+        .arg(quoted(segmentName(edit.segment, document)), lost);
+}
+
+QString layerName(int id, const Document& document)
+{
+    const SculptLayer* layer = document.layer(id);
+    return quoted(layer ? layer->name : QString::number(id));
+}
+
+QString changeName(const ChangeLayer& edit, const Document& document)
+{
+    const QString name = layerName(edit.layer, document);
+    if (edit.name)
+        return QStringLiteral("Rename layer %1 to %2").arg(name, quoted(*edit.name));
+    return (edit.muted.value_or(false) ? QStringLiteral("Mute layer ")
+                                       : QStringLiteral("Unmute layer "))
+        + name;
+}
+
+/// What changes layers or bookmarks; empty for other edits.
+QString listName(const Edit& edit, const Document& document)
+{
+    if (const auto* add = std::get_if<AddLayer>(&edit))
+        return QStringLiteral("Add layer ") + quoted(add->name);
+    if (const auto* change = std::get_if<ChangeLayer>(&edit))
+        return changeName(*change, document);
+    if (const auto* move = std::get_if<MoveLayer>(&edit))
+        return QStringLiteral("Move layer %1 to place %2")
+            .arg(layerName(move->layer, document))
+            .arg(move->place);
+    if (const auto* add = std::get_if<AddBookmark>(&edit))
+        return QStringLiteral("Bookmark ") + quoted(add->name);
+    if (const auto* remove = std::get_if<RemoveBookmark>(&edit)) {
+        const CameraBookmark* bookmark = document.bookmark(remove->bookmark);
+        return QStringLiteral("Remove bookmark ")
+            + quoted(bookmark ? bookmark->name : QString::number(remove->bookmark));
+    }
+    return {};
+}
+
 /// A row without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2 mm".
 QString titleOf(const HistoryRow& row)
 {
@@ -103,6 +158,10 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("Move segment '%1' to place %2")
             .arg(segmentName(move->segment, document))
             .arg(move->place);
+    if (const auto* remove = std::get_if<RemoveSegment>(&edit))
+        return removeName(*remove, statistics, changes, document);
+    if (const QString name = listName(edit, document); !name.isEmpty())
+        return name;
     if (std::holds_alternative<SeedStroke>(edit))
         return QStringLiteral("Seed stroke, ") + counted(seedWordsChanged(changes), "voxel");
     if (std::holds_alternative<GrowSteps>(edit))

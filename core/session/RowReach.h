@@ -15,8 +15,9 @@ namespace core {
 ///
 /// - a seed stroke: the seed words of the bricks that its points lie in;
 /// - a growth: every seed word and label of its plane, since a burst goes on from all members;
+/// - a segment that was deleted: likewise, since its label must not come back without it;
 /// - a drill stroke: the coverage that its rays can meet, one brick of blur around (seed A §4.2):
-///   all layers, from front to back under the swept mask;
+///   all layers, muted or not, from front to back under the swept mask;
 /// - "undo only": the bricks of the rows that it took back.
 class RowReach {
 public:

@@ -40,12 +40,14 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     const EditStatistics& statistics, std::optional<std::uint32_t> generation)
 {
     takeIn(changes);
-    if (generation)
-        document.growths.front().generation = *generation;
-    placeSegments();
-
     HistoryRow row;
     row.name = rowName(edit, statistics, changes, document, history);
+    if (generation)
+        document.growths.front().generation = *generation;
+    // What carries an edit out has made sure that it can be.
+    static_cast<void>(applyToDocument(edit, document));
+    placeSegments();
+    muteLayers();
     row.edit = edit;
     row.statistics = statistics;
     row.origin = origin();
@@ -56,6 +58,8 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
     worker->commit(id, shared, documentJson());
     remember(id, shared);
+    if (const std::optional<DocumentChange::What> part = changedPart(edit))
+        tell(*part);
     tell(DocumentChange::What::History);
 }
 
@@ -81,6 +85,8 @@ void SessionState::moveTo(RowId position, std::vector<BrickChange> changes)
         file->setPosition(position);
     worker->move(std::make_shared<const std::vector<BrickChange>>(std::move(changes)));
     tell(DocumentChange::What::Segments);
+    tell(DocumentChange::What::Layers);
+    tell(DocumentChange::What::Bookmarks);
     tell(DocumentChange::What::Growth);
     tell(DocumentChange::What::History);
 }
@@ -154,10 +160,22 @@ void SessionState::placeDocument()
         static_cast<void>(applyToDocument(row.edit, placed));
         placed.growths.front().generation = row.growthGeneration;
     }
-    document.segments = std::move(placed.segments);
-    document.layers = std::move(placed.layers);
-    document.growths = std::move(placed.growths);
+    placed.volumes = std::move(document.volumes);
+    document = std::move(placed);
     placeSegments();
+    muteLayers();
+}
+
+/// The engine knows which layers are muted before it is told anything that reads what is carved.
+void SessionState::muteLayers()
+{
+    MuteLayers mute;
+    for (const SculptLayer& layer : document.layers)
+        mute.muted[layer.id] = layer.muted;
+    if (mute.muted == m_muted)
+        return;
+    m_muted = mute.muted;
+    engine.submit(mute);
 }
 
 /// What a segment shows besides what the history says.

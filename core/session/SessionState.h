@@ -8,6 +8,7 @@
 #include "core/session/SessionFile.h"
 
 #include <array>
+#include <bitset>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,7 +24,8 @@ class SessionState {
 public:
     SessionState(EditEngine& lentEngine, Volume volume);
 
-    /// A command was carried out: a row for it, in memory and on its way to disk.
+    /// A command was carried out on voxels: what it changes in the document, and a row for it, in
+    /// memory and on its way to disk.
     void commit(const Edit& edit, std::vector<BrickChange> changes,
         const EditStatistics& statistics, std::optional<std::uint32_t> generation);
     /// A row of an opened session was carried out again, because it lacked its second half.
@@ -67,11 +69,13 @@ private:
     void remember(RowId row, const Changes& changes);
     void placeDocument();
     void placeSegments();
+    void muteLayers();
 
     std::map<RowId, Changes> m_recent;
     std::size_t m_recentBytes = 0;
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
+    std::bitset<256> m_muted; ///< layers, as the engine was told
 };
 
 } // namespace core

@@ -66,11 +66,22 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         m_firstGeneration = burst->generation;
         return EngineEdit(*std::move(burst));
     }
+    if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
+        Result<EraseLabel> erase = eraseLabel(*remove, document);
+        if (!erase)
+            return tl::unexpected(erase.error());
+        return EngineEdit(*erase);
+    }
     Result<DrillCut> cut = drillCut(std::get<DrillStroke>(m_edit), document);
     if (!cut)
         return tl::unexpected(cut.error());
     m_frame = cut->frame;
     return EngineEdit(*std::move(cut));
+}
+
+bool VoxelOperation::foresee(Document& document) const
+{
+    return bool(applyToDocument(m_edit, document));
 }
 
 void VoxelOperation::start(SessionState& state)
@@ -157,7 +168,8 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.engine.submit(SwapBricks{imagesBefore(result.changes)});
     if (isGrowth())
         state.tell(DocumentChange::What::Growth);
-    if (result.error || m_failed || result.changes.empty()) {
+    const bool changed = !result.changes.empty() || changedPart(m_edit);
+    if (result.error || m_failed || !changed) {
         if (m_again != 0 && !result.error && !m_failed)
             state.fail({ErrorCode::SessionDamaged,
                 {state.file ? state.file->path() : QString(),

@@ -7,7 +7,8 @@
 
 namespace core {
 
-/// An edit of voxels: one engine transaction, one row if it changed anything.
+/// An edit of voxels, which may change the document with them: one engine transaction, one row if
+/// it changed anything.
 class VoxelOperation final : public Operation {
 public:
     enum class Kind {
@@ -27,6 +28,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_finished || (m_refused && m_ending); }
+    [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
     [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);

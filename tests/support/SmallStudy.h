@@ -21,7 +21,7 @@ namespace test {
 /// From the front into the bone, at @p xMm right of the middle.
 [[nodiscard]] core::DrillStroke drillAt(double xMm);
 
-/// A history with every kind of edit, on segment 1 and 2.
+/// A history of strokes, growths and changes, on segments 1 and 2.
 [[nodiscard]] std::vector<core::Edit> manyEdits();
 
 } // namespace test

@@ -176,6 +176,77 @@ core::AddSegment segmentNamed(const char* name)
     return segment;
 }
 
+core::AddBookmark bookmarkOf(const core::DrillStroke& stroke)
+{
+    core::AddBookmark bookmark;
+    bookmark.name = QStringLiteral("From there");
+    bookmark.view = stroke.view;
+    bookmark.crosshairLps = stroke.view.targetLps;
+    return bookmark;
+}
+
+/// A session that adds, mutes and deletes between its strokes; the last edit is the one in hand.
+StrokeCase randomLists(int number)
+{
+    Random random(std::uint32_t(3700 + number));
+    const glm::ivec3 extent(
+        randomInt(random, 3, 40), randomInt(random, 3, 40), randomInt(random, 3, 30));
+    const core::Document scene = randomDocument(extent, random, number % 2);
+    StrokeCase made{"random lists " + QByteArray::number(number),
+        loaded(scene, number % 3 ? balls(extent, 5, random) : shells(extent)),
+        {segmentNamed("First"), segmentNamed("Second"), segmentNamed("Third"),
+            core::AddLayer{.name = QStringLiteral("Other")}},
+        {}};
+    std::vector<int> segments{1, 2, 3};
+    int bookmarks = 0;
+    int removed = 0; // of the bookmarks, the first so many
+    std::array<bool, 3> muted{};
+    for (int i = randomInt(random, 6, 14); i > 0; --i) {
+        const int layer = randomInt(random, 1, 2);
+        switch (random() % 9) {
+        case 0:
+        case 1:
+            if (!segments.empty())
+                made.before.push_back(
+                    randomSeeds(scene, segments[random() % segments.size()], random));
+            break;
+        case 2:
+            made.before.push_back(randomGrowth(random));
+            break;
+        case 3:
+            muted[std::size_t(layer)] = !muted[std::size_t(layer)];
+            made.before.push_back(
+                core::ChangeLayer{.layer = layer, .muted = muted[std::size_t(layer)]});
+            break;
+        case 4:
+            if (!segments.empty()) {
+                const auto which = segments.begin() + std::ptrdiff_t(random() % segments.size());
+                made.before.push_back(core::RemoveSegment{.segment = *which});
+                segments.erase(which);
+            }
+            break;
+        case 5:
+            made.before.push_back(bookmarkOf(randomDrill(scene, random)));
+            ++bookmarks;
+            break;
+        case 6:
+            if (bookmarks > removed)
+                made.before.push_back(core::RemoveBookmark{.bookmark = ++removed});
+            break;
+        default: {
+            core::DrillStroke stroke = randomDrill(scene, random);
+            stroke.layer = layer;
+            if (!muted[std::size_t(layer)])
+                made.before.push_back(stroke);
+            break;
+        }
+        }
+    }
+    made.edit = made.before.back();
+    made.before.pop_back();
+    return made;
+}
+
 core::Edit randomEdit(const core::Document& document, Random& random)
 {
     switch (random() % 5) {
@@ -285,6 +356,33 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"undo only what was undone only", volume,
         {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
 
+    core::DrillStroke other = drill;
+    other.layer = 2;
+    const core::Edit layer = core::AddLayer{.name = QStringLiteral("Other")};
+    const core::Edit mute = core::ChangeLayer{.layer = 1, .muted = true};
+    const core::Edit bookmark = bookmarkOf(drill);
+    cases.push_back(
+        {"delete an empty segment", volume, {first, second}, core::RemoveSegment{.segment = 1}});
+    cases.push_back({"delete a segment and its seeds", volume, {first, seeds, second, others},
+        core::RemoveSegment{.segment = 1}});
+    cases.push_back({"delete one of two grown", volume, {first, seeds, second, others, some, all},
+        core::RemoveSegment{.segment = 2}});
+    cases.push_back({"growth after a deletion", volume,
+        {first, seeds, second, others, some, core::RemoveSegment{.segment = 1}}, all});
+    cases.push_back({"add after a deletion", volume,
+        {first, second, core::RemoveSegment{.segment = 2}}, first});
+    cases.push_back({"add a layer", volume, {drill}, layer});
+    cases.push_back({"move a layer", volume, {layer}, core::MoveLayer{.layer = 2, .place = 1}});
+    cases.push_back({"mute a layer", volume, {layer, drill, other}, mute});
+    cases.push_back({"drill over another layer", volume, {layer, drill}, other});
+    cases.push_back({"drill through a muted layer", volume, {layer, drill, mute}, other});
+    cases.push_back({"drill where a layer is heard again", volume,
+        {layer, drill, mute, core::ChangeLayer{.layer = 1, .muted = false}}, other});
+    cases.push_back({"bookmark", volume, {drill}, bookmark});
+    cases.push_back({"remove a bookmark", volume, {bookmark}, core::RemoveBookmark{.bookmark = 1}});
+
+    for (int number = 0; number < randomCount; ++number)
+        cases.push_back(randomLists(number));
     for (int number = 0; number < randomCount; ++number) {
         Random own(std::uint32_t(700 + number));
         const glm::ivec3 extent(

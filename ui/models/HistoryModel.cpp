@@ -194,7 +194,7 @@ QVariant HistoryModel::rowData(const HistoryEntry& entry, int role) const
     case DetailRole:
         return row ? textOf(*row).detail : QString();
     case VoxelsRole:
-        return row && !core::changesDocumentOnly(row->edit);
+        return row && !core::changedPart(row->edit);
     default:
         return {};
     }

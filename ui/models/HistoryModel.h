@@ -20,7 +20,7 @@ public:
         DetailRole = Qt::UserRole, ///< QString, right-aligned: "57 bricks", "+7 204 voxels"
         CurrentRole, ///< bool: the state that is shown
         UndoneRole, ///< bool: redo brings it back
-        VoxelsRole, ///< bool: a step that changed voxels
+        VoxelsRole, ///< bool: a step that changed voxels and nothing else
         RowIdRole, ///< qlonglong: core::RowId, 0 for the opened study; of a heading: the last row
         DepthRole, ///< int: 0 on the current line, 1 on a branch, 2 on a branch of a branch …
         HeadingRole, ///< bool: the heading of a branch

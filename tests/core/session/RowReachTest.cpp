@@ -70,7 +70,9 @@ private Q_SLOTS:
             SwapBricks cuts;
             const BrickGrid grid{size};
             for (int brick = 0; brick < grid.brickCount(); ++brick) {
-                const BrickKey key{Field::Coverage, 1, std::uint32_t(brick)};
+                // In whichever layer: a stroke sees all of them.
+                const BrickKey key{
+                    Field::Coverage, std::uint8_t(1 + brick % 2), std::uint32_t(brick)};
                 if (reach.covers(key))
                     continue;
                 std::vector<std::uint8_t> bytes(BrickGrid::voxelsPerBrick, 0);
@@ -92,6 +94,25 @@ private Q_SLOTS:
         // Otherwise nothing was asked.
         QVERIFY2(bricksOutside > 5 * count, qPrintable(QString::number(bricksOutside)));
         QVERIFY(strokesThatCut > count / 3);
+    }
+
+    /// What is carved under the mask counts, in whichever layer.
+    void aStrokeSeesAllLayers()
+    {
+        test::Random random{9};
+        const Document document = test::randomDocument({64, 48, 48}, random, false);
+        DrillStroke stroke = test::randomDrill(document, random);
+        stroke.layer = 1;
+        const RowReach reach(stroke, document, {});
+        const BrickGrid grid{document.volumes.front().geometry.size};
+        int covered = 0;
+        for (int brick = 0; brick < grid.brickCount(); ++brick) {
+            const bool own = reach.covers({Field::Coverage, 1, std::uint32_t(brick)});
+            QCOMPARE(reach.covers({Field::Coverage, 2, std::uint32_t(brick)}), own);
+            QCOMPARE(reach.covers({Field::Coverage, 255, std::uint32_t(brick)}), own);
+            covered += own ? 1 : 0;
+        }
+        QVERIFY(covered > 0);
     }
 
     void seedsReachTheirBricksOnly()
@@ -118,6 +139,10 @@ private Q_SLOTS:
         QVERIFY(growth.covers({Field::Labels, 0, 3}));
         QVERIFY(!growth.covers({Field::Labels, 1, 3}));
         QVERIFY(!growth.covers({Field::Coverage, 0, 3}));
+        const RowReach removal(RemoveSegment{.segment = 1}, document, {});
+        QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
+        QVERIFY(removal.covers({Field::Labels, 0, 3}));
+        QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
         const BrickKey written{Field::Labels, 0, 2};
         const RowReach revert(RevertRows{{1}}, document, {written});
         QVERIFY(revert.covers(written));

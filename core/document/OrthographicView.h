@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace core {
+
+/// An orthographic camera; a perspective one is converted at the picked depth.
+struct OrthographicView {
+    glm::dvec3 eyeLps{0.0};
+    glm::dvec3 targetLps{0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    double heightMm = 300.0; ///< what the view shows; decides no voxel
+};
+
+} // namespace core
