@@ -17,6 +17,7 @@
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
+#include "ui/panels/LayersPanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/DrillTool.h"
@@ -64,12 +65,15 @@ void Application::makeWindow()
     auto* seed = new ui::SeedTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
+    window.actionTable().fill(window.sculptMenu(),
+        {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
 
     window.addPanel(new ui::SegmentsPanel(*m_workspace));
     window.addPanel(new ui::GrowthPanel(*m_workspace));
     window.addPanel(new ui::HistoryPanel(*m_workspace));
+    window.addPanel(new ui::LayersPanel(*m_workspace));
     window.addPanel(new ui::VolumePanel(*m_workspace));
 
     addExport();

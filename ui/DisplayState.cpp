@@ -231,6 +231,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
         {QStringLiteral("views"), composedViews()},
         {QStringLiteral("activeSegment"), m_workspace.activeSegment()},
+        {QStringLiteral("activeLayer"), m_workspace.activeLayer()},
         {QStringLiteral("tool"), tool ? tool->iconName() : QString()},
         {QStringLiteral("drill"),
             QJsonObject{{QStringLiteral("radiusMm"), drill.radiusMm},
@@ -285,6 +286,9 @@ void DisplayState::applyTools(const QJsonObject& state)
     const int segment = state[QLatin1String("activeSegment")].toInt();
     if (m_workspace.session()->document().segment(segment))
         m_workspace.setActiveSegment(segment);
+    const int layer = state[QLatin1String("activeLayer")].toInt();
+    if (m_workspace.session()->document().layer(layer))
+        m_workspace.setActiveLayer(layer);
 
     const QJsonValue drillJson = state[QLatin1String("drill")];
     Workspace::DrillSettings drill = m_workspace.drillSettings();

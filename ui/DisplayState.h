@@ -15,8 +15,8 @@ class Tool;
 class ViewGrid;
 
 /// How the window looks at a session, kept in the session's file and put back when it is opened
-/// again: views, grey scale, 3D look, crosshair, active segment, the tools' settings. Never a step
-/// of undo. (Which segments are hidden the session keeps itself.)
+/// again: views, grey scale, 3D look, crosshair, active segment and layer, the tools' settings.
+/// Never a step of undo. (Which segments are hidden the session keeps itself.)
 ///
 /// What changed is written every few seconds and when the session closes. The form is described in
 /// core/session/README.md; fields that are missing, unknown or make no sense are passed over.

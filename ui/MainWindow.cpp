@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/MainWindow.h"
 
+#include "ui/BookmarkMenu.h"
 #include "ui/ErrorText.h"
 #include "ui/Icons.h"
 #include "ui/LoadingBar.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_panels(new PanelColumn(this))
     , m_splitter(new QSplitter(this))
     , m_saver(new SessionSaver(workspace, *this))
+    , m_bookmarks(new BookmarkMenu(workspace, m_views->volume(), this))
 {
     setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
     setAcceptDrops(true);
@@ -87,6 +89,8 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
 
     const auto refresh = [this] { m_actions.refresh(); };
     connect(&workspace, &Workspace::documentChanged, this, refresh);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, refresh);
+    connect(&workspace, &Workspace::activeLayerChanged, this, refresh);
     connect(&workspace, &Workspace::activeToolChanged, this, refresh);
     connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
     connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
@@ -126,7 +130,9 @@ void MainWindow::buildMenus()
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
     m_actions.fill(*view,
         ids({"view.four", "view.volume", "view.axial", "view.sagittal", "view.coronal", "",
-            "view.reset", "view.resetAll", ""}));
+            "view.reset", "view.resetAll", "", "view.bookmark"}));
+    m_bookmarks->fill(*view->addMenu(QStringLiteral("Bookmarks")));
+    view->addSeparator();
     QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
     for (int number = 1; number <= 9; ++number)
         grey->addAction(&m_actions[QStringLiteral("window.preset%1").arg(number)]);
@@ -145,6 +151,7 @@ void MainWindow::buildMenus()
     m_sculptMenu = m_menuBar->addMenu(QStringLiteral("S&culpt"));
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
     m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
+    m_actions.fill(*m_segmentsMenu, ids({"segments.add", "segments.remove"}));
     QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));
     m_actions.fill(*help, ids({"help.keys", "help.about"}));
 

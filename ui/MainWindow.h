@@ -15,6 +15,7 @@ class QStackedWidget;
 
 namespace ui {
 
+class BookmarkMenu;
 class LoadingBar;
 class MessageBar;
 class OptionBar;
@@ -51,6 +52,7 @@ public:
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] ViewGrid& views() const { return *m_views; }
+    [[nodiscard]] BookmarkMenu& bookmarks() const { return *m_bookmarks; }
     [[nodiscard]] MessageBar& messages() const { return *m_messages; }
     [[nodiscard]] StudyOpener& opener() { return m_opener; }
     [[nodiscard]] Actions& actionTable() { return m_actions; }
@@ -116,6 +118,7 @@ private:
     QSplitter* m_splitter;
     SessionSaver* m_saver;
     QString m_sessionFolder;
+    BookmarkMenu* m_bookmarks;
     bool m_panelsWanted = true;
     bool m_keepsLayout = false;
 };

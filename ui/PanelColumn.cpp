@@ -111,7 +111,7 @@ void PanelColumn::reset()
 {
     for (Place& place : m_places) {
         place.wanted = true;
-        place.section->setFolded(false);
+        place.section->setFolded(place.section->panel().foldedAtFirst());
         if (place.section->isFloating())
             putBack(*place.section);
     }
@@ -146,7 +146,8 @@ void PanelColumn::restore(const QSettings& settings)
     for (Place& place : m_places) {
         PanelSection& section = *place.section;
         place.wanted = settings.value(key(section, "shown"), true).toBool();
-        section.setFolded(settings.value(key(section, "folded"), false).toBool());
+        section.setFolded(
+            settings.value(key(section, "folded"), section.panel().foldedAtFirst()).toBool());
         setFloating(section, settings.value(key(section, "floating"), false).toBool());
         if (section.isFloating())
             section.restoreGeometry(settings.value(key(section, "geometry")).toByteArray());

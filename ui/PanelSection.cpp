@@ -45,8 +45,9 @@ PanelSection::PanelSection(Panel& panel, QWidget* parent)
     layout->addWidget(&panel, 1);
     if (!panel.stretches())
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    setFolded(false);
+    setFolded(panel.foldedAtFirst());
     showPlace();
+    connect(&panel, &Panel::unfoldAsked, this, [this] { setFolded(false); });
 }
 
 void PanelSection::buildHeader()

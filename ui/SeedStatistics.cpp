@@ -30,7 +30,9 @@ int sketchedSeeds(const core::EditSession& session)
     std::size_t count = 0;
     const core::History& history = session.history();
     for (const core::RowId id : history.standing()) {
-        if (const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit))
+        const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit);
+        // Those of a segment that was deleted went with it.
+        if (stroke && session.document().segment(stroke->segment))
             count += stroke->pointsLps.size();
     }
     return int(count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/SegmentActions.h"
 
+#include "ui/CountText.h"
 #include "ui/Workspace.h"
 
 #include <algorithm>
@@ -55,6 +56,29 @@ core::Result<int> ensureActiveSegment(Workspace& workspace)
         return addSegment(workspace);
     workspace.setActiveSegment(document.segments.front().label);
     return workspace.activeSegment();
+}
+
+void removeSegment(Workspace& workspace, int label)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    session->closeGrowth();
+    const core::Document before = session->foreseenDocument();
+    const core::Segment* segment = before.segment(label);
+    // What still waits for the engine may change the count.
+    const bool counted = session->idle();
+    if (const auto removed = session->apply(core::RemoveSegment{.segment = label}); !removed)
+        return workspace.fail(removed.error());
+    if (workspace.activeSegment() == label) {
+        const auto place = std::size_t(segment - before.segments.data());
+        const bool isLast = place + 1 == before.segments.size();
+        const std::size_t next = isLast ? place - 1 : place + 1;
+        workspace.setActiveSegment(before.segments.size() > 1 ? before.segments[next].label : 0);
+    }
+    workspace.say(counted ? QObject::tr("Deleted '%1', %2 voxels; Ctrl+Z brings it back")
+                                .arg(segment->name, countText(segment->voxels))
+                          : QObject::tr("Deleted '%1'; Ctrl+Z brings it back").arg(segment->name));
 }
 
 } // namespace ui

@@ -25,4 +25,8 @@ core::Result<int> addSegment(Workspace& workspace);
 /// The active segment; if there is none, the first one, and if there is no segment, a new one.
 core::Result<int> ensureActiveSegment(Workspace& workspace);
 
+/// Deletes a segment with its voxels, as an entry of its own, and says so; the one below it, or
+/// else above, becomes the active one. What cannot be done is told by the workspace.
+void removeSegment(Workspace& workspace, int label);
+
 } // namespace ui

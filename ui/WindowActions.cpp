@@ -2,9 +2,12 @@
 #include "ui/WindowActions.h"
 
 #include "ui/AuditSaver.h"
+#include "ui/BookmarkMenu.h"
 #include "ui/InitialDisplay.h"
+#include "ui/LayerActions.h"
 #include "ui/MainWindow.h"
 #include "ui/MessageBar.h"
+#include "ui/SegmentActions.h"
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/tools/Tool.h"
@@ -240,6 +243,11 @@ void addViewActions(MainWindow& window)
         .text = QStringLiteral("Reset all views"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+R"))},
         .run = [&window] { window.views().resetViews(); }});
+    actions.add({.id = QStringLiteral("view.bookmark"),
+        .text = QStringLiteral("Bookmark this view …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+B"))},
+        .run = [&window] { window.bookmarks().ask(); },
+        .possible = [&window] { return window.workspace().session() != nullptr; }});
     addToggle(
         window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
     addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
@@ -268,6 +276,65 @@ void addViewActions(MainWindow& window)
             .keys = {QKeySequence(QLatin1String(side.key))},
             .run = [&window, &side] { window.views().volume().lookFrom(side.direction); }});
     }
+}
+
+void addListActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    const auto isOpen = [&workspace] { return workspace.session() != nullptr; };
+    const auto activeSegment = [&workspace]() -> const core::Segment* {
+        const core::EditSession* session = workspace.session();
+        return session ? session->document().segment(workspace.activeSegment()) : nullptr;
+    };
+    const auto activeLayer = [&workspace]() -> const core::SculptLayer* {
+        const core::EditSession* session = workspace.session();
+        return session ? session->document().layer(workspace.activeLayer()) : nullptr;
+    };
+    actions.add({.id = QStringLiteral("segments.add"),
+        .text = QStringLiteral("Add segment"),
+        .run =
+            [&workspace] {
+                if (const auto added = addSegment(workspace); !added)
+                    workspace.fail(added.error());
+            },
+        .possible = isOpen});
+    actions.add({.id = QStringLiteral("segments.remove"),
+        .text = QStringLiteral("Delete segment"),
+        .run = [&workspace] { removeSegment(workspace, workspace.activeSegment()); },
+        .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
+        .currentText =
+            [activeSegment] {
+                const core::Segment* segment = activeSegment();
+                return segment ? QStringLiteral("Delete segment '%1'").arg(segment->name)
+                               : QStringLiteral("Delete segment");
+            }});
+    actions.add({.id = QStringLiteral("layers.add"),
+        .text = QStringLiteral("Add sculpt layer"),
+        .run =
+            [&workspace] {
+                if (const auto added = addLayer(workspace); !added)
+                    workspace.fail(added.error());
+            },
+        .possible = isOpen});
+    actions.add({.id = QStringLiteral("layers.mute"),
+        .text = QStringLiteral("Mute sculpt layer"),
+        .run =
+            [&workspace, activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                const auto muted = workspace.session()->apply(
+                    core::ChangeLayer{.layer = layer->id, .muted = !layer->muted});
+                if (!muted)
+                    workspace.fail(muted.error());
+            },
+        .possible = [activeLayer] { return activeLayer() != nullptr; },
+        .checked = [activeLayer] { return activeLayer() && activeLayer()->muted; },
+        .currentText =
+            [activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                return layer ? QStringLiteral("Mute layer '%1'").arg(layer->name)
+                             : QStringLiteral("Mute sculpt layer");
+            }});
 }
 
 void addPresetActions(MainWindow& window)
@@ -317,6 +384,7 @@ void addWindowActions(MainWindow& window)
     addEditActions(window);
     addToolActions(window);
     addViewActions(window);
+    addListActions(window);
     addPresetActions(window);
 }
 

@@ -45,6 +45,8 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         m_session->setListener([this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Disk)
                 followDisk();
+            else if (change.what == core::DocumentChange::What::Layers)
+                followLayers();
             Q_EMIT documentChanged(change);
         });
         m_session->setErrorListener([this](const core::Error& error) { fail(error); });
@@ -53,6 +55,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_cautionAccepted = false;
     m_pointedLps.reset();
     m_activeSegment = 0;
+    m_activeLayer = 0;
     if (const core::Volume* opened = volume()) {
         const core::VolumeGeometry& geometry = opened->geometry;
         m_crosshairLps = geometry.toWorld(glm::dvec3(geometry.size / 2));
@@ -61,6 +64,8 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         m_viewOptions.inverted = opened->displayInverted;
         if (!m_session->document().segments.empty())
             m_activeSegment = m_session->document().segments.front().label;
+        if (!m_session->document().layers.empty())
+            m_activeLayer = m_session->document().layers.front().id;
     }
     Q_EMIT sessionChanged();
     Q_EMIT crosshairChanged();
@@ -68,6 +73,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT volumeDisplayChanged();
     Q_EMIT viewOptionsChanged();
     Q_EMIT activeSegmentChanged();
+    Q_EMIT activeLayerChanged();
     Q_EMIT cautionAcceptedChanged();
     if (m_session && m_session->diskTrouble()) {
         fail({core::ErrorCode::SessionUnwritten, m_session->diskTrouble()->arguments});
@@ -108,6 +114,23 @@ void Workspace::setActiveSegment(int label)
         return;
     m_activeSegment = label;
     Q_EMIT activeSegmentChanged();
+}
+
+void Workspace::setActiveLayer(int id)
+{
+    if (id == m_activeLayer)
+        return;
+    m_activeLayer = id;
+    Q_EMIT activeLayerChanged();
+}
+
+/// A layer that undo has taken away is carved no more. (One that is about to come is not there
+/// yet.)
+void Workspace::followLayers()
+{
+    const core::Document document = m_session->foreseenDocument();
+    if (!document.layer(m_activeLayer) && !document.layers.empty())
+        setActiveLayer(document.layers.front().id);
 }
 
 void Workspace::setVolumeDisplay(const VolumeDisplay& display)

@@ -16,7 +16,8 @@ namespace ui {
 class Tool;
 
 /// What all views, tools and panels of one window share: the open session and the state that is not
-/// a step of undo (crosshair, window/level, active segment, how the 3D view looks, tool settings).
+/// a step of undo (crosshair, window/level, active segment and layer, how the 3D view looks, tool
+/// settings).
 ///
 /// Setters emit their signal only when the value changed.
 class Workspace : public QObject {
@@ -72,6 +73,8 @@ public:
     void setWindowLevel(const core::WindowLevel& window);
     [[nodiscard]] int activeSegment() const { return m_activeSegment; } ///< label; 0: none
     void setActiveSegment(int label);
+    [[nodiscard]] int activeLayer() const { return m_activeLayer; } ///< that tools carve; 0: none
+    void setActiveLayer(int id);
     [[nodiscard]] const VolumeDisplay& volumeDisplay() const { return m_volumeDisplay; }
     void setVolumeDisplay(const VolumeDisplay& display);
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -113,6 +116,7 @@ Q_SIGNALS:
     void crosshairChanged();
     void windowLevelChanged();
     void activeSegmentChanged();
+    void activeLayerChanged();
     void volumeDisplayChanged();
     void drillSettingsChanged();
     void growSettingsChanged();
@@ -126,12 +130,14 @@ Q_SIGNALS:
 
 private:
     void followDisk();
+    void followLayers();
 
     gpu::FrameSource& m_frames;
     std::unique_ptr<core::EditSession> m_session;
     glm::dvec3 m_crosshairLps{0.0};
     core::WindowLevel m_windowLevel;
     int m_activeSegment = 0;
+    int m_activeLayer = 0;
     VolumeDisplay m_volumeDisplay;
     DrillSettings m_drill;
     GrowSettings m_grow;

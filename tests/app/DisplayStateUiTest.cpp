@@ -95,6 +95,7 @@ private:
         volume.mipWindow = {500.0, 700.0};
         workspace.setVolumeDisplay(volume);
         workspace.setActiveSegment(2);
+        workspace.setActiveLayer(2);
         workspace.setDrillSettings({.radiusMm = 3.5, .depthMm = 12.5, .throughGaps = true});
         workspace.setGrowSettings({.lower = 15.0,
             .upper = 333.0,
@@ -133,6 +134,7 @@ private Q_SLOTS:
             oracle, *core::loadVolume(path("small.nii.gz")), {.file = this->session()});
         for (const core::Edit& edit : test::manyEdits())
             QVERIFY(session->apply(edit));
+        QVERIFY(session->apply(core::AddLayer{.name = QStringLiteral("Approach")}));
         QVERIFY(session->settle());
         m_hash = session->stateHash();
     }
@@ -165,6 +167,7 @@ private Q_SLOTS:
         QCOMPARE(workspace.windowLevel(), (core::WindowLevel{210.0, 1800.0}));
         QCOMPARE(workspace.volumeDisplay().transferFunction.points[1].rgb, 0xC06040U);
         QCOMPARE(workspace.growSettings().generationsPerSecond, 20.0);
+        QCOMPARE(workspace.activeLayer(), 2);
         QCOMPARE(workspace.activeTool()->iconName(), QStringLiteral("seed"));
         QVERIFY(!workspace.session()->document().segment(1)->visible);
         QVERIFY(workspace.session()->document().segment(2)->visible);

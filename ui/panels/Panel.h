@@ -18,9 +18,13 @@ public:
     [[nodiscard]] virtual QString summary() const { return {}; }
     /// Takes what height is left (lists), instead of its size hint.
     [[nodiscard]] virtual bool stretches() const { return false; }
+    /// Until the user unfolds it.
+    [[nodiscard]] virtual bool foldedAtFirst() const { return false; }
 
 Q_SIGNALS:
     void summaryChanged(const QString& summary);
+    /// What was done in the header is to be seen.
+    void unfoldAsked();
 };
 
 } // namespace ui

@@ -33,9 +33,15 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
     , m_view(new QListView(this))
     , m_empty(new QLabel(tr("None yet. Add one, or sketch seeds."), this))
     , m_add(new QAction(stateIcon(QStringLiteral("add")), tr("Add segment"), this))
+    , m_remove(new QAction(tr("Delete segment"), m_view))
 {
     m_add->setObjectName(QStringLiteral("addSegment"));
     addAction(m_add);
+    // In the list only: elsewhere the key would delete what nobody is looking at.
+    m_remove->setObjectName(QStringLiteral("removeSegment"));
+    m_remove->setShortcut(QKeySequence::Delete);
+    m_remove->setShortcutContext(Qt::WidgetShortcut);
+    m_view->addAction(m_remove);
     auto* delegate = new SegmentDelegate(m_view);
     m_view->setObjectName(QStringLiteral("segmentList"));
     m_view->setAccessibleName(tr("Segments"));
@@ -59,6 +65,7 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
         if (const auto added = addSegment(m_workspace); !added)
             m_workspace.fail(added.error());
     });
+    connect(m_remove, &QAction::triggered, this, [this] { remove(m_view->currentIndex()); });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
         [this](const QModelIndex& current) {
             if (current.isValid())
@@ -131,6 +138,12 @@ void SegmentsPanel::move(const QModelIndex& index, int by)
         m_workspace.fail(moved.error());
 }
 
+void SegmentsPanel::remove(const QModelIndex& index)
+{
+    if (index.isValid())
+        removeSegment(m_workspace, index.data(SegmentListModel::LabelRole).toInt());
+}
+
 void SegmentsPanel::showMenu(const QPoint& position)
 {
     const QModelIndex index = m_view->indexAt(position);
@@ -152,6 +165,11 @@ void SegmentsPanel::showMenu(const QPoint& position)
     up->setEnabled(index.row() > 0);
     QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
     down->setEnabled(index.row() + 1 < m_model->rowCount());
+    menu.addSeparator();
+    QAction* away = menu.addAction(tr("Delete segment"), this, [this, index] { remove(index); });
+    away->setShortcut(m_remove->shortcut()); // shown; the list's own action hears it
+    away->setShortcutContext(Qt::WidgetShortcut);
+    away->setEnabled(!locked);
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 

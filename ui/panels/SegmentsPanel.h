@@ -3,6 +3,7 @@
 
 #include "ui/panels/Panel.h"
 
+class QAction;
 class QListView;
 class QLabel;
 
@@ -26,6 +27,7 @@ private:
     void chooseCode(const QModelIndex& index);
     void move(const QModelIndex& index, int by);
     void showMenu(const QPoint& position);
+    void remove(const QModelIndex& index);
     void refresh();
 
     Workspace& m_workspace;
@@ -33,6 +35,7 @@ private:
     QListView* m_view = nullptr;
     QLabel* m_empty = nullptr;
     QAction* m_add = nullptr;
+    QAction* m_remove = nullptr;
 };
 
 } // namespace ui

@@ -30,6 +30,7 @@ DrillTool::DrillTool(Workspace& workspace, QObject* parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::drillSettingsChanged, this, &Tool::overlayChanged);
+    connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
     // A stroke ends with the session it was begun in.
     connect(&workspace, &Workspace::sessionChanged, this, [this] { m_strokeView.reset(); });
 }
@@ -52,9 +53,12 @@ QString DrillTool::hint() const
 QString DrillTool::target() const
 {
     const core::EditSession* session = m_workspace.session();
-    if (!session || session->document().layers.empty())
+    const core::SculptLayer* layer =
+        session ? session->document().layer(m_workspace.activeLayer()) : nullptr;
+    if (!layer)
         return {};
-    return tr("carves layer %1").arg(session->document().layers.front().name);
+    return layer->muted ? tr("layer %1 is muted").arg(layer->name)
+                        : tr("carves layer %1").arg(layer->name);
 }
 
 QString DrillTool::keys() const
@@ -78,9 +82,7 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view) const
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
     core::DrillStroke stroke;
-    if (core::EditSession* session = m_workspace.session();
-        session && !session->document().layers.empty())
-        stroke.layer = session->document().layers.front().id;
+    stroke.layer = m_workspace.activeLayer();
     stroke.view = orthographicView(scene);
     stroke.radiusMm = settings.radiusMm;
     stroke.depthMm = settings.depthMm;

@@ -24,6 +24,9 @@ void SeedMarks::update(const core::EditSession* session)
         } else if (const auto* stroke = std::get_if<core::SeedStroke>(&edit)) {
             for (const glm::dvec3& point : stroke->pointsLps)
                 m_marks.push_back({point, stroke->segment});
+        } else if (const auto* removed = std::get_if<core::RemoveSegment>(&edit)) {
+            std::erase_if(
+                m_marks, [removed](const Mark& mark) { return mark.label == removed->segment; });
         }
     }
 }

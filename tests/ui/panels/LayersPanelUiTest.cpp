@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/LayersPanel.h"
+
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+#include "tests/support/WindowFixture.h"
+#include "ui/PanelColumn.h"
+#include "ui/PanelSection.h"
+#include "ui/models/LayerListModel.h"
+#include "ui/panels/LayerDelegate.h"
+#include "ui/tools/DrillTool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QAbstractItemModelTester>
+#include <QDir>
+#include <QListView>
+#include <QToolButton>
+#include <QtTest>
+
+namespace {
+
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+        , panel(new ui::LayersPanel(workspace))
+    {
+        window.addPanel(panel);
+        window.showPanels(true);
+        QTest::qWait(50);
+        list = panel->findChild<QListView*>(QStringLiteral("layerList"));
+        section = window.findChild<ui::PanelSection*>(QStringLiteral("LayersPanel"));
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    void clickEye(int row)
+    {
+        const QRect place = list->visualRect(list->model()->index(row, 0));
+        QTest::mouseClick(
+            list->viewport(), Qt::LeftButton, {}, ui::LayerDelegate::eyeRect(place).center());
+        QVERIFY(session().settle());
+    }
+
+    ui::LayersPanel* panel;
+    QListView* list = nullptr;
+    ui::PanelSection* section = nullptr;
+};
+
+} // namespace
+
+class LayersPanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void isFoldedUntilThereIsSomethingToChoose()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.section && fixture.section->isFolded());
+        QCOMPARE(fixture.panel->summary(), QStringLiteral("1 layer"));
+        QToolButton* add = nullptr;
+        for (auto* button : fixture.section->findChildren<QToolButton*>()) {
+            if (button->defaultAction() == fixture.panel->actions().front())
+                add = button;
+        }
+        QVERIFY(add && add->isVisible());
+        QTest::mouseClick(add, Qt::LeftButton);
+        QVERIFY(!fixture.section->isFolded());
+        QCOMPARE(fixture.list->model()->rowCount(), 2);
+        QCOMPARE(fixture.workspace.activeLayer(), 2);
+        QCOMPARE(fixture.session().document().layers.back().name, QStringLiteral("Sculpt 2"));
+        // All back as at the first start.
+        fixture.window.resetPanels();
+        QVERIFY(fixture.section->isFolded());
+    }
+
+    void theEyeMutesAndTheNameChooses()
+    {
+        Fixture fixture;
+        fixture.section->setFolded(false);
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Approach")});
+        const auto rows = [&fixture] { return fixture.session().history().rows().size(); };
+        QCOMPARE(fixture.workspace.activeLayer(), 1);
+        fixture.clickEye(1);
+        QVERIFY(fixture.session().document().layer(2)->muted);
+        QCOMPARE(fixture.panel->summary(), QStringLiteral("1 of 2 muted"));
+        QCOMPARE(fixture.workspace.activeLayer(), 1); // muting is not choosing
+        QCOMPARE(rows(), std::size_t(2));
+        fixture.clickEye(1);
+        QVERIFY(!fixture.session().document().layer(2)->muted);
+
+        QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {},
+            fixture.list->visualRect(fixture.list->model()->index(1, 0)).center());
+        QCOMPARE(fixture.workspace.activeLayer(), 2);
+        QCOMPARE(rows(), std::size_t(3)); // choosing is no step
+
+        QVERIFY(fixture.list->model()->setData(
+            fixture.list->model()->index(1, 0), QStringLiteral(" Way in "), Qt::EditRole));
+        QCOMPARE(fixture.session().document().layer(2)->name, QStringLiteral("Way in"));
+        QVERIFY(!fixture.list->model()->setData(
+            fixture.list->model()->index(1, 0), QStringLiteral("Way in"), Qt::EditRole));
+        QCOMPARE(rows(), std::size_t(4));
+    }
+
+    void followsUndo()
+    {
+        Fixture fixture;
+        fixture.section->setFolded(false);
+        const QAbstractItemModelTester tester(
+            fixture.list->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+        fixture.panel->actions().front()->trigger();
+        fixture.apply(core::MoveLayer{.layer = 2, .place = 1});
+        QCOMPARE(fixture.list->model()->index(0, 0).data().toString(), QStringLiteral("Sculpt 2"));
+        QCOMPARE(fixture.list->currentIndex().row(), 0);
+        QVERIFY(fixture.session().goTo(0));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.list->model()->rowCount(), 1);
+        QCOMPARE(fixture.workspace.activeLayer(), 1);
+    }
+
+    void strokesGoIntoTheActiveLayer()
+    {
+        Fixture fixture;
+        ui::DrillTool tool(fixture.workspace);
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Approach")});
+        QCOMPARE(tool.target(), QStringLiteral("carves layer Sculpt 1"));
+        fixture.workspace.setActiveLayer(2);
+        QCOMPARE(tool.target(), QStringLiteral("carves layer Approach"));
+        fixture.apply(core::ChangeLayer{.layer = 2, .muted = true});
+        QCOMPARE(tool.target(), QStringLiteral("layer Approach is muted"));
+    }
+
+    void aPictureForTheEye()
+    {
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (folder.isEmpty())
+            QSKIP("BURIN_SCREENSHOTS names no folder");
+        Fixture fixture;
+        fixture.section->setFolded(false);
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Approach from the left, very long")});
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Orbit")});
+        fixture.apply(core::ChangeLayer{.layer = 1, .muted = true});
+        fixture.workspace.setActiveLayer(2);
+        QTest::qWait(50);
+        QVERIFY(fixture.section->grab().save(QDir(folder).filePath(QStringLiteral("layers.png"))));
+        fixture.apply(core::ChangeLayer{.layer = 2, .muted = true});
+        QTest::qWait(50);
+        QVERIFY(fixture.section->grab().save(
+            QDir(folder).filePath(QStringLiteral("layers-muted.png"))));
+    }
+};
+
+QTEST_MAIN(LayersPanelUiTest)
+#include "LayersPanelUiTest.moc"
