@@ -22,6 +22,7 @@
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/DrillTool.h"
 #include "ui/tools/SeedTool.h"
+#include "ui/tools/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
 
@@ -63,12 +64,15 @@ void Application::makeWindow()
     ui::MainWindow& window = *m_window;
     auto* drill = new ui::DrillTool(*m_workspace, &window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
+    auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
     window.actionTable().fill(window.sculptMenu(),
         {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
+    window.addToolGroup();
+    window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
 
     window.addPanel(new ui::SegmentsPanel(*m_workspace));
     window.addPanel(new ui::GrowthPanel(*m_workspace));

@@ -104,6 +104,9 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
         showIdentity();
         m_actions.refresh();
     });
+    connect(&workspace, &Workspace::offered, this, [this](const Workspace::Offer& made) {
+        m_messages->show(MessageBar::Kind::Notice, made.sentence, made.button, made.run);
+    });
     connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
         m_messages->show(MessageBar::Kind::Error, errorText(error));
     });
@@ -124,8 +127,8 @@ void MainWindow::buildMenus()
     m_actions.fill(*m_fileMenu,
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
             "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
-    QMenu* edit = m_menuBar->addMenu(QStringLiteral("&Edit"));
-    m_actions.fill(*edit, ids({"edit.undo", "edit.redo", "", "edit.author"}));
+    m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
+    m_actions.fill(*m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author"}));
 
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
     m_actions.fill(*view,

@@ -46,6 +46,7 @@ public:
     /// window owns it.
     void addPanel(Panel* panel);
     [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }
+    [[nodiscard]] QMenu& editMenu() const { return *m_editMenu; }
     [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }
     [[nodiscard]] QMenu& growMenu() const { return *m_growMenu; }
     [[nodiscard]] QMenu& segmentsMenu() const { return *m_segmentsMenu; }
@@ -99,6 +100,7 @@ private:
     Actions m_actions;
     StudyOpener m_opener;
     QMenu* m_fileMenu = nullptr;
+    QMenu* m_editMenu = nullptr;
     QMenu* m_sculptMenu = nullptr;
     QMenu* m_growMenu = nullptr;
     QMenu* m_segmentsMenu = nullptr;

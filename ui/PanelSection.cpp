@@ -70,7 +70,7 @@ void PanelSection::buildHeader()
     summary->setText(m_panel.summary());
     summary->setFont(theme::smallFont());
     summary->setProperty("role", QStringLiteral("secondary"));
-    summary->setContentsMargins(theme::padding, 0, 4, 0);
+    summary->setContentsMargins(4, 0, 4, 0);
     row->addWidget(summary, 1);
     for (QAction* action : m_panel.actions()) {
         auto* button = new QToolButton(m_header);

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -104,6 +105,13 @@ public:
     void tellSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }
     /// What could not be done, for the bar above the views.
     void fail(const core::Error& error) { Q_EMIT failed(error); }
+    /// Something that can be done about what happened; for the bar above the views.
+    struct Offer {
+        QString sentence;
+        QString button;
+        std::function<void()> run;
+    };
+    void offer(const Offer& made) { Q_EMIT offered(made); }
     /// Pen pressure as it comes, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
@@ -126,6 +134,7 @@ Q_SIGNALS:
     void activeToolChanged();
     void said(const QString& sentence);
     void failed(const core::Error& error);
+    void offered(const ui::Workspace::Offer& made);
     void pressureChanged(double pressure);
 
 private:

@@ -230,7 +230,7 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
             return checked;
         return discardValue(drillCut(*drill, document));
     }
-    return {}; // "undo only" reads the history, not the document
+    return {}; // "undo only" and revisions read the history, not the document
 }
 
 Document initialDocument(Volume volume)

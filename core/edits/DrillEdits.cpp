@@ -70,7 +70,7 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
     for (const Result<void>& check : {checkRange("mask.radiusMm", stroke.radiusMm, 0.01, 200.0),
              checkRange("depthMm", stroke.depthMm, 0.0, 500.0),
              checkRange("pressureExponent", stroke.pressureExponent, 1, 3),
-             checkRange("layer", stroke.layer, 1, 255)}) {
+             checkRange("layer", stroke.layer, 1, 254)}) {
         if (!check)
             return tl::unexpected(check.error());
     }

@@ -344,6 +344,22 @@ SampleList::Value SampleList::rounded(const Value& value) const
     return result;
 }
 
+// --- Row
+// -------------------------------------------------------------------------------------------------
+
+QString Row::read(const QJsonValue& json, Value& value) const
+{
+    const double number = json.toDouble(-1.0);
+    if (number < 1.0 || number > 1e15 || number != std::floor(number))
+        return QStringLiteral("must be the number of a row, 1 or more");
+    value = std::int64_t(number);
+    return {};
+}
+QString Row::check(Value value) const
+{
+    return value < 1 ? QStringLiteral("must be the number of a row, 1 or more") : QString();
+}
+
 // --- RowList
 // --------------------------------------------------------------------
 
@@ -360,10 +376,10 @@ QString RowList::read(const QJsonValue& json, Value& value) const
         return QStringLiteral("must be a list of rows");
     value.clear();
     for (const QJsonValue& entry : json.toArray()) {
-        const double number = entry.toDouble(-1.0);
-        if (number < 1.0 || number > 1e15 || number != std::floor(number))
+        std::int64_t row = 0;
+        if (!Row().read(entry, row).isEmpty())
             return QStringLiteral("must be numbers of rows, 1 or more");
-        value.push_back(std::int64_t(number));
+        value.push_back(row);
     }
     return {};
 }

@@ -134,6 +134,18 @@ struct SampleList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
+/// A row of the history.
+struct Row {
+    using Value = std::int64_t;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("row"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return qint64(value); }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
 /// [row, …]: rows of the history, at least one, each greater than the one before.
 struct RowList {
     using Value = std::vector<std::int64_t>;

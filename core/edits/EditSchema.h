@@ -34,6 +34,7 @@ template <> inline constexpr const char* editName<SeedStroke> = "seed";
 template <> inline constexpr const char* editName<GrowSteps> = "grow";
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
 template <> inline constexpr const char* editName<RevertRows> = "revert";
+template <> inline constexpr const char* editName<ReviseStroke> = "reviseStroke";
 
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
@@ -78,14 +79,20 @@ template <>
 inline constexpr const char* editMeaning<RevertRows> =
     "Undoes older strokes and growths only, where nothing wrote or read the same place since.";
 
+template <>
+inline constexpr const char* editMeaning<ReviseStroke> =
+    "Changes or removes an older drill stroke; what later strokes cut stays.";
+
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
-inline constexpr editFields::WholeNumber layerNumber{1, 255};
+inline constexpr editFields::WholeNumber layerNumber{1, 254};
 inline constexpr editFields::WholeNumber bookmarkNumber{1, 1000000};
 inline constexpr editFields::Number modalityValue{
     "modality units", -quantum::unbounded, quantum::unbounded, 0.0};
 inline constexpr editFields::Number millimetres{
     "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 inline constexpr editFields::Point positionLps{millimetres};
+inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
+inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
 
 /// A camera, as every edit that needs one writes it.
 template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
@@ -199,11 +206,10 @@ template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
     visitView(visit, edit.view);
     visit.group("mask", "what is pressed into the volume, parallel to the view", [&](auto& inside) {
         inside.constant("shape", Presence::Required, QStringLiteral("circle"), "a disc");
-        inside.field("radiusMm", Presence::Required, edit.radiusMm,
-            Number{"mm", 0.01, 200.0, quantum::perMillimetre}, "radius of the disc");
+        inside.field(
+            "radiusMm", Presence::Required, edit.radiusMm, drillRadius, "radius of the disc");
     });
-    visit.field("depthMm", Presence::Required, edit.depthMm,
-        Number{"mm", 0.0, 500.0, quantum::perMillimetre},
+    visit.field("depthMm", Presence::Required, edit.depthMm, drillDepth,
         "depth below the surface at full pressure");
     visit.field("pressureExponent", Presence::Optional, edit.pressureExponent, WholeNumber{1, 3},
         "depth = depthMm · pressure to this power");
@@ -221,6 +227,19 @@ template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
 {
     visit.field("rows", Presence::Required, edit.rows, editFields::RowList{},
         "rows of the history before this one, ascending (burin history: seq)");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
+{
+    visit.field("row", Presence::Required, edit.row, editFields::Row{},
+        "a drill stroke of the history before this row (burin history: seq)");
+    visit.maybe("radiusMm", edit.radiusMm, drillRadius, "another radius of the disc");
+    visit.maybe("depthMm", edit.depthMm, drillDepth, "another depth at full pressure");
+    visit.maybe("layer", edit.layer, layerNumber, "another sculpt layer");
+    visit.maybe("throughGaps", edit.throughGaps, editFields::Flag{},
+        "whether it goes on behind a gap in the material");
+    visit.field("removed", Presence::Optional, edit.removed, editFields::Flag{},
+        "whether it is taken out altogether");
 }
 
 } // namespace core::editSchema

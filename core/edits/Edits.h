@@ -110,8 +110,19 @@ struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
 
-using Edit =
-    std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer, ChangeLayer,
-        MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke, RevertRows>;
+/// Changes a drill stroke of the history out of order, or takes it out; what later strokes cut
+/// stays (session/ReviseOperation.h). Absent fields are as in that row, whatever revised it before.
+struct ReviseStroke {
+    std::int64_t row = 0; ///< RowId
+    std::optional<double> radiusMm{};
+    std::optional<double> depthMm{};
+    std::optional<int> layer{};
+    std::optional<bool> throughGaps{};
+    bool removed = false;
+};
+
+using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
+    ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
+    RevertRows, ReviseStroke>;
 
 } // namespace core

@@ -16,12 +16,12 @@ std::vector<RowId> History::pathTo(RowId id) const
     return path;
 }
 
-std::vector<RowId> History::standing() const
+std::vector<RowId> History::standing(RowId id) const
 {
     // From the newest on, so that a row is known to stand before it takes others back.
     std::vector<RowId> stands;
     std::set<RowId> taken;
-    for (RowId id = m_position; id != 0; id = row(id).parent) {
+    for (; id != 0; id = row(id).parent) {
         if (taken.count(id) != 0)
             continue;
         stands.push_back(id);

@@ -51,9 +51,10 @@ public:
     }
     /// Rows from the beginning to @p id, oldest first.
     [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
-    /// The rows on the way to the position whose effect stands: without those that a standing
+    /// The rows on the way to @p id whose effect stands there: without those that a standing
     /// RevertRows took back. Oldest first.
-    [[nodiscard]] std::vector<RowId> standing() const;
+    [[nodiscard]] std::vector<RowId> standing(RowId id) const;
+    [[nodiscard]] std::vector<RowId> standing() const { return standing(m_position); }
     /// The line that undo and redo walk: pathTo(position), then the rows that redo would bring
     /// back.
     [[nodiscard]] std::vector<RowId> line() const;

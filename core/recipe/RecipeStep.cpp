@@ -90,7 +90,8 @@ bool isBoundToStudy(const RecipeStep& step)
     return !edit || std::holds_alternative<SeedStroke>(*edit)
         || std::holds_alternative<DrillStroke>(*edit)
         || std::holds_alternative<AddBookmark>(*edit)
-        || std::holds_alternative<RevertRows>(*edit);
+        || std::holds_alternative<RevertRows>(*edit)
+        || std::holds_alternative<ReviseStroke>(*edit);
 }
 
 std::vector<EditDocumentation> recipeStepDocumentation()

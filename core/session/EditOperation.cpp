@@ -4,6 +4,7 @@
 #include "core/edits/DocumentEdits.h"
 #include "core/session/DocumentOperation.h"
 #include "core/session/RevertOperation.h"
+#include "core/session/ReviseOperation.h"
 #include "core/session/VoxelOperation.h"
 
 namespace core {
@@ -14,6 +15,8 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
         return std::make_unique<DocumentOperation>(edit, again);
     if (const auto* revert = std::get_if<RevertRows>(&edit))
         return std::make_unique<RevertOperation>(*revert, again);
+    if (const auto* revise = std::get_if<ReviseStroke>(&edit))
+        return std::make_unique<ReviseOperation>(*revise, again);
     return std::make_unique<VoxelOperation>(edit, VoxelOperation::Kind::Whole, again);
 }
 

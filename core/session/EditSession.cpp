@@ -8,6 +8,7 @@
 #include "core/session/OperationQueue.h"
 #include "core/session/ReadLabels.h"
 #include "core/session/RestoreSession.h"
+#include "core/session/TouchSearch.h"
 #include "core/session/WalkOperation.h"
 
 #include <utility>
@@ -231,6 +232,18 @@ Result<void> EditSession::goTo(RowId row)
     m_queue->closeGrowth();
     m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
     return {};
+}
+
+void EditSession::findLastTouching(const Touch& touch, std::function<void(RowId)> answer)
+{
+    m_queue->closeGrowth();
+    m_queue->submit(std::make_unique<TouchSearch>(touch, std::move(answer)));
+}
+
+std::vector<RowId> EditSession::strokesOnRevisedSurface() const
+{
+    const SessionState::Revision& revision = m_queue->state().lastRevision;
+    return revision.row == history().position() ? revision.begunInside : std::vector<RowId>();
 }
 
 void EditSession::ask(EngineCommand question, Answer answer)

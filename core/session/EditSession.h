@@ -19,6 +19,7 @@ namespace core {
 class OperationQueue;
 struct AuditReport;
 class SessionFile;
+struct Touch;
 
 /// The controller (DESIGN §2): stroke → command → engine → history → session file.
 ///
@@ -88,6 +89,13 @@ public:
     Result<void> redo();
     /// Walks to a row of the history (0: the beginning), undoing and redoing what lies between.
     Result<void> goTo(RowId row);
+
+    /// The last step that stands and touched something (TouchSearch.h); 0: none. Answered by
+    /// poll(), in order with the edits; dropped when the session closes.
+    void findLastTouching(const Touch& touch, std::function<void(RowId)> answer);
+    /// Later strokes that started on the surface that the last ReviseStroke changed: they stay
+    /// where they are. Empty unless that edit is the position.
+    [[nodiscard]] std::vector<RowId> strokesOnRevisedSurface() const;
 
     /// Ask the engine about voxels (ProbeVoxels or PickVoxels; read-only, no step of undo). The
     /// answer is given by poll(), in order with the edits; it is dropped when the session closes.

@@ -132,13 +132,16 @@ QJsonObject historyAsRecipe(const SessionContents& contents)
 
 Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers)
 {
-    const auto* revert = std::get_if<RevertRows>(&edit);
-    if (!revert)
-        return edit;
-    RevertRows result;
-    for (const RowId row : revert->rows) {
-        const auto number = numbers.find(row);
-        result.rows.push_back(number == numbers.end() ? row : number->second);
+    const auto renumber = [&numbers](RowId& row) {
+        if (const auto number = numbers.find(row); number != numbers.end())
+            row = number->second;
+    };
+    Edit result = edit;
+    if (auto* revert = std::get_if<RevertRows>(&result)) {
+        for (std::int64_t& row : revert->rows)
+            renumber(row);
+    } else if (auto* revise = std::get_if<ReviseStroke>(&result)) {
+        renumber(revise->row);
     }
     return result;
 }

@@ -32,7 +32,7 @@ struct HistoryBranch {
 /// that study it ends at the same hash.
 [[nodiscard]] QJsonObject historyAsRecipe(const SessionContents& contents);
 
-/// The edit as it reads where rows have other numbers: RevertRows names rows.
+/// The edit as it reads where rows have other numbers: RevertRows and ReviseStroke name rows.
 /// @param numbers keeps the order of rows; a row that it does not know keeps its number
 [[nodiscard]] Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers);
 

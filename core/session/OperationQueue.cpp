@@ -50,6 +50,7 @@ OperationQueue::~OperationQueue()
     m_listener = {};
     m_errorListener = {};
     m_answers.clear();
+    m_closing = true;
     if (VoxelOperation* open = interactive())
         open->end(m_state, open->isGrowth() ? Ending::Commit : Ending::Rollback);
     static_cast<void>(settle());
@@ -248,7 +249,7 @@ void OperationQueue::setErrorListener(std::function<void(const Error&)> listener
 void OperationQueue::tellNews()
 {
     // Listeners may well ask for more, which makes more news.
-    while (!m_state.news.empty() || !m_state.errors.empty()) {
+    while (!m_state.news.empty() || !m_state.errors.empty() || !m_state.answers.empty()) {
         for (const DocumentChange& change : std::exchange(m_state.news, {})) {
             if (m_listener)
                 m_listener(change);
@@ -256,6 +257,10 @@ void OperationQueue::tellNews()
         for (const Error& error : std::exchange(m_state.errors, {})) {
             if (m_errorListener)
                 m_errorListener(error);
+        }
+        for (const std::function<void()>& answer : std::exchange(m_state.answers, {})) {
+            if (!m_closing)
+                answer();
         }
     }
 }

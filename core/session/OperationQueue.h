@@ -71,6 +71,7 @@ private:
     bool m_started = false; ///< the first one is
     bool m_advancing = false;
     bool m_polling = false;
+    bool m_closing = false; ///< nobody is there to be answered
     bool m_troubled = false; ///< the user knows that the file cannot be written
     std::map<Ticket, Answer> m_answers; ///< to questions that are with the engine
 };

@@ -2,6 +2,7 @@
 #include "core/session/RevertOperation.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/history/StandingStrokes.h"
 #include "core/session/RowReach.h"
 
 #include <algorithm>
@@ -23,6 +24,12 @@ QString titled(const HistoryRow& row)
     return QStringLiteral("'%1' (row %2)").arg(row.name).arg(row.id);
 }
 
+tl::unexpected<Error> entangled(const HistoryRow& later, const HistoryRow& earlier)
+{
+    return refused(QStringLiteral("%1 wrote or read the same place after %2")
+                       .arg(titled(later), titled(earlier)));
+}
+
 std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
 {
     std::vector<BrickKey> keys;
@@ -30,6 +37,45 @@ std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
     for (const BrickImage& image : images)
         keys.push_back(image.key);
     return keys;
+}
+
+/// What must not have been written by later rows that take back or revise, though the bricks of the
+/// row itself say nothing of it.
+struct Claim {
+    RowReach reach;
+    RowId row = 0; ///< which is taken back
+    bool returns = false; ///< a step that comes back: what it read must be as it was
+
+    [[nodiscard]] bool isHurtBy(const Edit& later) const
+    {
+        // What took back only rows after this one cancels with them.
+        const auto* revert = std::get_if<RevertRows>(&later);
+        return std::holds_alternative<ReviseStroke>(later)
+            || (revert && returns && revert->rows.front() < row);
+    }
+};
+
+/// Taking back "undo only" brings steps back.
+void claimWhatReturns(const SessionState& state, RowId row, RowId taken, std::vector<Claim>& claims)
+{
+    const auto* revert = std::get_if<RevertRows>(&state.history.row(row).edit);
+    if (!revert)
+        return;
+    for (const RowId id : revert->rows) {
+        const Edit& edit = state.history.row(id).edit;
+        if (!std::holds_alternative<RevertRows>(edit))
+            claims.push_back({RowReach(edit, state.document, {}), taken, true});
+        claimWhatReturns(state, id, taken, claims);
+    }
+}
+
+/// A revision folds in all cuts that lie where it writes, also those hidden under others: in the
+/// forms that the stroke has had.
+void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims)
+{
+    const auto* revise = std::get_if<ReviseStroke>(&state.history.row(row).edit);
+    for (const DrillStroke& form : formsOf(state.history, revise ? revise->row : row))
+        claims.push_back({RowReach(form, state.document, {}), row, false});
 }
 
 /// Whether segments that are locked keep their voxels.
@@ -76,7 +122,9 @@ void RevertOperation::start(SessionState& state)
     const std::vector<RowId> path = state.history.pathTo(state.history.position());
     m_path.assign(std::find(path.begin(), path.end(), m_edit.rows.front()), path.end());
     for (const RowId row : m_path) {
-        if (isTakenBack(row) || std::holds_alternative<RevertRows>(state.history.row(row).edit))
+        const Edit& edit = state.history.row(row).edit;
+        if (isTakenBack(row) || std::holds_alternative<RevertRows>(edit)
+            || std::holds_alternative<ReviseStroke>(edit))
             m_toLoad.push_back(row);
     }
     loadNext(state);
@@ -85,10 +133,13 @@ void RevertOperation::start(SessionState& state)
 Result<void> RevertOperation::checkRows(const SessionState& state) const
 {
     const std::vector<RowId> path = state.history.pathTo(state.history.position());
+    const std::vector<RowId> standing = state.history.standing();
     for (const RowId id : m_edit.rows) {
         if (std::find(path.begin(), path.end(), id) == path.end())
             return refused(QStringLiteral("row %1 is not among the steps done so far").arg(id));
         const HistoryRow& row = state.history.row(id);
+        if (!std::binary_search(standing.begin(), standing.end(), id))
+            return refused(QStringLiteral("%1 was taken back before").arg(titled(row)));
         if (changesDocumentOnly(row.edit))
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
         if (changedPart(row.edit))
@@ -120,24 +171,40 @@ void RevertOperation::takeDifferences(
 
 Result<void> RevertOperation::checkReach(const SessionState& state) const
 {
+    const History& history = state.history;
+    const std::vector<RowId> standing = history.standing();
     std::map<BrickKey, RowId> taken; // and the row that wrote it first
+    std::vector<Claim> claims;
     for (const RowId id : m_path) {
-        const HistoryRow& row = state.history.row(id);
+        const HistoryRow& row = history.row(id);
         const auto differences = m_differences.find(id);
         if (isTakenBack(id)) {
             for (const BrickKey& key : keysOf(differences->second))
                 taken.emplace(key, id);
+            claimWhatReturns(state, id, id, claims);
+            claimForms(state, id, claims);
             continue;
         }
-        if (changesDocumentOnly(row.edit))
+        // A step that was taken back and what took it back cancel each other.
+        if (changesDocumentOnly(row.edit)
+            || !std::binary_search(standing.begin(), standing.end(), id))
+            continue;
+        for (const Claim& claim : claims) {
+            if (!claim.isHurtBy(row.edit))
+                continue;
+            for (const BrickKey& key : keysOf(differences->second)) {
+                if (claim.reach.covers(key))
+                    return entangled(row, history.row(claim.row));
+            }
+        }
+        if (std::holds_alternative<RevertRows>(row.edit))
             continue;
         const RowReach reach(row.edit, state.document,
             differences == m_differences.end() ? std::vector<BrickKey>()
                                                : keysOf(differences->second));
         for (const auto& [key, first] : taken) {
             if (reach.covers(key))
-                return refused(QStringLiteral("%1 wrote or read the same place after %2")
-                                   .arg(titled(row), titled(state.history.row(first))));
+                return entangled(row, history.row(first));
         }
     }
     return {};

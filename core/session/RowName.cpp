@@ -145,6 +145,36 @@ QString revertName(const RevertRows& edit, const EditStatistics& statistics,
                       : counted(seedWordsChanged(changes), "seed voxel"));
 }
 
+QString revisionName(
+    const ReviseStroke& edit, const EditStatistics& statistics, const History& history)
+{
+    const HistoryRow& row = history.row(edit.row);
+    const auto& stroke = std::get<DrillStroke>(row.edit);
+    const QString title = QLatin1Char('\'') + titleOf(row) + QLatin1Char('\'');
+    QString what;
+    if (edit.removed) {
+        what = QStringLiteral("Remove ") + title;
+    } else {
+        const auto mm = [](double value) { return QString::number(value, 'f', 1); };
+        QStringList changes;
+        if (edit.radiusMm)
+            changes +=
+                QStringLiteral("radius %1 → %2 mm").arg(mm(stroke.radiusMm), mm(*edit.radiusMm));
+        if (edit.depthMm)
+            changes +=
+                QStringLiteral("depth %1 → %2 mm").arg(mm(stroke.depthMm), mm(*edit.depthMm));
+        if (edit.layer)
+            changes += QStringLiteral("layer %1 → %2").arg(stroke.layer).arg(*edit.layer);
+        if (edit.throughGaps)
+            changes += *edit.throughGaps ? QStringLiteral("through gaps")
+                                         : QStringLiteral("stopping at gaps");
+        what = QStringLiteral("Revise ") + title + QStringLiteral(": ")
+            + (changes.isEmpty() ? QStringLiteral("as it was drawn")
+                                 : changes.join(QStringLiteral(" and ")));
+    }
+    return what + QStringLiteral(", ") + counted(statistics.voxelsChanged, "voxel");
+}
+
 } // namespace
 
 QString rowName(const Edit& edit, const EditStatistics& statistics,
@@ -170,6 +200,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
                 counted(statistics.voxelsChanged, "voxel"));
     if (const auto* revert = std::get_if<RevertRows>(&edit))
         return revertName(*revert, statistics, changes, history);
+    if (const auto* revise = std::get_if<ReviseStroke>(&edit))
+        return revisionName(*revise, statistics, history);
     return QStringLiteral("Drill %1 mm, %2")
         .arg(QString::number(deepestMm(std::get<DrillStroke>(edit)), 'f', 1),
             counted(statistics.bricks, "brick"));

@@ -18,10 +18,13 @@ namespace core {
 /// - a segment that was deleted: likewise, since its label must not come back without it;
 /// - a drill stroke: the coverage that its rays can meet, one brick of blur around (seed A §4.2):
 ///   all layers, muted or not, from front to back under the swept mask;
-/// - "undo only": the bricks of the rows that it took back.
+/// - "undo only": the bricks of the rows that it took back;
+/// - a revised stroke: the bricks that it wrote. (It also folds in what lay hidden there, which
+///   RevertOperation looks after.)
 class RowReach {
 public:
-    /// @param written the bricks that the row changed; looked at for RevertRows only
+    /// @param written the bricks that the row changed; looked at for RevertRows and ReviseStroke
+    /// only
     RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written);
 
     [[nodiscard]] bool covers(const BrickKey& key) const;

@@ -22,6 +22,12 @@ namespace core {
 /// EditSession; one thread.
 class SessionState {
 public:
+    /// What the last ReviseStroke found.
+    struct Revision {
+        RowId row = 0; ///< the one it became
+        std::vector<RowId> begunInside; ///< later strokes that would have met another surface
+    };
+
     SessionState(EditEngine& lentEngine, Volume volume);
 
     /// A command was carried out on voxels: what it changes in the document, and a row for it, in
@@ -57,8 +63,10 @@ public:
     std::function<RowOrigin()> origin; ///< of a row that is made now
     std::set<RowId> keyframes; ///< rows that have a picture in the file
 
+    Revision lastRevision;
     std::vector<DocumentChange> news; ///< not told yet
     std::vector<Error> errors; ///< not told yet
+    std::vector<std::function<void()>> answers; ///< to questions about the history; not given yet
     std::optional<Error> firstError; ///< since settle() was called last
 
 private:

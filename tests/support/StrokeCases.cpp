@@ -356,6 +356,18 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"undo only what was undone only", volume,
         {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
 
+    core::DrillStroke beside = drill;
+    beside.radiusMm *= 0.7;
+    for (core::PenSample& sample : beside.samples)
+        sample.xMm += beside.radiusMm;
+    cases.push_back({"revise a drill", volume, {first, drill, seeds, beside, all},
+        core::ReviseStroke{.row = 2, .radiusMm = drill.radiusMm * 1.5}});
+    cases.push_back({"remove a drill", volume, {drill, beside, drill},
+        core::ReviseStroke{.row = 1, .removed = true}});
+    cases.push_back({"revise a revised drill", volume,
+        {drill, beside, core::ReviseStroke{.row = 1, .removed = true}},
+        core::ReviseStroke{.row = 1, .depthMm = 0.5 * drill.depthMm}});
+
     core::DrillStroke other = drill;
     other.layer = 2;
     const core::Edit layer = core::AddLayer{.name = QStringLiteral("Other")};

@@ -6,6 +6,7 @@
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryDelegate.h"
 #include "ui/panels/HistoryTimeline.h"
+#include "ui/panels/StrokeRevision.h"
 
 #include <QKeyEvent>
 #include <QListView>
@@ -27,6 +28,7 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     , m_model(new HistoryModel(workspace, this))
     , m_view(new QListView(this))
     , m_timeline(new HistoryTimeline(workspace, *m_model, this))
+    , m_revision(new StrokeRevision(workspace, this))
 {
     m_view->setObjectName(QStringLiteral("historyList"));
     m_view->setAccessibleName(tr("History"));
@@ -136,6 +138,20 @@ void HistoryPanel::undoOnly(const QModelIndex& index)
         m_workspace.fail(applied.error());
 }
 
+void HistoryPanel::addStrokeActions(QMenu& menu, core::RowId row)
+{
+    if (!m_revision->canRevise(row))
+        return;
+    menu.addSeparator();
+    const bool removed = m_revision->isRemoved(row);
+    menu.addAction(tr("Change stroke …"), this, [this, row] { m_revision->change(row); })
+        ->setEnabled(!removed);
+    if (removed)
+        menu.addAction(tr("Bring stroke back"), this, [this, row] { m_revision->restore(row); });
+    else
+        menu.addAction(tr("Remove stroke"), this, [this, row] { m_revision->remove(row); });
+}
+
 void HistoryPanel::showMenu(const QPoint& position)
 {
     const QPersistentModelIndex index = m_view->indexAt(position);
@@ -156,6 +172,7 @@ void HistoryPanel::showMenu(const QPoint& position)
             ->setEnabled(!current);
         menu.addAction(tr("Undo only this step"), this, [this, index] { undoOnly(index); })
             ->setEnabled(changedVoxels && done);
+        addStrokeActions(menu, core::RowId(index.data(HistoryModel::RowIdRole).toLongLong()));
     }
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }

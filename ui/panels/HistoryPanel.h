@@ -7,17 +7,20 @@
 #include <optional>
 
 class QListView;
+class QMenu;
 class QModelIndex;
 
 namespace ui {
 
 class HistoryModel;
 class HistoryTimeline;
+class StrokeRevision;
 class Workspace;
 
 /// What was done, oldest first, with the old futures as branches that unfold (click on the arrow,
 /// Right and Left); a double click (or Return) walks there. The menu of a row also undoes that step
-/// alone. Below, the timeline walks along the current line.
+/// alone, and changes or removes a stroke out of order. Below, the timeline walks along the current
+/// line.
 class HistoryPanel : public Panel {
     Q_OBJECT
 
@@ -39,12 +42,14 @@ private:
     bool takeFoldKey(int key);
     void goTo(const QModelIndex& index);
     void undoOnly(const QModelIndex& index);
+    void addStrokeActions(QMenu& menu, core::RowId row);
     void showMenu(const QPoint& position);
 
     Workspace& m_workspace;
     HistoryModel* m_model = nullptr;
     QListView* m_view = nullptr;
     HistoryTimeline* m_timeline = nullptr;
+    StrokeRevision* m_revision = nullptr;
     std::optional<core::RowId> m_shownPosition; ///< what the list was last scrolled to
 };
 

@@ -4,6 +4,7 @@
 #include "ui/Icons.h"
 #include "ui/SegmentActions.h"
 #include "ui/Theme.h"
+#include "ui/UndoOnly.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/models/SegmentListModel.h"
@@ -161,6 +162,10 @@ void SegmentsPanel::showMenu(const QPoint& position)
         m_model->setData(index, !visible, SegmentListModel::VisibleRole);
     });
     menu.addSeparator();
+    menu.addAction(tr("Undo its last step only"), this, [this, index] {
+        undoOnlyLast(m_workspace, {.segment = index.data(SegmentListModel::LabelRole).toInt()},
+            tr("in '%1'").arg(index.data().toString()));
+    });
     QAction* up = menu.addAction(tr("Move up"), this, [this, index] { move(index, -1); });
     up->setEnabled(index.row() > 0);
     QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });

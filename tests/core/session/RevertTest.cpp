@@ -112,6 +112,31 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), edits));
     }
 
+    /// A step and what took it back cancel each other: the one before is free again. But what comes
+    /// back must find what it read.
+    void oneAfterTheOther()
+    {
+        const std::vector<Edit> edits{test::addSegment("Brain"), test::seedInBrain(1),
+            test::growBrain(2), test::growBrain(2), test::drillAt(0), test::drillAt(2)};
+        Bench bench(test::smallStudy(), edits);
+        bench.run(RevertRows{{4}}); // row 7
+        QVERIFY(bench.refusal(RevertRows{{4}}).contains(QStringLiteral("was taken back before")));
+        QVERIFY(bench.refusal(RevertRows{{5}}).contains(QStringLiteral("(row 6) wrote or read")));
+        bench.run(RevertRows{{3}}); // row 8
+        bench.run(RevertRows{{2}}); // row 9
+        QCOMPARE(bench.session->document().segment(1)->voxels, 0);
+        QVERIFY(bench.refusal(RevertRows{{8}}).contains(QStringLiteral("(row 9) wrote or read")));
+        QVERIFY(bench.refusal(RevertRows{{7}}).contains(QStringLiteral(") wrote or read")));
+        bench.run(RevertRows{{9}});
+        bench.run(RevertRows{{8}});
+        bench.run(RevertRows{{7}});
+        QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), edits));
+        // The same with strokes: the second starts on the floor of the first.
+        bench.run(RevertRows{{6}}); // row 13
+        bench.run(RevertRows{{5}}); // row 14
+        QVERIFY(bench.refusal(RevertRows{{13}}).contains(QStringLiteral("(row 14) wrote or read")));
+    }
+
     void severalAtOnceWhereOneAloneIsRefused()
     {
         Bench bench(test::smallStudy(),

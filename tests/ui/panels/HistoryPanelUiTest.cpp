@@ -2,7 +2,9 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "ui/MessageBar.h"
 #include "ui/PanelSection.h"
+#include "ui/dialogs/ReviseStrokeDialog.h"
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryDelegate.h"
 #include "ui/panels/HistoryPanel.h"
@@ -10,13 +12,16 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListView>
 #include <QMenu>
+#include <QPushButton>
 #include <QTimer>
 #include <QtTest>
 
 #include <algorithm>
+#include <functional>
 
 class HistoryPanelUiTest : public QObject {
     Q_OBJECT
@@ -47,7 +52,7 @@ private Q_SLOTS:
         QVERIFY(session.settle());
         QCOMPARE(session.history().rows().size(), std::size_t(5));
         const QString name = list->model()->index(5, 0).data().toString();
-        QCOMPARE(name, QStringLiteral("Undo only step 2"));
+        QCOMPARE(name, QStringLiteral("Undo only 'Drill 5.0 mm'"));
 
         // Its growth came after it: said, and nothing done.
         QSignalSpy failures(&fixture.workspace, &ui::Workspace::failed);
@@ -60,6 +65,62 @@ private Q_SLOTS:
         QVERIFY(session.settle());
         QCOMPARE(session.history().position(), core::RowId(1));
         QCOMPARE(enabledIn(list, 2), QStringList{tr("Go to this step")}); // undone
+    }
+
+    void aStrokeIsChangedAndRemovedOutOfOrder()
+    {
+        Panel panel;
+        core::EditSession& session = panel.session();
+        core::DrillStroke second = test::drillAt(1);
+        second.radiusMm = 3.0;
+        panel.applyAll({test::drillAt(0), second});
+        const auto answer = [&panel](const std::function<void(ui::ReviseStrokeDialog&)>& act) {
+            auto* dialog = panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();
+            QVERIFY(dialog);
+            act(*dialog);
+            QVERIFY(panel.session().settle());
+            QTest::qWait(20);
+        };
+        choose(panel.list, 1, tr("Change stroke …"));
+        answer([](ui::ReviseStrokeDialog& dialog) {
+            auto* radius = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("radius"));
+            QCOMPARE(radius->value(), 4.0);
+            radius->setValue(7.5);
+            dialog.accept();
+        });
+        const auto& edit = std::get<core::ReviseStroke>(session.history().row(3).edit);
+        QCOMPARE(edit.row, std::int64_t(1));
+        QCOMPARE(edit.radiusMm.value_or(0.0), 7.5);
+        QVERIFY(!edit.depthMm && !edit.layer && !edit.throughGaps && !edit.removed);
+
+        // Once more: it shows what counts now, and taking it back leaves nothing to say.
+        choose(panel.list, 1, tr("Change stroke …"));
+        answer([](ui::ReviseStrokeDialog& dialog) {
+            auto* radius = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("radius"));
+            QCOMPARE(radius->value(), 7.5);
+            dialog.reject();
+        });
+        QCOMPARE(session.history().rows().size(), std::size_t(3));
+
+        choose(panel.list, 1, tr("Remove stroke"));
+        QVERIFY(session.settle());
+        QTest::qWait(20);
+        QCOMPARE(session.strokesOnRevisedSurface(), std::vector<core::RowId>{2});
+        QVERIFY2(panel.fixture.window.messages().sentence().startsWith(tr("One later stroke")),
+            qPrintable(panel.fixture.window.messages().sentence()));
+        QCOMPARE(enabledIn(panel.list, 1),
+            (QStringList{
+                tr("Go to this step"), tr("Undo only this step"), tr("Bring stroke back")}));
+        auto* again = panel.fixture.window.messages().findChild<QPushButton*>();
+        QVERIFY(again && again->isVisible());
+        QTest::mouseClick(again, Qt::LeftButton);
+        QVERIFY(session.settle());
+        // Removed, and drilled anew where the surface is now: as if it alone had been drawn.
+        QCOMPARE(session.history().rows().size(), std::size_t(6));
+        const QByteArray alone = session.stateHash();
+        Panel other;
+        other.applyAll({second});
+        QCOMPARE(alone, other.session().stateHash());
     }
 
     void branchesUnfoldAndAreReturnedTo()
@@ -123,7 +184,8 @@ private Q_SLOTS:
         QCOMPARE(panel.listed(), QStringLiteral("0 1 >branch to 2 >2 3"));
         // Nothing of a branch is undone alone: it is not done.
         QCOMPARE(enabledIn(panel.list, 3), QStringList{tr("Go to this step")});
-        QCOMPARE(enabledIn(panel.list, 4), QStringList{tr("Undo only this step")});
+        QCOMPARE(enabledIn(panel.list, 4),
+            (QStringList{tr("Undo only this step"), tr("Change stroke …"), tr("Remove stroke")}));
         choose(panel.list, 3, tr("Go to this step"));
         QVERIFY(panel.session().settle());
         QCOMPARE(panel.session().history().position(), core::RowId(2));
@@ -380,7 +442,7 @@ private:
         QStringList enabled;
         withMenu(list, row, [&enabled](const QMenu& menu) {
             for (const QAction* action : menu.actions()) {
-                if (action->isEnabled())
+                if (action->isEnabled() && !action->isSeparator())
                     enabled += action->text();
             }
         });

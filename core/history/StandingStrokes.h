@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/history/History.h"
+
+#include <vector>
+
+namespace core {
+
+/// A drill stroke of the history as it counts now.
+struct StandingStroke {
+    RowId row = 0; ///< where it was drawn; its rays start on the surface as it was before that row
+    DrillStroke stroke; ///< as the last ReviseStroke that stands made it
+    bool removed = false; ///< by ReviseStroke: cuts nothing
+    bool operator==(const StandingStroke& other) const;
+};
+
+/// The strokes whose cuts, laid over each other, are the coverage after a row; in the order in
+/// which they were drawn. Those that RevertRows took back are not among them.
+[[nodiscard]] std::vector<StandingStroke> standingStrokes(const History& history, RowId at);
+
+/// The stroke as an edit revises it.
+[[nodiscard]] DrillStroke revised(DrillStroke stroke, const ReviseStroke& edit);
+
+/// All forms that a stroke has had on the way to the position: as it was drawn, and each revision.
+[[nodiscard]] std::vector<DrillStroke> formsOf(const History& history, RowId row);
+
+} // namespace core

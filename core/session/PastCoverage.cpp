@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/PastCoverage.h"
+
+#include "core/edits/EngineEdits.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+constexpr std::uint8_t scratchLayer = 255;
+
+} // namespace
+
+PastCoverage::PastCoverage(std::vector<RowId> path)
+    : m_path(std::move(path))
+    , m_place(m_path.size())
+{
+}
+
+void PastCoverage::addDifferences(RowId row, std::vector<BrickImage>&& differences)
+{
+    std::vector<BrickImage>& kept = m_differences[row];
+    for (BrickImage& difference : differences) {
+        if (difference.key.field == Field::Coverage)
+            kept.push_back(std::move(difference));
+    }
+}
+
+std::vector<BrickKey> PastCoverage::keys() const
+{
+    std::set<BrickKey> keys;
+    for (const auto& [row, differences] : m_differences) {
+        for (const BrickImage& difference : differences)
+            keys.insert(difference.key);
+    }
+    return {keys.begin(), keys.end()};
+}
+
+void PastCoverage::addImages(const std::vector<BrickChange>& read)
+{
+    for (const BrickChange& brick : read)
+        m_images[brick.key] = {brick.key, brick.after};
+}
+
+void PastCoverage::walk(std::size_t place)
+{
+    const auto layOver = [this](RowId row) {
+        for (const BrickImage& difference : m_differences[row]) {
+            BrickImage& image = m_images.at(difference.key);
+            image = exclusiveOr(image, difference);
+            m_toPut[difference.key] = image;
+        }
+    };
+    for (; m_place > place; --m_place)
+        layOver(m_path[m_place - 1]);
+    for (; m_place < place; ++m_place)
+        layOver(m_path[m_place]);
+}
+
+void PastCoverage::put(SessionState& state)
+{
+    if (m_toPut.empty())
+        return;
+    SwapBricks swap;
+    for (auto& [key, image] : m_toPut)
+        swap.bricks.push_back(std::move(image));
+    m_toPut.clear();
+    state.engine.submit(std::move(swap));
+}
+
+void PastCoverage::goBefore(SessionState& state, RowId row)
+{
+    walk(std::size_t(std::find(m_path.begin(), m_path.end(), row) - m_path.begin()));
+    put(state);
+}
+
+void PastCoverage::overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images)
+{
+    m_toPut = images;
+    put(state);
+    // What goes back with the next walk.
+    for (const auto& [key, image] : images)
+        m_toPut[key] = m_images.at(key);
+}
+
+Result<Ticket> PastCoverage::drill(SessionState& state, const DrillStroke& stroke)
+{
+    Result<DrillCut> cut = drillCut(stroke, state.document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    cut->layer = scratchLayer;
+    DrillPath path{drillPath(stroke, cut->frame, nullptr, stroke.samples)};
+    return submitWhole(state.engine, *std::move(cut), {std::move(path)});
+}
+
+StrokeCut PastCoverage::cutOf(const EngineResult& result)
+{
+    StrokeCut cut;
+    for (const BrickChange& change : result.changes) {
+        cut[change.key.brick] = change.after;
+        m_toPut[change.key] = {change.key, {}};
+    }
+    return cut;
+}
+
+void PastCoverage::restore(SessionState& state)
+{
+    walk(m_path.size());
+    put(state);
+}
+
+} // namespace core

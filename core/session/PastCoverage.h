@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+#include "core/session/SessionState.h"
+
+#include <map>
+#include <vector>
+
+namespace core {
+
+/// What one stroke cuts by itself: bytes of coverage by brick, bricks that it misses left out.
+using StrokeCut = std::map<std::uint32_t, std::vector<std::uint8_t>>;
+
+/// Lends the engine's coverage for a look into the past: takes it back to what it was before an
+/// older row and drills there, into a layer that no document has, so that the stroke starts on the
+/// surface that it found then and what it cuts stands alone. Part of ReviseOperation.
+///
+/// Nothing here is a row; whoever began it ends it by restore(). Tickets follow each other, so of
+/// several commands only the last is waited for.
+class PastCoverage {
+public:
+    /// @param path rows from the earliest that is looked back to, to the history's position
+    explicit PastCoverage(std::vector<RowId> path);
+
+    /// What a row of the path changed.
+    void addDifferences(RowId row, std::vector<BrickImage>&& differences);
+    /// The bricks that the rows of the path changed.
+    [[nodiscard]] std::vector<BrickKey> keys() const;
+    /// Bricks as they are at the position, or at any row where no row of the path changed them.
+    void addImages(const std::vector<BrickChange>& read);
+    [[nodiscard]] bool knows(const BrickKey& key) const { return m_images.count(key) != 0; }
+
+    /// As it is where the engine's coverage stands now.
+    [[nodiscard]] const BrickImage& image(const BrickKey& key) const { return m_images.at(key); }
+
+    /// To before a row of the path.
+    void goBefore(SessionState& state, RowId row);
+    /// Lays other bricks over the past, until the next goBefore() or restore().
+    void overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images);
+    /// @return the ticket whose result cutOf() reads; or why it cannot be drilled
+    [[nodiscard]] Result<Ticket> drill(SessionState& state, const DrillStroke& stroke);
+    [[nodiscard]] StrokeCut cutOf(const EngineResult& result);
+    /// Back to the position.
+    void restore(SessionState& state);
+
+private:
+    void walk(std::size_t place);
+    void put(SessionState& state);
+
+    std::vector<RowId> m_path;
+    std::map<RowId, std::vector<BrickImage>> m_differences; ///< of coverage
+    std::map<BrickKey, BrickImage> m_images; ///< at m_place
+    std::map<BrickKey, BrickImage> m_toPut;
+    std::size_t m_place; ///< rows of the path that are done there
+};
+
+} // namespace core

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/ReviseOperation.h"
+
+#include "core/edits/EngineEdits.h"
+#include "core/session/RowReach.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+tl::unexpected<Error> refused(RowId row, const char* reason)
+{
+    return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
+        QStringLiteral("row %1 %2").arg(row).arg(QLatin1String(reason)));
+}
+
+std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, RowId row)
+{
+    std::vector<StandingStroke> result;
+    std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(result),
+        [row](const StandingStroke& stroke) { return stroke.row < row; });
+    return result;
+}
+
+/// The first stroke that counts otherwise now than it did; 0: none.
+RowId firstDifference(
+    const std::vector<StandingStroke>& then, const std::vector<StandingStroke>& now)
+{
+    const auto [a, b] = std::mismatch(then.begin(), then.end(), now.begin(), now.end());
+    RowId first = 0;
+    if (a != then.end())
+        first = a->row;
+    if (b != now.end())
+        first = first == 0 ? b->row : std::min(first, b->row);
+    return first;
+}
+
+} // namespace
+
+ReviseOperation::ReviseOperation(ReviseStroke edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+void ReviseOperation::start(SessionState& state)
+{
+    if (const Result<void> found = findStrokes(state); !found) {
+        state.fail(found.error());
+        m_done = true;
+        return;
+    }
+    m_past = PastCoverage(m_path);
+    m_toLoad = m_path;
+    loadNext(state);
+}
+
+Result<void> ReviseOperation::findStrokes(const SessionState& state)
+{
+    const History& history = state.history;
+    const std::vector<RowId> path = history.pathTo(history.position());
+    if (std::find(path.begin(), path.end(), m_edit.row) == path.end())
+        return refused(m_edit.row, "is not among the steps done so far");
+    const auto* drawn = std::get_if<DrillStroke>(&history.row(m_edit.row).edit);
+    if (!drawn)
+        return refused(m_edit.row, "is no stroke of the drill");
+    m_strokes = standingStrokes(history, history.position());
+    const auto target = std::find_if(m_strokes.begin(), m_strokes.end(),
+        [this](const StandingStroke& stroke) { return stroke.row == m_edit.row; });
+    if (target == m_strokes.end())
+        return refused(m_edit.row, "was taken back");
+    m_before = *target;
+    m_after = {.row = m_edit.row, .stroke = revised(*drawn, m_edit), .removed = m_edit.removed};
+    if (const Result<DrillCut> cut = drillCut(m_after.stroke, state.document); !cut)
+        return tl::unexpected(cut.error());
+    *target = m_after;
+
+    // What is recorded before a row serves as the ground to fold on only if the strokes until then
+    // still count as they did.
+    RowId first = m_edit.row;
+    for (RowId earlier = first; earlier != 0;) {
+        first = earlier;
+        earlier = firstDifference(
+            standingStrokes(history, history.row(first).parent), before(m_strokes, first));
+    }
+    m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(),
+                        [first](const StandingStroke& s) { return s.row < first || s.removed; }),
+        m_strokes.end());
+    m_path.assign(std::find(path.begin(), path.end(), first), path.end());
+    return {};
+}
+
+void ReviseOperation::loadNext(SessionState& state)
+{
+    if (!m_toLoad.empty())
+        return state.worker->load(m_toLoad.back());
+    await(state.engine.submit(ReadBricks{m_past.keys()}),
+        [this](SessionState& now, EngineResult&& read) {
+            m_past.addImages(read.changes);
+            cutTarget(now);
+        });
+}
+
+void ReviseOperation::takeDifferences(
+    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+{
+    if (!differences)
+        return giveUp(state, differences.error());
+    m_past.addDifferences(m_toLoad.back(), *std::move(differences));
+    m_toLoad.pop_back();
+    loadNext(state);
+}
+
+void ReviseOperation::await(Ticket ticket, Then then)
+{
+    m_awaited = ticket;
+    m_then = std::move(then);
+}
+
+void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (!m_then)
+        return;
+    if (result.error)
+        return giveUp(state, *result.error);
+    if (result.ticket == m_awaited)
+        std::exchange(m_then, nullptr)(state, std::move(result));
+}
+
+void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
+    std::function<void(SessionState&, StrokeCut)> then)
+{
+    if (stroke.removed)
+        return then(state, {});
+    const Result<Ticket> ticket = m_past.drill(state, stroke.stroke);
+    if (!ticket)
+        return giveUp(state, ticket.error());
+    await(*ticket, [this, then = std::move(then)](SessionState& now, EngineResult&& result) {
+        then(now, m_past.cutOf(result));
+    });
+}
+
+void ReviseOperation::cutTarget(SessionState& state)
+{
+    m_past.goBefore(state, m_edit.row);
+    cut(state, m_before, [this](SessionState& now, StrokeCut cutBefore) {
+        m_cutBefore = std::move(cutBefore);
+        // The layer that the cut stands in is emptied before the next one.
+        m_past.goBefore(now, m_edit.row);
+        cut(now, m_after, [this](SessionState& then, StrokeCut cutAfter) {
+            m_cutAfter = std::move(cutAfter);
+            chooseBricks(then);
+        });
+    });
+}
+
+void ReviseOperation::chooseBricks(SessionState& state)
+{
+    if (m_before.stroke.layer != m_after.stroke.layer || m_cutBefore != m_cutAfter) {
+        for (const auto* each : {&m_before, &m_after}) {
+            for (const auto& [brick, bytes] : each == &m_before ? m_cutBefore : m_cutAfter) {
+                const BrickKey key{Field::Coverage, std::uint8_t(each->stroke.layer), brick};
+                m_folded[key] = {key, {}};
+            }
+        }
+    }
+    const auto misses = [&](const StandingStroke& stroke) {
+        if (stroke.row == m_edit.row)
+            return false;
+        const RowReach reach(stroke.stroke, state.document, {});
+        return std::none_of(m_folded.begin(), m_folded.end(),
+            [&reach](const auto& brick) { return reach.covers(brick.first); });
+    };
+    m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(), misses), m_strokes.end());
+
+    ReadBricks unknown;
+    for (const auto& [key, image] : m_folded) {
+        if (!m_past.knows(key))
+            unknown.keys.push_back(key);
+    }
+    await(state.engine.submit(std::move(unknown)), [this](SessionState& now, EngineResult&& read) {
+        m_past.addImages(read.changes);
+        beginFold(now);
+    });
+}
+
+void ReviseOperation::beginFold(SessionState& state)
+{
+    m_past.goBefore(state, m_path.front());
+    for (auto& [key, image] : m_folded)
+        image = m_past.image(key);
+    foldNext(state);
+}
+
+void ReviseOperation::foldNext(SessionState& state)
+{
+    if (m_folded.empty() || m_next == m_strokes.size())
+        return put(state);
+    const StandingStroke& stroke = m_strokes[m_next++];
+    if (stroke.row == m_edit.row) {
+        lay(m_cutAfter, stroke);
+        return foldNext(state);
+    }
+    m_past.goBefore(state, stroke.row);
+    cut(state, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
+        if (stroke.row > m_edit.row)
+            return compare(now, stroke, std::move(recorded));
+        lay(recorded, stroke);
+        foldNext(now);
+    });
+}
+
+void ReviseOperation::compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded)
+{
+    m_past.goBefore(state, stroke.row);
+    m_past.overlay(state, m_folded);
+    cut(state, stroke,
+        [this, &stroke, recorded = std::move(recorded)](SessionState& now, StrokeCut anew) {
+            if (anew != recorded)
+                m_begunInside.push_back(stroke.row);
+            lay(recorded, stroke);
+            foldNext(now);
+        });
+}
+
+void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
+{
+    for (const auto& [brick, bytes] : cut) {
+        const auto found =
+            m_folded.find({Field::Coverage, std::uint8_t(stroke.stroke.layer), brick});
+        if (found == m_folded.end())
+            continue;
+        std::vector<std::uint8_t>& held = found->second.bytes;
+        if (held.empty())
+            held = bytes;
+        std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
+            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    }
+}
+
+void ReviseOperation::put(SessionState& state)
+{
+    m_past.restore(state);
+    SwapBricks swap;
+    for (auto& [key, image] : m_folded)
+        swap.bricks.push_back(std::move(image));
+    await(state.engine.submit(std::move(swap)),
+        [this](SessionState& now, EngineResult&& result) { finish(now, std::move(result)); });
+}
+
+void ReviseOperation::finish(SessionState& state, EngineResult&& result)
+{
+    m_done = true;
+    if (m_again != 0)
+        state.complete(m_again, std::move(result.changes));
+    else if (!result.changes.empty())
+        state.commit(m_edit, std::move(result.changes), result.statistics, std::nullopt);
+    state.lastRevision = {state.history.position(), std::move(m_begunInside)};
+}
+
+void ReviseOperation::giveUp(SessionState& state, const Error& error)
+{
+    m_then = nullptr;
+    m_past.restore(state);
+    state.fail(error);
+    m_done = true;
+}
+
+} // namespace core

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/BrickGrid.h"
+#include "core/edits/EditQuantise.h"
+#include "core/edits/EngineEdits.h"
+#include "core/history/StandingStrokes.h"
+#include "core/session/EditSession.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <map>
+#include <random>
+
+using namespace core;
+
+namespace {
+
+using Coverage = std::map<std::pair<int, std::uint32_t>, std::vector<std::uint8_t>>;
+
+constexpr int layers = 2;
+
+/// All coverage that an engine holds, by layer and brick; empty bricks are left out.
+Coverage coverageOf(EditEngine& engine, const glm::ivec3& size, int lastLayer = layers)
+{
+    ReadBricks read;
+    const int bricks = BrickGrid{size}.brickCount();
+    for (int layer = 1; layer <= lastLayer; ++layer) {
+        for (int brick = 0; brick < bricks; ++brick)
+            read.keys.push_back({Field::Coverage, std::uint8_t(layer), std::uint32_t(brick)});
+    }
+    const Ticket ticket = engine.submit(std::move(read));
+    engine.finish();
+    Coverage coverage;
+    for (const EngineResult& result : engine.collect()) {
+        for (const BrickChange& change : result.changes) {
+            if (result.ticket == ticket && !change.after.empty())
+                coverage[{change.key.plane, change.key.brick}] = change.after;
+        }
+    }
+    return coverage;
+}
+
+struct Bench {
+    explicit Bench(const std::vector<Edit>& edits = {})
+    {
+        session = *EditSession::create(engine, test::smallStudy(), {});
+        for (const Edit& edit : edits)
+            run(edit);
+    }
+    void run(const Edit& edit)
+    {
+        const Result<void> applied = session->apply(edit);
+        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
+        const Result<void> settled = session->settle();
+        QVERIFY2(settled, qPrintable(settled ? QString() : settled.error().arguments.join(u' ')));
+    }
+    [[nodiscard]] Result<void> attempt(const Edit& edit)
+    {
+        const Result<void> applied = session->apply(edit);
+        return applied ? session->settle() : applied;
+    }
+    [[nodiscard]] QString refusal(const Edit& edit)
+    {
+        const QByteArray before = session->stateHash();
+        const std::size_t rows = session->history().rows().size();
+        const Result<void> result = attempt(edit);
+        if (result || session->stateHash() != before || session->history().rows().size() != rows)
+            return QStringLiteral("was not refused");
+        return result.error().arguments.join(u' ');
+    }
+    [[nodiscard]] Coverage coverage()
+    {
+        return coverageOf(engine, test::smallStudy().volume.geometry.size);
+    }
+    [[nodiscard]] const HistoryRow& lastRow() const { return session->history().rows().back(); }
+
+    reference::ReferenceEngine engine;
+    std::unique_ptr<EditSession> session;
+};
+
+QByteArray hashOf(const std::vector<Edit>& edits)
+{
+    return Bench(edits).session->stateHash();
+}
+
+DrillStroke drill(double xMm, double radiusMm = 5.0, double depthMm = 5.0, int layer = 1)
+{
+    DrillStroke stroke = test::drillAt(xMm);
+    stroke.radiusMm = radiusMm;
+    stroke.depthMm = depthMm;
+    stroke.layer = layer;
+    return stroke;
+}
+
+/// What strokes cut, worked out without the session: each alone on an engine of its own, on the
+/// coverage as it was when the stroke was drawn.
+class Truth {
+public:
+    void draw(RowId row, const DrillStroke& stroke, const Coverage& before)
+    {
+        m_strokes[row] = {before, stroke, true};
+    }
+    void setStanding(RowId row, bool stands) { m_strokes.at(row).stands = stands; }
+    void setStroke(RowId row, const DrillStroke& stroke) { m_strokes.at(row).stroke = stroke; }
+
+    [[nodiscard]] Coverage coverage() const
+    {
+        Coverage sum;
+        for (const auto& [row, drawn] : m_strokes) {
+            if (!drawn.stands)
+                continue;
+            for (const auto& [brick, bytes] : cut(drawn)) {
+                std::vector<std::uint8_t>& held = sum[{drawn.stroke.layer, brick}];
+                held.resize(bytes.size(), 0);
+                for (std::size_t i = 0; i < bytes.size(); ++i)
+                    held[i] = std::max(held[i], bytes[i]);
+            }
+        }
+        return sum;
+    }
+
+private:
+    struct Drawn {
+        Coverage before;
+        DrillStroke stroke;
+        bool stands = true;
+    };
+    [[nodiscard]] static std::map<std::uint32_t, std::vector<std::uint8_t>> cut(const Drawn& drawn)
+    {
+        const LoadedVolume study = test::smallStudy();
+        reference::ReferenceEngine engine;
+        static_cast<void>(engine.openVolume(study.volume.geometry.size, study.codes));
+        SwapBricks past;
+        for (const auto& [key, bytes] : drawn.before)
+            past.bricks.push_back({{Field::Coverage, std::uint8_t(key.first), key.second}, bytes});
+        engine.submit(std::move(past));
+        Document document;
+        document.volumes.push_back(study.volume);
+        DrillCut alone = *drillCut(drawn.stroke, document);
+        alone.layer = 9;
+        const Ticket ticket = submitWhole(engine, alone,
+            {DrillPath{drillPath(drawn.stroke, alone.frame, nullptr, drawn.stroke.samples)}});
+        engine.finish();
+        std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
+        for (const EngineResult& result : engine.collect()) {
+            for (const BrickChange& change : result.changes) {
+                if (result.ticket == ticket)
+                    bricks[change.key.brick] = change.after;
+            }
+        }
+        return bricks;
+    }
+
+    std::map<RowId, Drawn> m_strokes;
+};
+
+} // namespace
+
+class ReviseTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void oneStrokeIsAsIfDrawnThatWay()
+    {
+        Bench bench({test::addSegment("Brain"), drill(0), test::seedInBrain(1)});
+        bench.run(ReviseStroke{.row = 2, .radiusMm = 3.0});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf({test::addSegment("Brain"), drill(0, 3.0), test::seedInBrain(1)}));
+        QVERIFY2(bench.lastRow().name.contains(QStringLiteral("': radius 5.0 → 3.0 mm, ")),
+            qPrintable(bench.lastRow().name));
+        QCOMPARE(bench.lastRow().parent, RowId(3));
+        bench.run(ReviseStroke{.row = 2, .depthMm = 9.0});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf({test::addSegment("Brain"), drill(0, 5.0, 9.0), test::seedInBrain(1)}));
+        bench.run(ReviseStroke{.row = 2, .layer = 2});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf({test::addSegment("Brain"), drill(0, 5.0, 5.0, 2), test::seedInBrain(1)}));
+        bench.run(ReviseStroke{.row = 2, .removed = true});
+        QCOMPARE(
+            bench.session->stateHash(), hashOf({test::addSegment("Brain"), test::seedInBrain(1)}));
+        QVERIFY2(bench.lastRow().name.startsWith(QStringLiteral("Remove 'Drill ")),
+            qPrintable(bench.lastRow().name));
+        bench.run(ReviseStroke{.row = 2});
+        QCOMPARE(bench.session->stateHash(),
+            hashOf({test::addSegment("Brain"), drill(0), test::seedInBrain(1)}));
+        const std::size_t rows = bench.session->history().rows().size();
+        bench.run(ReviseStroke{.row = 2}); // as it is: nothing to do, no row
+        QCOMPARE(bench.session->history().rows().size(), rows);
+    }
+
+    void laterStrokesKeepTheirPlace()
+    {
+        const DrillStroke first = drill(0, 6.0, 4.0);
+        const DrillStroke second = drill(2, 4.0, 4.0);
+        Bench bench({first, second});
+        bench.run(ReviseStroke{.row = 1, .removed = true});
+        // The second one alone, but on the floor of the first: as it is in a layer of its own.
+        Bench apart({first, drill(2, 4.0, 4.0, 2)});
+        Coverage expected;
+        for (const auto& [key, bytes] : apart.coverage()) {
+            if (key.first == 2)
+                expected[{1, key.second}] = bytes;
+        }
+        QVERIFY(!expected.empty());
+        QVERIFY(bench.coverage() == expected);
+        QVERIFY(bench.coverage() != Bench({second}).coverage());
+        QCOMPARE(bench.session->strokesOnRevisedSurface(), std::vector<RowId>{2});
+
+        // One that starts elsewhere has nothing to do with it.
+        Bench clear({drill(-9, 3.0), drill(9, 3.0)});
+        clear.run(ReviseStroke{.row = 1, .removed = true});
+        QVERIFY(clear.session->strokesOnRevisedSurface().empty());
+        QVERIFY(clear.coverage() == Bench({drill(9, 3.0)}).coverage());
+    }
+
+    void isOneStepOfUndo()
+    {
+        Bench bench({drill(0), drill(3), drill(-2, 7.0, 3.0)});
+        const QByteArray before = bench.session->stateHash();
+        bench.run(ReviseStroke{.row = 2, .radiusMm = 8.0});
+        const QByteArray after = bench.session->stateHash();
+        QVERIFY(before != after);
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), before);
+        QVERIFY(bench.session->redo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), after);
+    }
+
+    void refusals()
+    {
+        Bench bench({test::addSegment("Brain"), drill(0), drill(3)});
+        QVERIFY(bench.refusal(ReviseStroke{.row = 1}).contains(QStringLiteral("is no stroke")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 9}).contains(QStringLiteral("row 9 is not")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 0}).contains(QStringLiteral("row")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 2, .radiusMm = -1.0})
+                    .contains(QStringLiteral("radiusMm")));
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QVERIFY(bench.refusal(ReviseStroke{.row = 3}).contains(QStringLiteral("row 3 is not")));
+        bench.run(RevertRows{{2}});
+        QVERIFY(bench.refusal(ReviseStroke{.row = 2}).contains(QStringLiteral("taken back")));
+    }
+
+    /// A revision folds in what lay hidden: what counts there cannot be taken back by bricks alone.
+    void undoOnlySeesWhatARevisionBroughtToLight()
+    {
+        // The second stroke lies wholly within the first, so its own row changed little or nothing
+        // there; without the first it shows.
+        Bench bench({drill(0, 8.0, 9.0), drill(0, 3.0, 1.0)});
+        Bench deep({drill(0, 3.0, 4.0), drill(0, 8.0, 12.0)});
+        deep.run(ReviseStroke{.row = 2, .removed = true});
+        QVERIFY(deep.refusal(RevertRows{{1}}).contains(QStringLiteral("wrote or read")));
+        QCOMPARE(deep.session->stateHash(), hashOf({drill(0, 3.0, 4.0)}));
+        bench.run(ReviseStroke{.row = 1, .removed = true});
+        QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("wrote or read")));
+        bench.run(RevertRows{{3}}); // the revision itself can go
+        QCOMPARE(bench.session->stateHash(), hashOf({drill(0, 8.0, 9.0), drill(0, 3.0, 1.0)}));
+    }
+
+    void survivesTheFile()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("s.burin"));
+        reference::ReferenceEngine engine;
+        QByteArray hash;
+        {
+            auto session = *EditSession::create(engine, test::smallStudy(), {.file = file});
+            for (const Edit& edit : std::initializer_list<Edit>{
+                     drill(0), drill(3), ReviseStroke{.row = 1, .radiusMm = 2.5}})
+                QVERIFY(session->apply(edit));
+            QVERIFY(session->settle());
+            hash = session->stateHash();
+        }
+        auto session = EditSession::open(engine, test::smallStudy(), file);
+        QVERIFY(session);
+        QCOMPARE((*session)->stateHash(), hash);
+        const auto& edit = std::get<ReviseStroke>((*session)->history().row(3).edit);
+        QCOMPARE(edit.row, std::int64_t(1));
+        QCOMPARE(edit.radiusMm.value_or(0.0), 2.5);
+        QVERIFY(!edit.depthMm && !edit.removed);
+    }
+
+    /// Random strokes, revisions, removals, "undo only" and undo, against cuts worked out one by
+    /// one.
+    void anySequenceEqualsTheFoldOfItsCuts()
+    {
+        const int sequences = qEnvironmentVariableIsSet("BURIN_LONG") ? 60 : 6;
+        int revisions = 0;
+        for (int sequence = 0; sequence < sequences; ++sequence) {
+            std::mt19937 random(std::uint32_t(900 + sequence));
+            const auto between = [&random](int low, int high) {
+                return low + int(random() % std::uint32_t(high - low + 1));
+            };
+            Bench bench;
+            std::map<RowId, Truth> truths; // by row
+            truths.emplace(0, Truth());
+            for (int step = 0; step < 14; ++step) {
+                const RowId position = bench.session->history().position();
+                Truth truth = truths.at(position);
+                const Coverage before = bench.coverage();
+                const std::vector<StandingStroke> standing =
+                    standingStrokes(bench.session->history(), position);
+                Edit edit = drill(between(-8, 8), between(2, 8), between(1, 9), between(1, layers));
+                if (!standing.empty() && between(0, 9) < 6) {
+                    const StandingStroke& any =
+                        standing[std::size_t(between(0, int(standing.size()) - 1))];
+                    ReviseStroke revise{.row = any.row};
+                    if (between(0, 2) == 0)
+                        revise.removed = true;
+                    else if (between(0, 1) == 0)
+                        revise.radiusMm = between(2, 8);
+                    else
+                        revise.depthMm = between(1, 9);
+                    if (between(0, 4) == 0)
+                        revise.layer = between(1, layers);
+                    edit = revise;
+                    if (between(0, 5) == 0)
+                        edit = RevertRows{{any.row}};
+                }
+                const bool applied = bool(bench.attempt(edit));
+                const RowId now = bench.session->history().position();
+                if (applied && now != position) {
+                    if (const auto* stroke = std::get_if<DrillStroke>(&edit))
+                        truth.draw(now, std::get<DrillStroke>(quantised(*stroke)), before);
+                    if (const auto* revert = std::get_if<RevertRows>(&edit))
+                        truth.setStanding(revert->rows.front(), false);
+                    if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+                        const auto& drawn =
+                            std::get<DrillStroke>(bench.session->history().row(revise->row).edit);
+                        truth.setStroke(revise->row, revised(drawn, *revise));
+                        truth.setStanding(revise->row, !revise->removed);
+                        ++revisions;
+                    }
+                }
+                // A row that changed nothing has none, but what it says must be true then as well.
+                truths[now] = truth;
+                QVERIFY2(bench.coverage() == truths.at(now).coverage(),
+                    qPrintable(QStringLiteral("sequence %1, step %2: %3")
+                                   .arg(sequence)
+                                   .arg(step)
+                                   .arg(applied ? bench.lastRow().name : QString())));
+                if (now != 0 && between(0, 6) == 0) {
+                    QVERIFY(bench.session->undo());
+                    QVERIFY(bench.session->settle());
+                }
+            }
+        }
+        QVERIFY(revisions > 2 * sequences);
+    }
+};
+
+QTEST_GUILESS_MAIN(ReviseTest)
+#include "ReviseTest.moc"
