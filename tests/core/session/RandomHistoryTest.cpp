@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/RandomHistory.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+
+#include <QTest>
+
+/// Random sequences of all kinds of commands with undo, redo, branches and files: after each step
+/// the session holds what a recomputation says.
+class RandomHistoryTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void equalsTheTruthAfterEveryStep_data()
+    {
+        QTest::addColumn<int>("commands");
+        QTest::addColumn<uint>("seed");
+        const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
+        for (uint seed = 1; seed <= (isLong ? 4u : 1u); ++seed)
+            QTest::addRow("seed %u", seed) << (isLong ? 500 : 160) << seed;
+    }
+    void equalsTheTruthAfterEveryStep()
+    {
+        QFETCH(int, commands);
+        QFETCH(uint, seed);
+        reference::ReferenceEngine engine;
+        const test::RandomHistory history = test::runRandomHistory(engine, commands, seed);
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        QCOMPARE(history.hashes.size(), std::size_t(commands));
+        // No kind of command was left out.
+        for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "seed", "grow",
+                 "drill", "revert", "reviseStroke", "undo", "redo", "goTo", "reopen", "given up"})
+            QVERIFY2(history.done.count(QLatin1String(kind)) > 0, kind);
+        for (const auto& [kind, count] : history.done)
+            qInfo("%s: %d", qPrintable(kind), count);
+    }
+};
+
+QTEST_GUILESS_MAIN(RandomHistoryTest)
+#include "RandomHistoryTest.moc"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EditEngineFixture.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/RandomHistory.h"
+
+#include <QtTest>
+
+/// What RandomHistoryTest does on the oracle, on the GPU: the same truth and the same hashes.
+class RandomHistoryGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
+    void init() { test::failOnUnexpectedMessages(); }
+    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
+
+    void equalsTheTruthAfterEveryStep()
+    {
+        const int commands = test::longRun() ? 500 : 80;
+        const test::RandomHistory history = test::runRandomHistory(m_gpu.engine(), commands, 11);
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        reference::ReferenceEngine oracle;
+        QCOMPARE(test::runRandomHistory(oracle, commands, 11).hashes, history.hashes);
+    }
+
+private:
+    test::EditEngineFixture m_gpu;
+};
+
+QTEST_GUILESS_MAIN(RandomHistoryGlTest)
+#include "RandomHistoryGlTest.moc"

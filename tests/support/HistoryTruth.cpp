@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/HistoryTruth.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/EditJson.h"
+#include "core/edits/EngineEdits.h"
+#include "core/session/StateHash.h"
+#include "tests/reference/ReferenceEngine.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace test {
+
+using namespace core;
+
+namespace {
+
+constexpr int greatestLayer = 3;
+constexpr std::uint8_t truthLayer = 200; ///< where one cut is made alone
+
+/// All that an engine holds, empty bricks left out.
+std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, const glm::ivec3& size)
+{
+    ReadBricks read;
+    const int bricks = BrickGrid{size}.brickCount();
+    const auto ask = [&read, bricks](Field field, int plane) {
+        for (int brick = 0; brick < bricks; ++brick)
+            read.keys.push_back({field, std::uint8_t(plane), std::uint32_t(brick)});
+    };
+    for (int layer = 1; layer <= greatestLayer; ++layer)
+        ask(Field::Coverage, layer);
+    ask(Field::Labels, 0);
+    ask(Field::SeedWords, 0);
+    const Ticket ticket = engine.submit(std::move(read));
+    engine.finish();
+    std::map<BrickKey, std::vector<std::uint8_t>> found;
+    for (const EngineResult& result : engine.collect()) {
+        for (const BrickChange& brick : result.changes) {
+            if (result.ticket == ticket && !brick.after.empty())
+                found[brick.key] = brick.after;
+        }
+    }
+    return found;
+}
+
+bool isOf(const BrickKey& key, bool coverage)
+{
+    return (key.field == Field::Coverage) == coverage;
+}
+
+} // namespace
+
+HistoryTruth::HistoryTruth(LoadedVolume study)
+    : m_study(std::move(study))
+{
+    m_states[0].document = initialDocument(m_study.volume);
+}
+
+const Document& HistoryTruth::documentAt(RowId row) const
+{
+    return m_states.at(row).document;
+}
+
+std::vector<RowId> HistoryTruth::standingAt(RowId row) const
+{
+    std::vector<RowId> rows;
+    for (const RowId id : standing(row)) {
+        if (!changesDocumentOnly(m_rows.at(id).edit))
+            rows.push_back(id);
+    }
+    return rows;
+}
+
+std::vector<RowId> HistoryTruth::path(RowId row) const
+{
+    std::vector<RowId> rows;
+    for (; row != 0; row = m_rows.at(row).parent)
+        rows.insert(rows.begin(), row);
+    return rows;
+}
+
+std::set<RowId> HistoryTruth::standing(RowId row) const
+{
+    std::set<RowId> rows;
+    for (const RowId id : path(row)) {
+        rows.insert(id);
+        if (const auto* revert = std::get_if<RevertRows>(&m_rows.at(id).edit)) {
+            for (const RowId taken : revert->rows)
+                toggle(taken, false, rows);
+        }
+    }
+    return rows;
+}
+
+void HistoryTruth::toggle(RowId row, bool stands, std::set<RowId>& rows) const
+{
+    if (stands)
+        rows.insert(row);
+    else
+        rows.erase(row);
+    if (const auto* revert = std::get_if<RevertRows>(&m_rows.at(row).edit)) {
+        for (const RowId taken : revert->rows)
+            toggle(taken, !stands, rows);
+    }
+}
+
+void HistoryTruth::add(const HistoryRow& row)
+{
+    m_rows[row.id] = row;
+    State next = m_states.at(row.parent);
+    const Edit& edit = row.edit;
+    if (changesDocumentOnly(edit)) {
+        changeDocument(edit, next.document);
+    } else if (std::holds_alternative<DrillStroke>(edit) || std::holds_alternative<RevertRows>(edit)
+        || std::holds_alternative<ReviseStroke>(edit)) {
+        // Everything anew: what stands is grown again, and all cuts are laid over each other.
+        const Bricks carved = carvedUntil(row.id);
+        if (std::holds_alternative<RevertRows>(edit)) {
+            const Bricks again = regrown(row.id);
+            std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, false); });
+            next.bricks.insert(again.begin(), again.end());
+        }
+        std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, true); });
+        next.bricks.insert(carved.begin(), carved.end());
+    } else {
+        std::uint32_t generation = next.document.growths.front().generation;
+        next.bricks = grown(next.bricks, edit, row.parent, &generation);
+        next.document.growths.front().generation = generation;
+        changeDocument(edit, next.document);
+    }
+    m_states[row.id] = std::move(next);
+}
+
+HistoryTruth::Bricks HistoryTruth::regrown(RowId row) const
+{
+    Bricks bricks;
+    for (const RowId id : standing(row)) {
+        const HistoryRow& done = m_rows.at(id);
+        if (std::holds_alternative<SeedStroke>(done.edit)
+            || std::holds_alternative<GrowSteps>(done.edit)) {
+            std::uint32_t ignored = 0;
+            bricks = grown(bricks, done.edit, done.parent, &ignored);
+        }
+    }
+    return bricks;
+}
+
+HistoryTruth::Bricks HistoryTruth::grown(
+    const Bricks& before, const Edit& edit, RowId parent, std::uint32_t* generation) const
+{
+    // Locks and the counter are those of when it was done.
+    const Document& document = m_states.at(parent).document;
+    if (const auto* seed = std::get_if<SeedStroke>(&edit))
+        return after(before, *seedPlacement(*seed, document), {}, nullptr);
+    const auto& grow = std::get<GrowSteps>(edit);
+    const int steps = grow.steps.value_or(GrowAdvance::toClosure);
+    std::vector<EngineExtension> extensions;
+    if (steps != 0)
+        extensions.push_back(GrowAdvance{.steps = steps});
+    return after(before, *growBurst(grow, document), extensions, generation);
+}
+
+HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
+{
+    std::vector<Stroke> strokes;
+    for (const RowId id : standing(row)) {
+        const Edit& edit = m_rows.at(id).edit;
+        if (const auto* drill = std::get_if<DrillStroke>(&edit))
+            strokes.push_back({id, *drill});
+        const auto* revise = std::get_if<ReviseStroke>(&edit);
+        for (Stroke& stroke : strokes) {
+            if (!revise || stroke.row != revise->row)
+                continue;
+            stroke.form = std::get<DrillStroke>(m_rows.at(stroke.row).edit);
+            stroke.form.radiusMm = revise->radiusMm.value_or(stroke.form.radiusMm);
+            stroke.form.depthMm = revise->depthMm.value_or(stroke.form.depthMm);
+            stroke.form.layer = revise->layer.value_or(stroke.form.layer);
+            stroke.form.throughGaps = revise->throughGaps.value_or(stroke.form.throughGaps);
+            if (revise->removed)
+                stroke.form.samples.clear();
+        }
+    }
+    Bricks carved;
+    for (const Stroke& stroke : strokes) {
+        for (const auto& [brick, bytes] : cutOf(stroke)) {
+            std::vector<std::uint8_t>& held =
+                carved[{Field::Coverage, std::uint8_t(stroke.form.layer), brick}];
+            held.resize(bytes.size(), 0);
+            for (std::size_t i = 0; i < bytes.size(); ++i)
+                held[i] = std::max(held[i], bytes[i]);
+        }
+    }
+    return carved;
+}
+
+HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
+{
+    const QByteArray key = QByteArray::number(qlonglong(stroke.row))
+        + QJsonDocument(editToJson(stroke.form)).toJson(QJsonDocument::Compact);
+    if (const auto known = m_cuts.find(key); known != m_cuts.end())
+        return known->second;
+    const State& before = m_states.at(m_rows.at(stroke.row).parent);
+    DrillCut alone = *drillCut(stroke.form, before.document);
+    alone.layer = truthLayer;
+    const DrillPath path{drillPath(stroke.form, alone.frame, nullptr, stroke.form.samples)};
+    Bricks coverage = before.bricks;
+    std::erase_if(coverage, [](const auto& each) { return isOf(each.first, false); });
+    Cut cut;
+    for (const auto& [brick, bytes] : after(coverage, alone, {path}, nullptr)) {
+        if (brick.plane == truthLayer)
+            cut[brick.brick] = bytes;
+    }
+    return m_cuts[key] = cut;
+}
+
+HistoryTruth::Bricks HistoryTruth::after(const Bricks& before, const EngineEdit& edit,
+    const std::vector<EngineExtension>& extensions, std::uint32_t* generation) const
+{
+    reference::ReferenceEngine engine;
+    static_cast<void>(engine.openVolume(m_study.volume.geometry.size, m_study.codes));
+    SwapBricks swap;
+    for (const auto& [key, bytes] : before)
+        swap.bricks.push_back({key, bytes});
+    engine.submit(std::move(swap));
+    const Ticket ticket = submitWhole(engine, edit, extensions);
+    Bricks bricks = before;
+    for (EngineResult& result : engine.collect()) {
+        if (result.ticket != ticket)
+            continue;
+        if (result.error)
+            qFatal("the oracle refused what a session did");
+        if (generation)
+            *generation = result.generation;
+        for (BrickChange& change : result.changes) {
+            bricks[change.key] = std::move(change.after);
+            if (bricks[change.key].empty())
+                bricks.erase(change.key);
+        }
+    }
+    return bricks;
+}
+
+void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
+{
+    std::vector<Segment>& segments = document.segments;
+    if (const auto* add = std::get_if<AddSegment>(&edit)) {
+        int label = 0;
+        for (const Segment& segment : segments)
+            label = std::max(label, int(segment.label));
+        segments.push_back({.label = std::uint8_t(label + 1),
+            .name = add->name,
+            .rgb = add->rgb,
+            .code = add->code});
+    } else if (const auto* change = std::get_if<ChangeSegment>(&edit)) {
+        for (Segment& segment : segments) {
+            if (segment.label != change->segment)
+                continue;
+            segment.name = change->name.value_or(segment.name);
+            segment.rgb = change->rgb.value_or(segment.rgb);
+            segment.code = change->code.value_or(segment.code);
+            segment.locked = change->locked.value_or(segment.locked);
+        }
+    } else if (const auto* move = std::get_if<MoveSegment>(&edit)) {
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            if (segments[i].label != move->segment)
+                continue;
+            const Segment moved = segments[i];
+            segments.erase(segments.begin() + std::ptrdiff_t(i));
+            const auto place = std::min(std::ptrdiff_t(move->place) - 1, std::ssize(segments));
+            segments.insert(segments.begin() + place, moved);
+            break;
+        }
+    }
+}
+
+QString HistoryTruth::difference(
+    RowId row, EditEngine& engine, const Document& document, const QByteArray& stateHash) const
+{
+    const State& truth = m_states.at(row);
+    const auto json = [](const Document& each) {
+        return QJsonDocument(each.hashedState()).toJson(QJsonDocument::Compact);
+    };
+    if (json(document) != json(truth.document))
+        return QStringLiteral("the document is\n%1 instead of\n%2")
+            .arg(QString::fromUtf8(json(document)), QString::fromUtf8(json(truth.document)));
+    const Bricks found = everything(engine, m_study.volume.geometry.size);
+    if (found != truth.bricks) {
+        for (const auto& [key, bytes] : truth.bricks) {
+            const auto same = found.find(key);
+            if (same == found.end() || same->second != bytes)
+                return QStringLiteral("brick %1 of field %2, plane %3 is another")
+                    .arg(key.brick)
+                    .arg(int(key.field))
+                    .arg(key.plane);
+        }
+        return QStringLiteral("there are voxels that must be empty");
+    }
+    StateHash hash;
+    std::vector<BrickImage> images;
+    for (const auto& [key, bytes] : truth.bricks)
+        images.push_back({key, bytes});
+    hash.update(images);
+    if (hash.root(json(truth.document)) != stateHash)
+        return QStringLiteral("the state hash is another");
+    return {};
+}
+
+} // namespace test

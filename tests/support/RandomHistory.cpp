@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/RandomHistory.h"
+
+#include "core/edits/EditJson.h"
+#include "core/session/EditSession.h"
+#include "tests/support/HistoryTruth.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+
+namespace test {
+
+using namespace core;
+
+namespace {
+
+class HastyUser {
+public:
+    HastyUser(EditEngine& engine, std::uint32_t seed)
+        : m_engine(engine)
+        , m_random(seed)
+        , m_truth(smallStudy())
+    {
+        auto created = EditSession::create(
+            m_engine, smallStudy(), {.file = m_folder.filePath(QStringLiteral("s.burin"))});
+        if (created)
+            m_session = *std::move(created);
+        else
+            m_result.failure = QStringLiteral("no session");
+    }
+
+    RandomHistory run(int commands)
+    {
+        for (int step = 0; step < commands && m_result.failure.isEmpty(); ++step) {
+            const QString what = act();
+            if (!m_session)
+                break;
+            takeRows();
+            const RowId row = m_session->history().position();
+            const QByteArray hash = m_session->stateHash();
+            m_result.hashes.push_back(hash);
+            const QString difference =
+                m_truth.difference(row, m_engine, m_session->document(), hash);
+            if (!difference.isEmpty())
+                m_result.failure = QStringLiteral("step %1 (%2), row %3: %4")
+                                       .arg(step)
+                                       .arg(what)
+                                       .arg(row)
+                                       .arg(difference);
+        }
+        m_session.reset();
+        return std::move(m_result);
+    }
+
+private:
+    int between(int low, int high) { return low + int(m_random() % std::uint32_t(high - low + 1)); }
+    bool chance(int percent) { return between(1, 100) <= percent; }
+    template <class T> const T& any(const std::vector<T>& list)
+    {
+        return list[std::size_t(between(0, int(list.size()) - 1))];
+    }
+
+    QString act()
+    {
+        // What was undone is redone more often than not.
+        if (m_session->history().canRedo() && chance(25))
+            return note(QStringLiteral("redo"), m_session->redo());
+        const int dice = between(0, 99);
+        if (dice < 18)
+            return note(QStringLiteral("undo"), m_session->undo());
+        if (dice < 24)
+            return jump();
+        if (dice < 26)
+            return reopen();
+        if (dice < 31)
+            return giveUp();
+        const Edit edit = think();
+        const std::size_t rows = m_session->history().rows().size();
+        return note(editName(edit), m_session->apply(edit), rows);
+    }
+
+    /// @param rowsBefore an edit leaves a row, or did nothing
+    QString note(
+        const QString& what, Result<void> result, std::optional<std::size_t> rowsBefore = {})
+    {
+        const Result<void> settled = m_session->settle();
+        if (result && !settled)
+            result = settled;
+        const std::size_t rows = m_session->history().rows().size();
+        if (!result)
+            ++m_result.refused[what];
+        else if (!rowsBefore || rows > *rowsBefore)
+            ++m_result.done[what];
+        return what;
+    }
+    QString jump()
+    {
+        const auto rows = int(m_session->history().rows().size());
+        return note(QStringLiteral("goTo"), m_session->goTo(between(0, rows)));
+    }
+    QString reopen()
+    {
+        m_session.reset();
+        auto opened =
+            EditSession::open(m_engine, smallStudy(), m_folder.filePath(QStringLiteral("s.burin")));
+        if (opened)
+            m_session = *std::move(opened);
+        else
+            m_result.failure =
+                QStringLiteral("not opened again: ") + opened.error().arguments.join(u' ');
+        ++m_result.done[QStringLiteral("reopen")];
+        return QStringLiteral("reopen");
+    }
+    /// A stroke or a growth under way that is given up leaves nothing.
+    QString giveUp()
+    {
+        const std::size_t rows = m_session->history().rows().size();
+        Edit edit = randomGrowth();
+        if (chance(50)) {
+            DrillStroke stroke = randomDrill();
+            const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
+            if (m_session->begin(stroke))
+                m_session->extendDrill(samples);
+        } else if (m_session->begin(edit)) {
+            m_session->extendGrowth({.steps = 2});
+        }
+        m_session->poll();
+        m_session->end(Ending::Rollback);
+        static_cast<void>(m_session->settle());
+        if (m_session->history().rows().size() != rows)
+            m_result.failure = QStringLiteral("a stroke that was given up left a row");
+        ++m_result.done[QStringLiteral("given up")];
+        return QStringLiteral("given up");
+    }
+
+    Edit think()
+    {
+        const Document& document = m_session->document();
+        const std::vector<RowId> rows = m_truth.standingAt(m_session->history().position());
+        const int dice = document.segments.empty() ? 0 : between(0, 99);
+        if (dice < 5 && document.segments.size() < 6)
+            return AddSegment{
+                .name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu, .code = {}};
+        if (dice < 15)
+            return randomChange(document);
+        if (dice < 20)
+            return MoveSegment{.segment = any(document.segments).label, .place = between(1, 6)};
+        if (dice < 35)
+            return randomSeeds(any(document.segments).label);
+        if (dice < 53)
+            return randomGrowth();
+        if (dice < 75 || rows.empty())
+            return randomDrill();
+        if (dice < 87)
+            return ReviseStroke(randomRevision(rows));
+        return randomRevert(rows);
+    }
+
+    QString randomName() { return QStringLiteral("Name %1").arg(between(1, 9)); }
+    Edit randomChange(const Document& document)
+    {
+        ChangeSegment change{.segment = any(document.segments).label};
+        switch (between(0, 3)) {
+        case 0:
+            change.name = randomName();
+            break;
+        case 1:
+            change.rgb = std::uint32_t(m_random()) & 0xFFFFFFu;
+            break;
+        case 2:
+            change.code = chance(50) ? CodedConcept{QStringLiteral("SCT"),
+                              QStringLiteral("89546000"), QStringLiteral("Skull")}
+                                     : CodedConcept{};
+            break;
+        default:
+            change.locked = chance(40);
+        }
+        return change;
+    }
+    Edit randomSeeds(int segment)
+    {
+        const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
+        SeedStroke stroke{.segment = segment, .pointsLps = {}};
+        for (int i = between(1, 4); i > 0; --i) {
+            const glm::dvec3 voxel(between(0, geometry.size.x - 1), between(0, geometry.size.y - 1),
+                between(0, geometry.size.z - 1));
+            stroke.pointsLps.push_back(geometry.toWorld(voxel));
+        }
+        return stroke;
+    }
+    GrowSteps randomGrowth()
+    {
+        GrowSteps grow = chance(50) ? growBrain() : growBone();
+        if (chance(15))
+            grow.lower = -1000; // through everything up to its upper bound
+        if (chance(75))
+            grow.steps = between(1, 4);
+        grow.overwriteUnlocked = chance(30);
+        return grow;
+    }
+    DrillStroke randomDrill()
+    {
+        DrillStroke stroke = drillAt(between(-120, 120) / 10.0);
+        const glm::dvec3 middle = stroke.view.targetLps;
+        if (chance(40)) // from another side
+            stroke.view.eyeLps = middle + glm::dvec3(between(-200, 200), between(50, 200), 30);
+        for (PenSample& sample : stroke.samples)
+            sample.yMm += between(-60, 60) / 10.0;
+        stroke.radiusMm = between(10, 70) / 10.0;
+        stroke.depthMm = between(10, 90) / 10.0;
+        stroke.layer = between(1, 2);
+        stroke.throughGaps = chance(30);
+        return stroke;
+    }
+    ReviseStroke randomRevision(const std::vector<RowId>& rows)
+    {
+        ReviseStroke revise{.row = any(rows)};
+        if (chance(60))
+            revise.radiusMm = between(10, 70) / 10.0;
+        if (chance(40))
+            revise.depthMm = between(10, 90) / 10.0;
+        if (chance(20))
+            revise.layer = between(1, 2);
+        if (chance(20))
+            revise.throughGaps = chance(50);
+        revise.removed = chance(25);
+        return revise;
+    }
+    Edit randomRevert(const std::vector<RowId>& rows)
+    {
+        // Late rows are the ones that are free more often than not.
+        RevertRows revert;
+        const int count = std::min(int(rows.size()), between(1, 2));
+        for (int i = 0; i < count; ++i)
+            revert.rows.push_back(
+                rows[rows.size() - 1 - std::size_t(between(0, std::min(5, int(rows.size()) - 1)))]);
+        std::sort(revert.rows.begin(), revert.rows.end());
+        revert.rows.erase(std::unique(revert.rows.begin(), revert.rows.end()), revert.rows.end());
+        return revert;
+    }
+
+    void takeRows()
+    {
+        const std::vector<HistoryRow>& rows = m_session->history().rows();
+        for (; m_known < rows.size(); ++m_known)
+            m_truth.add(rows[m_known]);
+    }
+
+    EditEngine& m_engine;
+    std::mt19937 m_random;
+    QTemporaryDir m_folder;
+    HistoryTruth m_truth;
+    std::size_t m_known = 0; ///< rows
+    RandomHistory m_result;
+    std::unique_ptr<EditSession> m_session;
+};
+
+} // namespace
+
+RandomHistory runRandomHistory(EditEngine& engine, int commands, std::uint32_t seed)
+{
+    return HastyUser(engine, seed).run(commands);
+}
+
+} // namespace test
