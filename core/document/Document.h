@@ -37,7 +37,7 @@ struct Segment {
 
 /// What hides part of the volume in the 3D view. Changes no segment and no statistic.
 struct SculptLayer {
-    std::uint8_t id = 0; ///< 1 … 255, unique; names its coverage
+    std::uint8_t id = 0; ///< 1 … 254, unique; names its coverage
     QString name;
     bool muted = false; ///< hides nothing, and is absent for whatever reads what is carved
 };

@@ -12,7 +12,7 @@ namespace core {
 namespace {
 
 constexpr int lastLabel = 255;
-constexpr int lastLayer = 255;
+constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
 Result<bool> apply(const AddSegment& edit, Document& document)
 {
@@ -159,6 +159,10 @@ Result<bool> apply(const DrillStroke&, Document&)
     return false;
 }
 Result<bool> apply(const RevertRows&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const ReviseStroke&, Document&)
 {
     return false;
 }

@@ -72,10 +72,19 @@ void PastCoverage::put(SessionState& state)
     state.engine.submit(std::move(swap));
 }
 
+void PastCoverage::mute(SessionState& state, RowId at)
+{
+    MuteLayers mute;
+    for (const SculptLayer& layer : state.documentAt(at).layers)
+        mute.muted[layer.id] = layer.muted;
+    state.engine.submit(mute);
+}
+
 void PastCoverage::goBefore(SessionState& state, RowId row)
 {
     walk(std::size_t(std::find(m_path.begin(), m_path.end(), row) - m_path.begin()));
     put(state);
+    mute(state, state.history.row(row).parent);
 }
 
 void PastCoverage::overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images)
@@ -111,6 +120,7 @@ void PastCoverage::restore(SessionState& state)
 {
     walk(m_path.size());
     put(state);
+    mute(state, state.history.position());
 }
 
 } // namespace core

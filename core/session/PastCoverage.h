@@ -47,6 +47,8 @@ public:
 private:
     void walk(std::size_t place);
     void put(SessionState& state);
+    /// Layers are muted as they were after a row: what is seen, and so where a stroke starts.
+    void mute(SessionState& state, RowId at);
 
     std::vector<RowId> m_path;
     std::map<RowId, std::vector<BrickImage>> m_differences; ///< of coverage

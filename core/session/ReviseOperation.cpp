@@ -74,6 +74,9 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
         return refused(m_edit.row, "was taken back");
     m_before = *target;
     m_after = {.row = m_edit.row, .stroke = revised(*drawn, m_edit), .removed = m_edit.removed};
+    if (!state.document.layer(m_after.stroke.layer))
+        return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
+            QStringLiteral("there is no sculpt layer %1").arg(m_after.stroke.layer));
     if (const Result<DrillCut> cut = drillCut(m_after.stroke, state.document); !cut)
         return tl::unexpected(cut.error());
     *target = m_after;

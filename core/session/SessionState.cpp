@@ -150,16 +150,22 @@ void SessionState::takeIn(const std::vector<BrickChange>& changes)
         tell(DocumentChange::What::Growth, seeds);
 }
 
-/// The document at the history's position: what the edits on the way there made of the first one.
-void SessionState::placeDocument()
+/// What the edits on the way there made of the first one.
+Document SessionState::documentAt(RowId at) const
 {
     Document placed = initialDocument({});
-    for (const RowId id : history.pathTo(history.position())) {
+    for (const RowId id : history.pathTo(at)) {
         const HistoryRow& row = history.row(id);
         // An edit that is in the history was carried out once, so it cannot fail on the way.
         static_cast<void>(applyToDocument(row.edit, placed));
         placed.growths.front().generation = row.growthGeneration;
     }
+    return placed;
+}
+
+void SessionState::placeDocument()
+{
+    Document placed = documentAt(history.position());
     placed.volumes = std::move(document.volumes);
     document = std::move(placed);
     placeSegments();

@@ -51,6 +51,8 @@ public:
     void tell(DocumentChange::What what, const VoxelBox& box = {});
     void fail(const Error& error);
 
+    /// The document after a row (0: at the beginning), without the volume and what is only shown.
+    [[nodiscard]] Document documentAt(RowId row) const;
     /// The canonical form that the state hash covers.
     [[nodiscard]] QByteArray documentJson() const;
 

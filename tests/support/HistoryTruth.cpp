@@ -45,6 +45,30 @@ std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, con
     return found;
 }
 
+/// Bricks without a label and its seeds.
+std::map<BrickKey, std::vector<std::uint8_t>> withoutLabel(
+    std::map<BrickKey, std::vector<std::uint8_t>> bricks, int label)
+{
+    for (auto& [key, bytes] : bricks) {
+        if (key.field == Field::Labels)
+            std::replace(bytes.begin(), bytes.end(), std::uint8_t(label), std::uint8_t(0));
+        for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
+            // Bits 12 … 5 of a word; all ones is an empty voxel.
+            const int bears = (bytes[i] | bytes[i + 1] << 8) >> 5 & 0xFF;
+            const auto word = bytes.begin() + std::ptrdiff_t(i);
+            if (bears == label
+                && !std::all_of(word, word + 4, [](int byte) { return byte == 0xFF; }))
+                std::fill(word, word + 4, std::uint8_t(0xFF));
+        }
+    }
+    std::erase_if(bricks, [](const auto& each) {
+        const std::uint8_t empty = emptyByte(each.first.field);
+        return std::all_of(each.second.begin(), each.second.end(),
+            [empty](std::uint8_t byte) { return byte == empty; });
+    });
+    return bricks;
+}
+
 bool isOf(const BrickKey& key, bool coverage)
 {
     return (key.field == Field::Coverage) == coverage;
@@ -139,7 +163,8 @@ HistoryTruth::Bricks HistoryTruth::regrown(RowId row) const
     for (const RowId id : standing(row)) {
         const HistoryRow& done = m_rows.at(id);
         if (std::holds_alternative<SeedStroke>(done.edit)
-            || std::holds_alternative<GrowSteps>(done.edit)) {
+            || std::holds_alternative<GrowSteps>(done.edit)
+            || std::holds_alternative<RemoveSegment>(done.edit)) {
             std::uint32_t ignored = 0;
             bricks = grown(bricks, done.edit, done.parent, &ignored);
         }
@@ -154,6 +179,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
     const Document& document = m_states.at(parent).document;
     if (const auto* seed = std::get_if<SeedStroke>(&edit))
         return after(before, *seedPlacement(*seed, document), {}, nullptr);
+    if (const auto* remove = std::get_if<RemoveSegment>(&edit))
+        return withoutLabel(before, remove->segment);
     const auto& grow = std::get<GrowSteps>(edit);
     const int steps = grow.steps.value_or(GrowAdvance::toClosure);
     std::vector<EngineExtension> extensions;
@@ -208,7 +235,7 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
     Bricks coverage = before.bricks;
     std::erase_if(coverage, [](const auto& each) { return isOf(each.first, false); });
     Cut cut;
-    for (const auto& [brick, bytes] : after(coverage, alone, {path}, nullptr)) {
+    for (const auto& [brick, bytes] : after(coverage, alone, {path}, nullptr, &before.document)) {
         if (brick.plane == truthLayer)
             cut[brick.brick] = bytes;
     }
@@ -216,10 +243,17 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
 }
 
 HistoryTruth::Bricks HistoryTruth::after(const Bricks& before, const EngineEdit& edit,
-    const std::vector<EngineExtension>& extensions, std::uint32_t* generation) const
+    const std::vector<EngineExtension>& extensions, std::uint32_t* generation,
+    const Document* muting) const
 {
     reference::ReferenceEngine engine;
     static_cast<void>(engine.openVolume(m_study.volume.geometry.size, m_study.codes));
+    if (muting) {
+        MuteLayers mute;
+        for (const SculptLayer& layer : muting->layers)
+            mute.muted[layer.id] = layer.muted;
+        engine.submit(mute);
+    }
     SwapBricks swap;
     for (const auto& [key, bytes] : before)
         swap.bricks.push_back({key, bytes});
@@ -242,11 +276,35 @@ HistoryTruth::Bricks HistoryTruth::after(const Bricks& before, const EngineEdit&
     return bricks;
 }
 
+namespace {
+
+template <class List, class Id> auto with(List& list, Id member, int id)
+{
+    return std::find_if(
+        list.begin(), list.end(), [&](const auto& each) { return each.*member == id; });
+}
+
+template <class List, class Id> void move(List& list, Id member, int id, int place)
+{
+    const auto from = with(list, member, id);
+    const auto moved = *from;
+    list.erase(from);
+    list.insert(list.begin() + std::min(std::ptrdiff_t(place) - 1, std::ssize(list)), moved);
+}
+
+template <class T> void take(T& target, const std::optional<T>& value)
+{
+    target = value.value_or(target);
+}
+
+} // namespace
+
 void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
 {
     std::vector<Segment>& segments = document.segments;
+    std::vector<SculptLayer>& layers = document.layers;
     if (const auto* add = std::get_if<AddSegment>(&edit)) {
-        int label = 0;
+        int label = document.greatestRemovedLabel;
         for (const Segment& segment : segments)
             label = std::max(label, int(segment.label));
         segments.push_back({.label = std::uint8_t(label + 1),
@@ -254,24 +312,36 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .rgb = add->rgb,
             .code = add->code});
     } else if (const auto* change = std::get_if<ChangeSegment>(&edit)) {
-        for (Segment& segment : segments) {
-            if (segment.label != change->segment)
-                continue;
-            segment.name = change->name.value_or(segment.name);
-            segment.rgb = change->rgb.value_or(segment.rgb);
-            segment.code = change->code.value_or(segment.code);
-            segment.locked = change->locked.value_or(segment.locked);
-        }
-    } else if (const auto* move = std::get_if<MoveSegment>(&edit)) {
-        for (std::size_t i = 0; i < segments.size(); ++i) {
-            if (segments[i].label != move->segment)
-                continue;
-            const Segment moved = segments[i];
-            segments.erase(segments.begin() + std::ptrdiff_t(i));
-            const auto place = std::min(std::ptrdiff_t(move->place) - 1, std::ssize(segments));
-            segments.insert(segments.begin() + place, moved);
-            break;
-        }
+        Segment& segment = *with(segments, &Segment::label, change->segment);
+        take(segment.name, change->name);
+        take(segment.rgb, change->rgb);
+        take(segment.code, change->code);
+        take(segment.locked, change->locked);
+    } else if (const auto* moved = std::get_if<MoveSegment>(&edit)) {
+        move(segments, &Segment::label, moved->segment, moved->place);
+    } else if (const auto* remove = std::get_if<RemoveSegment>(&edit)) {
+        segments.erase(with(segments, &Segment::label, remove->segment));
+        document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, remove->segment);
+    } else if (const auto* layer = std::get_if<AddLayer>(&edit)) {
+        layers.push_back({.id = std::uint8_t(layers.size() + 1), .name = layer->name});
+    } else if (const auto* other = std::get_if<ChangeLayer>(&edit)) {
+        SculptLayer& target = *with(layers, &SculptLayer::id, other->layer);
+        take(target.name, other->name);
+        take(target.muted, other->muted);
+    } else if (const auto* order = std::get_if<MoveLayer>(&edit)) {
+        move(layers, &SculptLayer::id, order->layer, order->place);
+    } else if (const auto* view = std::get_if<AddBookmark>(&edit)) {
+        int id = document.greatestRemovedBookmark;
+        for (const CameraBookmark& bookmark : document.bookmarks)
+            id = std::max(id, bookmark.id);
+        document.bookmarks.push_back({.id = id + 1,
+            .name = view->name,
+            .view = view->view,
+            .crosshairLps = view->crosshairLps});
+    } else if (const auto* gone = std::get_if<RemoveBookmark>(&edit)) {
+        document.bookmarks.erase(with(document.bookmarks, &CameraBookmark::id, gone->bookmark));
+        document.greatestRemovedBookmark =
+            std::max(document.greatestRemovedBookmark, gone->bookmark);
     }
 }
 

@@ -53,7 +53,8 @@ private:
     void changeDocument(const core::Edit& edit, core::Document& document) const;
     /// What an edit makes of bricks, by an oracle of its own.
     [[nodiscard]] Bricks after(const Bricks& before, const core::EngineEdit& edit,
-        const std::vector<core::EngineExtension>& extensions, std::uint32_t* generation) const;
+        const std::vector<core::EngineExtension>& extensions, std::uint32_t* generation,
+        const core::Document* muting = nullptr) const;
     [[nodiscard]] Bricks grown(const Bricks& before, const core::Edit& edit, core::RowId parent,
         std::uint32_t* generation) const;
 

@@ -147,11 +147,17 @@ private:
                 .name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu, .code = {}};
         if (dice < 15)
             return randomChange(document);
-        if (dice < 20)
+        if (dice < 17)
             return MoveSegment{.segment = any(document.segments).label, .place = between(1, 6)};
-        if (dice < 35)
+        if (dice < 20)
+            return RemoveSegment{.segment = any(document.segments).label};
+        if (dice < 26)
+            return randomLayer(document);
+        if (dice < 29)
+            return randomBookmark(document);
+        if (dice < 40)
             return randomSeeds(any(document.segments).label);
-        if (dice < 53)
+        if (dice < 55)
             return randomGrowth();
         if (dice < 75 || rows.empty())
             return randomDrill();
@@ -180,6 +186,25 @@ private:
             change.locked = chance(40);
         }
         return change;
+    }
+    Edit randomLayer(const Document& document)
+    {
+        const int layer = any(document.layers).id;
+        if (document.layers.size() < 3 && chance(30))
+            return AddLayer{.name = randomName()};
+        if (chance(25))
+            return MoveLayer{.layer = layer, .place = between(1, 3)};
+        if (chance(25))
+            return ChangeLayer{.layer = layer, .name = randomName()};
+        return ChangeLayer{.layer = layer, .muted = chance(40)};
+    }
+    Edit randomBookmark(const Document& document)
+    {
+        if (!document.bookmarks.empty() && chance(40))
+            return RemoveBookmark{.bookmark = any(document.bookmarks).id};
+        return AddBookmark{.name = randomName(),
+            .view = randomDrill().view,
+            .crosshairLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
     }
     Edit randomSeeds(int segment)
     {
@@ -212,7 +237,7 @@ private:
             sample.yMm += between(-60, 60) / 10.0;
         stroke.radiusMm = between(10, 70) / 10.0;
         stroke.depthMm = between(10, 90) / 10.0;
-        stroke.layer = between(1, 2);
+        stroke.layer = any(m_session->document().layers).id;
         stroke.throughGaps = chance(30);
         return stroke;
     }
@@ -224,7 +249,7 @@ private:
         if (chance(40))
             revise.depthMm = between(10, 90) / 10.0;
         if (chance(20))
-            revise.layer = between(1, 2);
+            revise.layer = any(m_session->document().layers).id;
         if (chance(20))
             revise.throughGaps = chance(50);
         revise.removed = chance(25);

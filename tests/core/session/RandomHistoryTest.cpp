@@ -30,8 +30,10 @@ private Q_SLOTS:
         QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
         QCOMPARE(history.hashes.size(), std::size_t(commands));
         // No kind of command was left out.
-        for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "seed", "grow",
-                 "drill", "revert", "reviseStroke", "undo", "redo", "goTo", "reopen", "given up"})
+        for (const char* kind :
+            {"addSegment", "changeSegment", "moveSegment", "removeSegment", "addLayer",
+                "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed", "grow",
+                "drill", "revert", "reviseStroke", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(history.done.count(QLatin1String(kind)) > 0, kind);
         for (const auto& [kind, count] : history.done)
             qInfo("%s: %d", qPrintable(kind), count);

@@ -177,9 +177,11 @@ private Q_SLOTS:
         bench.run(ReviseStroke{.row = 2, .depthMm = 9.0});
         QCOMPARE(bench.session->stateHash(),
             hashOf({test::addSegment("Brain"), drill(0, 5.0, 9.0), test::seedInBrain(1)}));
-        bench.run(ReviseStroke{.row = 2, .layer = 2});
+        bench.run(ReviseStroke{.row = 2, .throughGaps = true});
+        DrillStroke through = drill(0);
+        through.throughGaps = true;
         QCOMPARE(bench.session->stateHash(),
-            hashOf({test::addSegment("Brain"), drill(0, 5.0, 5.0, 2), test::seedInBrain(1)}));
+            hashOf({test::addSegment("Brain"), through, test::seedInBrain(1)}));
         bench.run(ReviseStroke{.row = 2, .removed = true});
         QCOMPARE(
             bench.session->stateHash(), hashOf({test::addSegment("Brain"), test::seedInBrain(1)}));
@@ -200,7 +202,7 @@ private Q_SLOTS:
         Bench bench({first, second});
         bench.run(ReviseStroke{.row = 1, .removed = true});
         // The second one alone, but on the floor of the first: as it is in a layer of its own.
-        Bench apart({first, drill(2, 4.0, 4.0, 2)});
+        Bench apart({AddLayer{QStringLiteral("Apart")}, first, drill(2, 4.0, 4.0, 2)});
         Coverage expected;
         for (const auto& [key, bytes] : apart.coverage()) {
             if (key.first == 2)
@@ -216,6 +218,30 @@ private Q_SLOTS:
         clear.run(ReviseStroke{.row = 1, .removed = true});
         QVERIFY(clear.session->strokesOnRevisedSurface().empty());
         QVERIFY(clear.coverage() == Bench({drill(9, 3.0)}).coverage());
+    }
+
+    /// A stroke keeps the surface it met, with the layers muted as they were then.
+    void layersAreMutedAsTheyWere()
+    {
+        const AddLayer layer{QStringLiteral("Second")};
+        const ChangeLayer mute{.layer = 1, .muted = true};
+        const ChangeLayer unmute{.layer = 1, .muted = false};
+        const DrillStroke deep = drill(0, 6.0, 6.0);
+        Bench bench({layer, deep, mute, drill(1, 4.0, 3.0, 2), unmute});
+        bench.run(ReviseStroke{.row = 4, .radiusMm = 5.0});
+        QVERIFY(bench.coverage() == Bench({layer, deep, mute, drill(1, 5.0, 3.0, 2)}).coverage());
+        QVERIFY(bench.coverage() != Bench({layer, deep, drill(1, 5.0, 3.0, 2)}).coverage());
+        // And are again as they are.
+        const DrillStroke next = drill(-1, 3.0, 3.0, 2);
+        Bench plain({layer, deep, mute, drill(1, 5.0, 3.0, 2), unmute, next});
+        bench.run(next);
+        QVERIFY(bench.coverage() == plain.coverage());
+        // To another layer, with what it cut.
+        bench.run(ReviseStroke{.row = 2, .layer = 2});
+        for (const auto& [key, bytes] : bench.coverage())
+            QCOMPARE(key.first, 2);
+        QVERIFY(bench.refusal(ReviseStroke{.row = 2, .layer = 3})
+                    .contains(QStringLiteral("no sculpt layer 3")));
     }
 
     void isOneStepOfUndo()
@@ -298,9 +324,9 @@ private Q_SLOTS:
             const auto between = [&random](int low, int high) {
                 return low + int(random() % std::uint32_t(high - low + 1));
             };
-            Bench bench;
+            Bench bench({AddLayer{QStringLiteral("Second")}});
             std::map<RowId, Truth> truths; // by row
-            truths.emplace(0, Truth());
+            truths.emplace(1, Truth());
             for (int step = 0; step < 14; ++step) {
                 const RowId position = bench.session->history().position();
                 Truth truth = truths.at(position);
@@ -346,7 +372,7 @@ private Q_SLOTS:
                                    .arg(sequence)
                                    .arg(step)
                                    .arg(applied ? bench.lastRow().name : QString())));
-                if (now != 0 && between(0, 6) == 0) {
+                if (now != 1 && between(0, 6) == 0) {
                     QVERIFY(bench.session->undo());
                     QVERIFY(bench.session->settle());
                 }
