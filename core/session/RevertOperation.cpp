@@ -142,8 +142,6 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
             return refused(QStringLiteral("%1 was taken back before").arg(titled(row)));
         if (changesDocumentOnly(row.edit))
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
-        if (std::holds_alternative<RemoveSegment>(row.edit))
-            return refused(QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
         if (changedPart(row.edit))
             return refused(QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
     }

@@ -4,6 +4,7 @@
 #include "ui/PanelSection.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
+#include "ui/panels/LayersPanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/views/ViewGrid.h"
@@ -31,7 +32,7 @@ struct PanelsFixture : test::WindowFixture {
     {
         for (ui::Panel* panel : std::initializer_list<ui::Panel*>{new ui::SegmentsPanel(workspace),
                  new ui::GrowthPanel(workspace), new ui::HistoryPanel(workspace),
-                 new ui::VolumePanel(workspace)})
+                 new ui::LayersPanel(workspace), new ui::VolumePanel(workspace)})
             window.addPanel(panel);
         window.showPanels(true);
         QTest::qWait(50);
@@ -182,7 +183,7 @@ private Q_SLOTS:
     {
         PanelsFixture fixture(QSize(1200, 800));
         const QStringList all =
-            ids({"SegmentsPanel", "GrowthPanel", "HistoryPanel", "VolumePanel"});
+            ids({"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel", "VolumePanel"});
         QCOMPARE(fixture.docked(), all);
         fixture.clickPlace("GrowthPanel");
         ui::PanelSection& growth = fixture.section("GrowthPanel");
@@ -190,7 +191,8 @@ private Q_SLOTS:
         QVERIFY(growth.isVisible());
         QCOMPARE(growth.windowTitle(), QStringLiteral("Growth"));
         QVERIFY(fixture.window.findChild<QPushButton*>(QStringLiteral("growPlay"))->isVisible());
-        QCOMPARE(fixture.docked(), ids({"SegmentsPanel", "HistoryPanel", "VolumePanel"}));
+        QCOMPARE(
+            fixture.docked(), ids({"SegmentsPanel", "HistoryPanel", "LayersPanel", "VolumePanel"}));
         // Its own button, or closing its window.
         fixture.clickPlace("GrowthPanel");
         QVERIFY(!growth.isFloating());
@@ -224,7 +226,8 @@ private Q_SLOTS:
     {
         PanelsFixture fixture(QSize(1200, 800));
         const int narrow = fixture.window.views().width();
-        for (const char* id : {"SegmentsPanel", "GrowthPanel", "HistoryPanel", "VolumePanel"})
+        for (const char* id :
+            {"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel", "VolumePanel"})
             fixture.clickPlace(id);
         QVERIFY(!fixture.column().isVisible());
         QVERIFY(fixture.window.views().width() >= narrow + ui::PanelSection::leastWidth);
@@ -235,7 +238,7 @@ private Q_SLOTS:
         fixture.trigger("view.panels");
         QVERIFY(growth.isVisible());
         fixture.trigger("view.resetPanels");
-        QCOMPARE(fixture.docked().size(), 4);
+        QCOMPARE(fixture.docked().size(), 5);
         QTRY_COMPARE(fixture.window.views().width(), narrow);
         fixture.clickPlace("GrowthPanel");
         fixture.window.closeStudy();
@@ -252,7 +255,7 @@ private Q_SLOTS:
             for (const QAction* action : menu->actions())
                 names += action->text();
         }
-        for (const char* name : {"Segments", "Growth", "History", "Volume"})
+        for (const char* name : {"Segments", "Growth", "History", "Sculpt layers", "Volume"})
             QVERIFY2(names.contains(QLatin1String(name)), name);
         QVERIFY(fixture.isChecked("panel.VolumePanel"));
         fixture.trigger("panel.VolumePanel");
@@ -268,10 +271,12 @@ private Q_SLOTS:
         {
             PanelsFixture fixture(QSize(1200, 800));
             fixture.window.restoreLayout(); // nothing kept yet: all in the column
-            QCOMPARE(fixture.docked().size(), 4);
+            QCOMPARE(fixture.docked().size(), 5);
             fixture.clickPlace("HistoryPanel");
             fixture.section("HistoryPanel").resize(333, 222);
             fixture.section("GrowthPanel").setFolded(true);
+            QVERIFY(fixture.section("LayersPanel").isFolded());
+            fixture.section("LayersPanel").setFolded(false);
             fixture.trigger("panel.VolumePanel");
             fixture.window.resize(1111, 777);
             QTest::qWait(50);
@@ -279,7 +284,7 @@ private Q_SLOTS:
             fixture.window.close();
         }
         PanelsFixture fixture(QSize(1200, 800));
-        QCOMPARE(fixture.docked().size(), 4);
+        QCOMPARE(fixture.docked().size(), 5);
         fixture.window.restoreLayout();
         QTest::qWait(50);
         QCOMPARE(fixture.window.size(), QSize(1111, 777));
@@ -287,7 +292,8 @@ private Q_SLOTS:
         QVERIFY(fixture.section("HistoryPanel").isVisible());
         QCOMPARE(fixture.section("HistoryPanel").size(), QSize(333, 222));
         QVERIFY(fixture.section("GrowthPanel").isFolded());
-        QCOMPARE(fixture.docked(), ids({"SegmentsPanel", "GrowthPanel"}));
+        QVERIFY(!fixture.section("LayersPanel").isFolded());
+        QCOMPARE(fixture.docked(), ids({"SegmentsPanel", "GrowthPanel", "LayersPanel"}));
         QCOMPARE(fixture.column().width(), width);
     }
 };

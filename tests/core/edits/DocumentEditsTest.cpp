@@ -162,10 +162,10 @@ private Q_SLOTS:
         const Result<bool> added = applyToDocument(segment("One too many"), document);
         QVERIFY(!added);
         QCOMPARE(added.error().code, ErrorCode::InvalidField);
-        for (int layer = 2; layer <= 255; ++layer)
+        for (int layer = 2; layer <= 254; ++layer)
             QVERIFY(applyToDocument(AddLayer{.name = QStringLiteral("One of many")}, document));
         QVERIFY(!applyToDocument(AddLayer{.name = QStringLiteral("One too many")}, document));
-        QCOMPARE(int(document.layers.back().id), 255);
+        QCOMPARE(int(document.layers.back().id), 254);
     }
 
     void layersAreInOrder()
