@@ -2,6 +2,7 @@
 #include "core/session/RowName.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 namespace core {
@@ -50,6 +51,29 @@ std::int64_t seedWordsChanged(const std::vector<BrickChange>& changes)
         }
     }
     return count;
+}
+
+/// "'Brain' ", "2 segments ", or nothing if only seeds became members.
+QString whatGrew(const std::vector<BrickChange>& changes, const Document& document)
+{
+    std::bitset<256> grew;
+    for (const BrickChange& change : changes) {
+        if (change.key.field != Field::Labels)
+            continue;
+        for (std::size_t i = 0; i < change.after.size(); ++i) {
+            if (change.before.empty() || change.before[i] != change.after[i])
+                grew.set(change.after[i]);
+        }
+    }
+    grew.reset(0);
+    if (grew.none())
+        return {};
+    if (grew.count() > 1)
+        return counted(std::int64_t(grew.count()), "segment") + QLatin1Char(' ');
+    int label = 1;
+    while (!grew.test(std::size_t(label)))
+        ++label;
+    return QStringLiteral("'%1' ").arg(segmentName(label, document));
 }
 
 double deepestMm(const DrillStroke& stroke)
@@ -193,10 +217,12 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
     if (const QString name = listName(edit, document); !name.isEmpty())
         return name;
     if (std::holds_alternative<SeedStroke>(edit))
-        return QStringLiteral("Seed stroke, ") + counted(seedWordsChanged(changes), "voxel");
+        return QStringLiteral("Seed stroke for '%1', %2")
+            .arg(segmentName(std::get<SeedStroke>(edit).segment, document),
+                counted(seedWordsChanged(changes), "voxel"));
     if (std::holds_alternative<GrowSteps>(edit))
-        return QStringLiteral("Grow %1, +%2")
-            .arg(counted(statistics.generations, "step"),
+        return QStringLiteral("Grow %1%2, +%3")
+            .arg(whatGrew(changes, document), counted(statistics.generations, "step"),
                 counted(statistics.voxelsChanged, "voxel"));
     if (const auto* revert = std::get_if<RevertRows>(&edit))
         return revertName(*revert, statistics, changes, history);

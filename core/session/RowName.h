@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// A row's name for people: "Drill 6.2 mm, 214 bricks", "Grow 41 steps, +18 204 voxels".
+/// A row's name for people: "Drill 6.2 mm, 214 bricks", "Grow 'Skull' 41 steps, +18 204 voxels".
 /// @param document as it is before the edit
 /// @param history before the row; it names the rows that an edit speaks of
 [[nodiscard]] QString rowName(const Edit& edit, const EditStatistics& statistics,

@@ -32,7 +32,7 @@ UndoHereTool::UndoHereTool(Workspace& workspace, QObject* parent)
 
 QString UndoHereTool::name() const
 {
-    return tr("Undo here");
+    return tr("Revert");
 }
 
 QString UndoHereTool::iconName() const
@@ -42,7 +42,7 @@ QString UndoHereTool::iconName() const
 
 QString UndoHereTool::hint() const
 {
-    return tr("Undo here: click on what is to go, or drag a rectangle on a slice; the last step "
+    return tr("Revert: click on what is to go, or drag a rectangle on a slice; the last step "
               "there is taken back, all others stay");
 }
 

@@ -19,6 +19,8 @@ namespace {
 int decimalsFor(const core::Histogram& histogram)
 {
     const double range = histogram.maximum - histogram.minimum;
+    if (range >= 2000.0)
+        return 0;
     if (!(range > 0.0) || range >= 500.0)
         return range >= 500.0 ? 1 : 2;
     return std::clamp(int(std::ceil(3.0 - std::log10(range))), 1, 6);

@@ -56,10 +56,10 @@ private Q_SLOTS:
         bench.run(test::addSegment("Skull"));
         QCOMPARE(bench.lastRow().name, QStringLiteral("Add segment 'Skull'"));
         bench.run(test::seedInBrain(1));
-        QCOMPARE(bench.lastRow().name, QStringLiteral("Seed stroke, 2 voxels"));
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Seed stroke for 'Skull', 2 voxels"));
         bench.run(test::growBrain(3));
-        QCOMPARE(
-            bench.lastRow().name, QStringLiteral("Grow 4 steps, +%1 voxels").arg(bench.voxels(1)));
+        QCOMPARE(bench.lastRow().name,
+            QStringLiteral("Grow 'Skull' 4 steps, +%1 voxels").arg(bench.voxels(1)));
         bench.run(test::growBrain());
         QVERIFY(bench.lastRow().name.startsWith(QStringLiteral("Grow ")));
         QVERIFY(
