@@ -151,13 +151,13 @@ private:
             return MoveSegment{.segment = any(document.segments).label, .place = between(1, 6)};
         if (dice < 20)
             return RemoveSegment{.segment = any(document.segments).label};
-        if (dice < 26)
+        if (dice < 30)
             return randomLayer(document);
-        if (dice < 29)
+        if (dice < 34)
             return randomBookmark(document);
-        if (dice < 40)
+        if (dice < 44)
             return randomSeeds(any(document.segments).label);
-        if (dice < 55)
+        if (dice < 58)
             return randomGrowth();
         if (dice < 75 || rows.empty())
             return randomDrill();
@@ -189,14 +189,14 @@ private:
     }
     Edit randomLayer(const Document& document)
     {
-        const int layer = any(document.layers).id;
+        const SculptLayer& layer = any(document.layers);
         if (document.layers.size() < 3 && chance(30))
             return AddLayer{.name = randomName()};
         if (chance(25))
-            return MoveLayer{.layer = layer, .place = between(1, 3)};
+            return MoveLayer{.layer = layer.id, .place = between(1, 3)};
         if (chance(25))
-            return ChangeLayer{.layer = layer, .name = randomName()};
-        return ChangeLayer{.layer = layer, .muted = chance(40)};
+            return ChangeLayer{.layer = layer.id, .name = randomName()};
+        return ChangeLayer{.layer = layer.id, .muted = !layer.muted};
     }
     Edit randomBookmark(const Document& document)
     {

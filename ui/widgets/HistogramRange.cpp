@@ -19,8 +19,6 @@ namespace {
 int decimalsFor(const core::Histogram& histogram)
 {
     const double range = histogram.maximum - histogram.minimum;
-    if (range >= 2000.0)
-        return 0;
     if (!(range > 0.0) || range >= 500.0)
         return range >= 500.0 ? 1 : 2;
     return std::clamp(int(std::ceil(3.0 - std::log10(range))), 1, 6);
@@ -34,7 +32,7 @@ QDoubleSpinBox* numberBox(QWidget* parent, const QString& name, const QString& a
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFixedHeight(theme::controlHeight);
     box->setKeyboardTracking(false);
-    box->setStyleSheet(QStringLiteral("padding: 2px 4px"));
+    box->setStyleSheet(QStringLiteral("padding: 2px 1px"));
     box->setMinimumWidth(75);
     return box;
 }
