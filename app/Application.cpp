@@ -83,7 +83,7 @@ void Application::makeWindow()
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
-    new ui::DisplayState(*m_workspace, window.views(), {drill, seed}, &window);
+    new ui::DisplayState(*m_workspace, window.views(), {drill, seed, undoHere}, &window);
 
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);

@@ -11,32 +11,36 @@ namespace core {
 
 namespace {
 
-/// Which later step undid a row alone, by row; 0: none. What undid is itself undone by a later one.
-std::vector<RowId> takenBackBy(const History& history)
-{
-    std::vector<RowId> by(history.rows().size() + 1, 0);
-    for (const RowId id : history.pathTo(history.position())) {
-        const auto* revert = std::get_if<RevertRows>(&history.row(id).edit);
-        if (!revert)
-            continue;
-        for (const RowId row : revert->rows) {
-            by[std::size_t(row)] = id;
-            const auto* given = std::get_if<RevertRows>(&history.row(row).edit);
-            for (const RowId back : given ? given->rows : std::vector<RowId>())
-                by[std::size_t(back)] = 0;
+/// Which later step that stands undid a row alone or revised it, by row; 0: none.
+struct LaterSteps {
+    explicit LaterSteps(const History& history)
+        : takenBackBy(history.rows().size() + 1, 0)
+        , revisedBy(history.rows().size() + 1, 0)
+    {
+        for (const RowId id : history.standing()) {
+            const Edit& edit = history.row(id).edit;
+            if (const auto* revert = std::get_if<RevertRows>(&edit)) {
+                for (const RowId row : revert->rows)
+                    takenBackBy[std::size_t(row)] = id;
+            } else if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+                revisedBy[std::size_t(revise->row)] = id;
+            }
         }
     }
-    return by;
-}
+
+    std::vector<RowId> takenBackBy;
+    std::vector<RowId> revisedBy;
+};
 
 std::vector<AuditStep> stepsOf(const History& history)
 {
     std::vector<AuditStep> steps;
-    const std::vector<RowId> by = takenBackBy(history);
+    const LaterSteps later(history);
     for (const HistoryRow& row : history.rows())
         steps.push_back({.row = row,
             .standing = AuditStep::Standing::OtherBranch,
-            .takenBackBy = by[std::size_t(row.id)]});
+            .takenBackBy = later.takenBackBy[std::size_t(row.id)],
+            .revisedBy = later.revisedBy[std::size_t(row.id)]});
     for (const RowId id : history.line())
         steps[std::size_t(id - 1)].standing = AuditStep::Standing::Undone;
     for (const RowId id : history.pathTo(history.position())) {

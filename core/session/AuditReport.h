@@ -24,6 +24,7 @@ struct AuditStep {
     HistoryRow row;
     Standing standing = Standing::Done;
     RowId takenBackBy = 0;
+    RowId revisedBy = 0; ///< the last step that stands and changed or removed this stroke
 };
 
 /// What a session's file says was done, and whether it can be believed: everything read anew, and

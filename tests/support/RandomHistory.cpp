@@ -190,7 +190,7 @@ private:
     Edit randomLayer(const Document& document)
     {
         const SculptLayer& layer = any(document.layers);
-        if (document.layers.size() < 3 && chance(30))
+        if (document.layers.size() < 2 || (document.layers.size() < 3 && chance(30)))
             return AddLayer{.name = randomName()};
         if (chance(25))
             return MoveLayer{.layer = layer.id, .place = between(1, 3)};

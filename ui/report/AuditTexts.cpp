@@ -192,7 +192,8 @@ QString noteText(const core::AuditReport& report, const core::AuditStep& step)
 {
     switch (step.standing) {
     case Standing::Done:
-        return {};
+        return step.revisedBy == 0 ? QString()
+                                   : tr("revised by step %1").arg(qlonglong(step.revisedBy));
     case Standing::TakenBack:
         return tr("taken back by step %1").arg(qlonglong(step.takenBackBy));
     case Standing::Undone:

@@ -99,6 +99,32 @@ private Q_SLOTS:
         QCOMPARE(report->keyframes.front().png, QByteArray("seven"));
     }
 
+    void laterStepsAreNamed()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("later.burin"));
+        {
+            reference::ReferenceEngine engine;
+            const auto session = *EditSession::create(engine, test::smallStudy(), {.file = path});
+            for (const Edit& edit : std::initializer_list<Edit>{test::drillAt(-2), test::drillAt(1),
+                     ReviseStroke{.row = 1, .radiusMm = 6.0},
+                     ReviseStroke{.row = 1, .removed = true}, RevertRows{{4}}, RevertRows{{5}},
+                     RevertRows{{6}}}) {
+                QVERIFY(session->apply(edit));
+                QVERIFY(session->settle());
+            }
+        }
+        const Result<AuditReport> report = auditOf(path);
+        QVERIFY(report);
+        QCOMPARE(report->steps.size(), std::size_t(7));
+        QCOMPARE(report->steps[0].revisedBy, RowId(3)); // 4 was taken back, brought back, and again
+        QCOMPARE(report->steps[3].takenBackBy, RowId(5));
+        QCOMPARE(report->steps[4].takenBackBy, RowId(0));
+        QCOMPARE(report->steps[5].takenBackBy, RowId(7));
+        QCOMPARE(report->steps[3].standing, Standing::TakenBack);
+        QCOMPARE(report->steps[4].standing, Standing::Done);
+    }
+
     void theChainEndIsTheFilesLast()
     {
         const Result<AuditReport> report = auditOf(m_path);
