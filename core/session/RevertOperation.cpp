@@ -44,19 +44,21 @@ std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
 struct Claim {
     RowReach reach;
     RowId row = 0; ///< which is taken back
-    bool returns = false; ///< a step that comes back: what it read must be as it was
+    RowId returning = 0; ///< a step that comes back: what it read must be as it was
 
     [[nodiscard]] bool isHurtBy(const Edit& later) const
     {
         // What took back only rows after this one cancels with them.
         const auto* revert = std::get_if<RevertRows>(&later);
         return std::holds_alternative<ReviseStroke>(later)
-            || (revert && returns && revert->rows.front() < row);
+            || (revert && returning != 0 && revert->rows.front() < row);
     }
 };
 
 /// Taking back "undo only" brings steps back.
-void claimWhatReturns(const SessionState& state, RowId row, RowId taken, std::vector<Claim>& claims)
+/// @param written the bricks that differ when they come back
+void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
+    const std::vector<BrickKey>& written, std::vector<Claim>& claims)
 {
     const auto* revert = std::get_if<RevertRows>(&state.history.row(row).edit);
     if (!revert)
@@ -64,8 +66,12 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken, std::ve
     for (const RowId id : revert->rows) {
         const Edit& edit = state.history.row(id).edit;
         if (!std::holds_alternative<RevertRows>(edit))
-            claims.push_back({RowReach(edit, state.document, {}), taken, true});
-        claimWhatReturns(state, id, taken, claims);
+            claims.push_back({RowReach(edit, state.document, written), taken, id});
+        if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+            for (const DrillStroke& form : formsOf(state.history, revise->row))
+                claims.push_back({RowReach(form, state.document, {}), taken, id});
+        }
+        claimWhatReturns(state, id, taken, written, claims);
     }
 }
 
@@ -75,7 +81,7 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
 {
     const auto* revise = std::get_if<ReviseStroke>(&state.history.row(row).edit);
     for (const DrillStroke& form : formsOf(state.history, revise ? revise->row : row))
-        claims.push_back({RowReach(form, state.document, {}), row, false});
+        claims.push_back({RowReach(form, state.document, {}), row, 0});
 }
 
 /// Whether segments that are locked keep their voxels.
@@ -181,7 +187,7 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
         if (isTakenBack(id)) {
             for (const BrickKey& key : keysOf(differences->second))
                 taken.emplace(key, id);
-            claimWhatReturns(state, id, id, claims);
+            claimWhatReturns(state, id, id, keysOf(differences->second), claims);
             claimForms(state, id, claims);
             continue;
         }
@@ -205,6 +211,13 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
         for (const auto& [key, first] : taken) {
             if (reach.covers(key))
                 return entangled(row, history.row(first));
+        }
+    }
+    // Nor may what comes back have read what goes with the same step.
+    for (const Claim& claim : claims) {
+        for (const auto& [key, first] : taken) {
+            if (first < claim.returning && first != claim.row && claim.reach.covers(key))
+                return entangled(history.row(claim.returning), history.row(first));
         }
     }
     return {};

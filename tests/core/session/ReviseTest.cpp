@@ -290,6 +290,15 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), hashOf({drill(0, 8.0, 9.0), drill(0, 3.0, 1.0)}));
     }
 
+    /// Found by RandomHistoryTest: the revision came back, though its stroke went.
+    void aRevisionDoesNotComeBackWithoutItsStroke()
+    {
+        Bench bench({drill(0), ReviseStroke{.row = 1, .radiusMm = 3.0}, RevertRows{{2}}});
+        QVERIFY(bench.refusal(RevertRows{{1, 3}}).contains(QStringLiteral("wrote or read")));
+        bench.run(RevertRows{{1}});
+        QVERIFY(bench.coverage().empty());
+    }
+
     void survivesTheFile()
     {
         const QTemporaryDir folder;
