@@ -259,7 +259,9 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
     m_done = true;
     if (m_again != 0)
         state.complete(m_again, std::move(result.changes));
-    else if (!result.changes.empty())
+    else if (result.changes.empty())
+        return; // no row, so nothing changed for anybody
+    else
         state.commit(m_edit, std::move(result.changes), result.statistics, std::nullopt);
     state.lastRevision = {state.history.position(), std::move(m_begunInside)};
 }

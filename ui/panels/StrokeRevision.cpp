@@ -104,9 +104,13 @@ void StrokeRevision::offerRedrill()
 void StrokeRevision::redrill(const std::vector<core::RowId>& rows)
 {
     const core::EditSession* session = m_workspace.session();
-    // Nothing may have happened since it was offered.
-    if (!session || session->strokesOnRevisedSurface() != rows)
+    if (!session)
         return;
+    // The bar may still offer it when the user has gone on.
+    if (session->strokesOnRevisedSurface() != rows) {
+        m_workspace.say(tr("The history has gone on since; nothing was drilled again"));
+        return;
+    }
     std::vector<core::DrillStroke> strokes;
     for (const core::RowId row : rows) {
         const auto stroke = standingStroke(session->history(), row);

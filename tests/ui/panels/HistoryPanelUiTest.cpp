@@ -98,6 +98,7 @@ private Q_SLOTS:
         answer([](ui::ReviseStrokeDialog& dialog) {
             auto* radius = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("radius"));
             QCOMPARE(radius->value(), 7.5);
+            keepPicture(dialog, "change-stroke.png");
             dialog.reject();
         });
         QCOMPARE(session.history().rows().size(), std::size_t(3));
@@ -113,10 +114,22 @@ private Q_SLOTS:
                 tr("Go to this step"), tr("Undo only this step"), tr("Bring stroke back")}));
         auto* again = panel.fixture.window.messages().findChild<QPushButton*>();
         QVERIFY(again && again->isVisible());
+        keepPicture(panel.fixture.window, "drill-again.png");
+        // An offer that the user has gone past says so and does nothing.
+        QSignalSpy said(&panel.fixture.workspace, &ui::Workspace::said);
+        QVERIFY(session.undo());
+        QVERIFY(session.settle());
+        QTest::mouseClick(again, Qt::LeftButton);
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().rows().size(), std::size_t(4));
+        QVERIFY(!said.isEmpty());
+        choose(panel.list, 1, tr("Remove stroke"));
+        QVERIFY(session.settle());
+        QTest::qWait(20);
         QTest::mouseClick(again, Qt::LeftButton);
         QVERIFY(session.settle());
         // Removed, and drilled anew where the surface is now: as if it alone had been drawn.
-        QCOMPARE(session.history().rows().size(), std::size_t(6));
+        QCOMPARE(session.history().rows().size(), std::size_t(7));
         const QByteArray alone = session.stateHash();
         Panel other;
         other.applyAll({second});
@@ -436,6 +449,13 @@ private:
         list->scrollTo(index);
         Q_EMIT list->customContextMenuRequested(list->visualRect(index).center());
         QVERIFY(looked);
+    }
+    /// For the eyes, where BURIN_SCREENSHOTS names a folder.
+    static void keepPicture(QWidget& widget, const char* name)
+    {
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (!folder.isEmpty())
+            QVERIFY(widget.grab().save(QDir(folder).filePath(QLatin1String(name))));
     }
     static QStringList enabledIn(QListView* list, int row)
     {
