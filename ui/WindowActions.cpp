@@ -131,7 +131,7 @@ void addEditActions(MainWindow& window)
                 if (!workspace.session() || !workspace.session()->history().canUndo())
                     return QStringLiteral("Undo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Undo %1").arg(history.row(history.position()).name);
+                return QStringLiteral("Undo: %1").arg(history.row(history.position()).name);
             }});
     actions.add({.id = QStringLiteral("edit.redo"),
         .text = QStringLiteral("Redo"),
@@ -148,7 +148,7 @@ void addEditActions(MainWindow& window)
                 if (!workspace.session() || !workspace.session()->history().canRedo())
                     return QStringLiteral("Redo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Redo %1").arg(history.row(history.redoTarget()).name);
+                return QStringLiteral("Redo: %1").arg(history.row(history.redoTarget()).name);
             }});
     actions.add({.id = QStringLiteral("edit.author"),
         .text = QStringLiteral("Name in the audit trail …"),
