@@ -156,7 +156,7 @@ void MainWindow::buildMenus()
     m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
     m_actions.fill(*m_segmentsMenu, ids({"segments.add", "segments.remove"}));
     QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));
-    m_actions.fill(*help, ids({"help.keys", "help.about"}));
+    m_actions.fill(*help, ids({"help.keys", "help.pen", "help.about"}));
 
     m_identity->setFont(theme::smallFont());
     m_identity->setProperty("role", QStringLiteral("secondary"));

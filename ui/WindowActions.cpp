@@ -10,6 +10,7 @@
 #include "ui/SegmentActions.h"
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
+#include "ui/dialogs/PenTesterDialog.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -108,6 +109,9 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Mouse, pen and keys"),
         .keys = {QKeySequence(QStringLiteral("F1"))},
         .run = [&window] { KeysDialog(window.actionTable(), &window).exec(); }});
+    actions.add({.id = QStringLiteral("help.pen"),
+        .text = QStringLiteral("Pen tester"),
+        .run = [&window] { PenTesterDialog(&window).exec(); }});
     actions.add({.id = QStringLiteral("help.about"),
         .text = QStringLiteral("About Burin"),
         .run = [&window] { window.showAbout(); }});

@@ -6,6 +6,7 @@
 #include <QTabletEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
@@ -35,7 +36,11 @@ std::optional<PointerReading> readPen(const QTabletEvent& event, bool& penDown)
 {
     PointerReading reading = basicReading(event);
     reading.pen = true;
-    reading.sample.pressure = std::clamp(event.pressure(), 0.0, 1.0);
+    // A driver that knows no pressure says NaN; nothing is pressed then.
+    reading.sample.pressure =
+        std::isfinite(event.pressure()) ? std::clamp(event.pressure(), 0.0, 1.0) : 0.0;
+    reading.sample.tiltDegrees = {event.xTilt(), event.yTilt()};
+    reading.sample.rotationDegrees = event.rotation();
     reading.sample.eraserEnd = event.pointerType() == QPointingDevice::PointerType::Eraser;
     switch (event.type()) {
     case QEvent::TabletPress:

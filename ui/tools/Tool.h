@@ -18,6 +18,9 @@ struct PointerSample {
     double timeSeconds = 0.0;
     Qt::KeyboardModifiers modifiers;
     bool eraserEnd = false;
+    /// Of a pen: degrees from upright, positive to the right and towards the user. A mouse: 0.
+    QPointF tiltDegrees;
+    double rotationDegrees = 0.0; ///< of a pen about its own axis, where it tells
 };
 
 /// What the left button or the pen does now. By default it ignores everything; the view navigates

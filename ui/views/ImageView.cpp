@@ -58,6 +58,7 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&m_workspace, &Workspace::documentChanged, this, refresh);
     connect(&m_workspace, &Workspace::activeToolChanged, this, &ImageView::followTool);
     connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
+    qApp->installEventFilter(this); // proximity of a pen is told to the application alone
 }
 
 ImageView::~ImageView()
@@ -152,6 +153,13 @@ core::WindowLevel ImageView::windowAfterDrag(core::WindowLevel window, const QPo
     return window;
 }
 
+bool ImageView::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == qApp && event->type() == QEvent::TabletLeaveProximity)
+        endStrokeWithoutPen();
+    return QWidget::eventFilter(watched, event);
+}
+
 bool ImageView::event(QEvent* event)
 {
     switch (event->type()) {
@@ -163,6 +171,10 @@ bool ImageView::event(QEvent* event)
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
         return handlePointer(*event);
+    case QEvent::WindowDeactivate:
+        // Another window takes the pointer; whether the release will ever come is not known.
+        loseStroke();
+        break;
     default:
         break;
     }
@@ -213,6 +225,8 @@ void ImageView::pointerPressed(const PointerReading& reading)
     m_pressedAt = m_lastAt = reading.sample.position;
     m_dragging = false;
     if (m_gesture == Gesture::Tool) {
+        m_everyEvent.emplace();
+        m_lastSample = reading.sample;
         m_workspace.showPressure(reading.sample.pressure);
         m_tool->press(reading.sample, context());
     }
@@ -222,6 +236,7 @@ void ImageView::pointerMoved(const PointerReading& reading)
 {
     const QPointF at = reading.sample.position;
     if (m_gesture == Gesture::Tool) {
+        m_lastSample = reading.sample;
         if (m_tool)
             m_tool->drag(reading.sample, context());
     } else if (m_gesture != Gesture::None) {
@@ -249,6 +264,7 @@ void ImageView::pointerReleased(const PointerReading& reading)
     m_gesture = Gesture::None;
     m_gestureButton = Qt::NoButton;
     m_dragging = false;
+    m_everyEvent.reset();
     if (gesture == Gesture::Tool) {
         if (m_tool)
             m_tool->release(reading.sample, context());
@@ -258,13 +274,33 @@ void ImageView::pointerReleased(const PointerReading& reading)
     requestFrame();
 }
 
+void ImageView::loseStroke()
+{
+    if (m_gesture != Gesture::Tool)
+        return;
+    m_gesture = Gesture::None;
+    m_everyEvent.reset();
+    m_glue.forget();
+    if (m_tool)
+        m_tool->cancel();
+}
+
+void ImageView::endStrokeWithoutPen()
+{
+    if (m_gesture != Gesture::Tool || !m_glue.penDown())
+        return;
+    // Lifted so fast that the tablet told of no release: what was drawn was meant.
+    m_gesture = Gesture::None;
+    m_everyEvent.reset();
+    m_glue.forget();
+    if (m_tool)
+        m_tool->release(m_lastSample, context());
+    requestFrame();
+}
+
 void ImageView::followTool()
 {
-    if (m_gesture == Gesture::Tool) {
-        if (m_tool)
-            m_tool->cancel();
-        m_gesture = Gesture::None;
-    }
+    loseStroke();
     if (m_tool)
         disconnect(m_tool, nullptr, this, nullptr);
     m_tool = m_workspace.activeTool();
@@ -314,9 +350,8 @@ void ImageView::keyPressEvent(QKeyEvent* event)
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
         m_navigateKey = true;
         setCursor(Qt::OpenHandCursor);
-    } else if (event->key() == Qt::Key_Escape && m_gesture == Gesture::Tool && m_tool) {
-        m_tool->cancel();
-        m_gesture = Gesture::None;
+    } else if (event->key() == Qt::Key_Escape && m_gesture == Gesture::Tool) {
+        loseStroke();
     } else {
         QWidget::keyPressEvent(event);
     }
@@ -347,6 +382,7 @@ void ImageView::showEvent(QShowEvent* event)
 void ImageView::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
+    loseStroke();
     // Nobody looks: edits shall not draw this view anew.
     m_glue.forget();
     m_requested = false;

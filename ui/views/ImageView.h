@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/Workspace.h"
+#include "ui/input/EveryPointerEvent.h"
 #include "ui/input/StylusGlue.h"
 #include "ui/tools/ViewContext.h"
 
@@ -72,6 +73,7 @@ protected:
     [[nodiscard]] static core::WindowLevel windowAfterDrag(
         core::WindowLevel window, const QPointF& moved);
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -90,10 +92,15 @@ private:
     void pointerReleased(const PointerReading& reading);
     [[nodiscard]] bool toolWorksHere() const;
     void followTool();
+    /// The pointer was taken away while a tool was at work.
+    void loseStroke();
+    void endStrokeWithoutPen();
 
     Workspace& m_workspace;
     gpu::ViewId m_view;
     StylusGlue m_glue;
+    std::optional<EveryPointerEvent> m_everyEvent; ///< while a tool is at work
+    PointerSample m_lastSample; ///< of the stroke
 
     gpu::FrameRequest m_request; ///< the last one
     bool m_requested = false;

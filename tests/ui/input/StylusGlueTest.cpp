@@ -6,6 +6,7 @@
 #include <QTabletEvent>
 #include <QtTest>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -93,6 +94,26 @@ private Q_SLOTS:
         auto& press = tablet(
             QEvent::TabletPress, {1, 1}, 0.5, 0, Qt::LeftButton, Qt::LeftButton, m_eraser.get());
         QVERIFY(glue.read(press)->sample.eraserEnd);
+    }
+
+    void knowsTiltAndRotation()
+    {
+        StylusGlue glue;
+        QTabletEvent press(QEvent::TabletPress, m_pen.get(), {1, 1}, {1, 1}, 0.5, 20, -35, 0, 90, 0,
+            Qt::NoModifier, Qt::LeftButton, Qt::LeftButton);
+        const auto reading = glue.read(press);
+        QCOMPARE(reading->sample.tiltDegrees, QPointF(20, -35));
+        QCOMPARE(reading->sample.rotationDegrees, 90.0);
+    }
+
+    void noNumberIsNoPressure()
+    {
+        StylusGlue glue;
+        for (const double pressure : {std::nan(""), double(INFINITY), -1.0}) {
+            auto& move = tablet(
+                QEvent::TabletMove, {1, 1}, pressure, 0, Qt::NoButton, Qt::LeftButton, m_pen.get());
+            QCOMPARE(glue.read(move)->sample.pressure, 0.0);
+        }
     }
 
     void hoverHasNoPressure()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/OrientationLetters.h"
@@ -88,6 +89,7 @@ private Q_SLOTS:
     void keysWalkThroughSlices();
     void leftDragWithoutToolIsWindowLevel();
     void toolStrokeNeverTouchesWindowLevel();
+    void aStrokeThatLosesItsPointer();
     void middlePansAndRightZooms();
     void wheelWithModifiersServesTheTool();
     void shiftMovesTheCrosshairAlong();
@@ -236,6 +238,56 @@ void ViewsUiTest::toolStrokeNeverTouchesWindowLevel()
     SliceView& axial = fixture.window.views().axial();
     drag(axial, Qt::RightButton, axial.rect().center(), {60, 30});
     QVERIFY(fixture.workspace.windowLevel() != before);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+void ViewsUiTest::aStrokeThatLosesItsPointer()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    SliceView& view = fixture.window.views().axial();
+    test::Pen pen(view);
+    const auto begin = [&] {
+        tool.heard.clear();
+        pen.press({40, 40}, 0.5, 10);
+        pen.move({44, 40}, 0.5, 20);
+    };
+
+    // Lifted without a release: what was drawn counts, once.
+    begin();
+    QEvent left(QEvent::TabletLeaveProximity);
+    QCoreApplication::sendEvent(qApp, &left);
+    pen.release({44, 40}, 30);
+    QCOMPARE(tool.heard, QByteArray("pdr"));
+    // A mouse knows no proximity.
+    tool.heard.clear();
+    QTest::mousePress(&view, Qt::LeftButton, {}, {40, 40});
+    QCoreApplication::sendEvent(qApp, &left);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {40, 40});
+    QCOMPARE(tool.heard, QByteArray("pr"));
+
+    // Another window takes over, or the view goes: as if it had not been begun.
+    begin();
+    QEvent deactivated(QEvent::WindowDeactivate);
+    QCoreApplication::sendEvent(&view, &deactivated);
+    pen.move({48, 40}, 0.5, 30);
+    pen.release({48, 40}, 40);
+    QCOMPARE(tool.heard, QByteArray("pdc"));
+    begin();
+    view.hide();
+    QCOMPARE(tool.heard, QByteArray("pdc"));
+    view.show();
+    begin();
+    pen.release({44, 40}, 30);
+    QCOMPARE(tool.heard, QByteArray("pdr"));
+
+    // Moves may be joined again once no stroke runs.
+    const bool joined = QCoreApplication::testAttribute(Qt::AA_CompressHighFrequencyEvents);
+    begin();
+    QVERIFY(!QCoreApplication::testAttribute(Qt::AA_CompressHighFrequencyEvents));
+    pen.release({44, 40}, 30);
+    QCOMPARE(QCoreApplication::testAttribute(Qt::AA_CompressHighFrequencyEvents), joined);
     fixture.workspace.setActiveTool(nullptr);
 }
 
