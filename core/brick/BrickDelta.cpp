@@ -1,213 +1,308 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickDelta.h"
 
+#include "core/brick/DeltaStream.h"
+#include "core/brick/OldDelta.h"
 #include "core/brick/SeedWordForecast.h"
 
-#include <zstd.h>
-
 #include <algorithm>
-#include <array>
-#include <bitset>
 #include <cstring>
 #include <map>
-#include <memory>
-#include <new>
+#include <set>
 
 namespace core {
 
 namespace {
 
-constexpr std::array<char, 4> magic{'B', 'D', 'L', '2'};
-constexpr std::array<char, 4> firstMagic{'B', 'D', 'L', '1'}; ///< whole bricks only
-constexpr std::size_t keyBytes = 8;
-/// Growths shrink a fifth further than at zstd's default; a stroke costs a millisecond either way.
-constexpr int compressionLevel = 9;
+constexpr std::array<char, 4> magic{'B', 'D', 'L', '3'};
+constexpr std::array<std::array<char, 4>, 2> oldMagic{{{'B', 'D', 'L', '2'}, {'B', 'D', 'L', '1'}}};
+constexpr std::size_t headBytes = 8;
+constexpr std::size_t wordBytes = 4;
 
-/// How a brick's difference stands in the stream.
+/// Where it stands which voxels of a brick differ.
 enum class Form : std::uint8_t {
-    Whole = 0, ///< every voxel
-    Masked = 1, ///< which voxels differ, then these
-    MaskedAsLabels = 2, ///< the same voxels as in the labels brick of this number and plane
+    Masked = 1, ///< in a mask of its own
+    MaskedAsLabels = 2, ///< they are those of the labels brick of this number and plane
 };
 
-using Mask = std::array<std::uint8_t, BrickGrid::voxelsPerBrick / 8>;
+/// One brick of a difference.
+struct Entry {
+    BrickKey key;
+    Form form = Form::Masked;
+    BrickMask mask; ///< voxels that differ
+    std::size_t labels = 0; ///< MaskedAsLabels: where the labels' bytes begin among all bytes
+    std::vector<std::uint8_t> bytes; ///< the XOR; none for seed words
+};
 
-bool isSet(const Mask& mask, std::size_t voxel)
-{
-    return (mask[voxel / 8] >> (voxel % 8) & 1U) != 0;
-}
-
-Mask maskOf(const std::vector<std::uint8_t>& difference, std::size_t bytesPerVoxel)
-{
-    Mask mask{};
-    for (std::size_t i = 0; i < difference.size(); ++i) {
-        const std::size_t voxel = i / bytesPerVoxel;
-        if (difference[i] != 0)
-            mask[voxel / 8] = std::uint8_t(mask[voxel / 8] | 1U << (voxel % 8));
-    }
-    return mask;
-}
+/// All of it, in memory, as the stream has it.
+struct Difference {
+    glm::ivec2 along{1}; ///< bricks of the volume along x and y
+    std::vector<Entry> entries;
+    std::vector<SeedWordBrick> words; ///< of the entries of seed words
+    std::vector<std::uint8_t> bytes; ///< that differ, of the other fields
+};
 
 std::size_t brickBytes(Field field)
 {
     return std::size_t(bytesPerVoxel(field)) * BrickGrid::voxelsPerBrick;
 }
 
-/// a0 b0 … a1 b1 … become the words a0 a1 a2 a3, b0 b1 …
-void unshuffle(const std::uint8_t* planes, std::uint8_t* words)
+void layOver(std::uint8_t* target, const std::vector<std::uint8_t>& image, Field field)
 {
-    for (int voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-        for (int byte = 0; byte < 4; ++byte)
-            words[voxel * 4 + byte] = planes[byte * BrickGrid::voxelsPerBrick + voxel];
+    const std::size_t size = brickBytes(field);
+    if (image.empty()) {
+        for (std::size_t i = 0; i < size; ++i)
+            target[i] ^= emptyByte(field);
+    } else {
+        for (std::size_t i = 0; i < size; ++i)
+            target[i] ^= image[i];
     }
 }
 
-/// The seed words of a brick with generations as distances from their forecast, and back.
-void forecast(std::vector<std::uint8_t>& bytes, WordDifferences (*change)(const WordDifferences&))
+void append(std::vector<std::uint8_t>& bytes, std::uint32_t word)
 {
-    WordDifferences words{};
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        words[i / 4] |= std::uint32_t(bytes[i]) << (8 * (i % 4));
-    words = change(words);
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        bytes[i] = std::uint8_t(words[i / 4] >> (8 * (i % 4)));
+    for (int shift = 0; shift < 32; shift += 8)
+        bytes.push_back(std::uint8_t(word >> shift));
 }
 
-/// Bytes of the voxels that differ, by significance: equal ones come to lie beside each other.
-std::vector<std::uint8_t> gathered(
-    const std::vector<std::uint8_t>& difference, const Mask& mask, std::size_t bytesPerVoxel)
+std::uint32_t wordAt(const std::uint8_t* bytes)
 {
-    std::vector<std::uint8_t> values;
-    for (std::size_t byte = 0; byte < bytesPerVoxel; ++byte) {
-        for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-            if (isSet(mask, voxel))
-                values.push_back(difference[voxel * bytesPerVoxel + byte]);
-        }
-    }
-    return values;
+    return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8 | std::uint32_t(bytes[2]) << 16
+        | std::uint32_t(bytes[3]) << 24;
 }
 
-void scatter(const std::vector<std::uint8_t>& values, const Mask& mask, std::size_t bytesPerVoxel,
-    std::vector<std::uint8_t>& difference)
+/// Which of the voxels that differ belong to a further mask, one bit each.
+std::vector<std::uint8_t> packed(const BrickMask& differing, const BrickMask& further)
 {
-    auto value = values.begin();
-    for (std::size_t byte = 0; byte < bytesPerVoxel; ++byte) {
-        for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-            if (isSet(mask, voxel))
-                difference[voxel * bytesPerVoxel + byte] = *value++;
-        }
-    }
+    std::vector<std::uint8_t> bits((differing.count() + 7) / 8, 0);
+    std::size_t number = 0;
+    differing.forEach([&](std::size_t voxel) {
+        if (further.has(voxel))
+            bits[number / 8] = std::uint8_t(bits[number / 8] | 1U << (number % 8));
+        ++number;
+    });
+    return bits;
 }
 
-std::size_t countOf(const Mask& mask)
+BrickMask unpacked(const BrickMask& differing, const std::vector<std::uint8_t>& bits)
 {
-    std::size_t count = 0;
-    for (const std::uint8_t bits : mask)
-        count += std::bitset<8>(bits).count();
-    return count;
+    BrickMask further;
+    std::size_t number = 0;
+    differing.forEach([&](std::size_t voxel) {
+        if ((bits[number / 8] >> (number % 8) & 1U) != 0)
+            further.add(voxel);
+        ++number;
+    });
+    return further;
 }
 
-void layOver(std::uint8_t* target, const std::vector<std::uint8_t>& image, const BrickKey& key)
+/// XOR of the changes, each brick with what differs.
+Difference differenceOf(const std::vector<BrickChange>& changes, const BrickGrid& grid)
 {
-    const std::size_t size = brickBytes(key.field);
-    const std::uint8_t empty = emptyByte(key.field);
-    for (std::size_t i = 0; i < size; ++i)
-        target[i] ^= image.empty() ? empty : image[i];
-}
-
-/// Compressed bytes cut into pieces as they come.
-class Compressor {
-public:
-    Compressor()
-        : m_stream(ZSTD_createCStream())
-    {
-        if (!m_stream)
-            throw std::bad_alloc();
-        ZSTD_CCtx_setParameter(m_stream.get(), ZSTD_c_compressionLevel, compressionLevel);
-        ZSTD_CCtx_setParameter(m_stream.get(), ZSTD_c_checksumFlag, 1);
-    }
-    void add(const void* data, std::size_t size) { feed({data, size, 0}, ZSTD_e_continue); }
-    std::vector<QByteArray> finish()
-    {
-        feed({nullptr, 0, 0}, ZSTD_e_end);
-        m_pieces.back().resize(qsizetype(m_filled));
-        m_pieces.back().squeeze();
-        return std::move(m_pieces);
-    }
-
-private:
-    struct Deleter {
-        void operator()(ZSTD_CStream* stream) const { ZSTD_freeCStream(stream); }
+    Difference all{.along = glm::ivec2(grid.bricks()), .entries = {}, .words = {}, .bytes = {}};
+    struct Labels {
+        BrickMask mask;
+        std::size_t first;
     };
-
-    void feed(ZSTD_inBuffer input, ZSTD_EndDirective directive)
-    {
-        while (true) {
-            if (m_pieces.empty() || m_filled == BrickDelta::maxPieceBytes) {
-                m_pieces.emplace_back(qsizetype(BrickDelta::maxPieceBytes), Qt::Uninitialized);
-                m_filled = 0;
+    std::map<BrickKey, Labels> labels;
+    std::vector<std::uint8_t> image;
+    for (const BrickChange& change : changes) {
+        const Field field = change.key.field;
+        image.assign(brickBytes(field), 0);
+        layOver(image.data(), change.before, field);
+        layOver(image.data(), change.after, field);
+        Entry entry;
+        entry.key = change.key;
+        if (field == Field::SeedWords) {
+            SeedWordBrick& brick = all.words.emplace_back();
+            brick.key = change.key;
+            for (std::size_t voxel = 0; voxel < brick.differences.size(); ++voxel) {
+                brick.differences[voxel] = wordAt(&image[wordBytes * voxel]);
+                if (brick.differences[voxel] != 0)
+                    entry.mask.add(voxel);
             }
-            ZSTD_outBuffer output{m_pieces.back().data(), BrickDelta::maxPieceBytes, m_filled};
-            const std::size_t left =
-                ZSTD_compressStream2(m_stream.get(), &output, &input, directive);
-            if (ZSTD_isError(left))
-                throw std::bad_alloc();
-            m_filled = output.pos;
-            if (directive == ZSTD_e_end ? left == 0 : input.pos == input.size)
+            const auto same = labels.find({Field::Labels, change.key.plane, change.key.brick});
+            if (same != labels.end() && same->second.mask == entry.mask) {
+                entry.form = Form::MaskedAsLabels;
+                entry.labels = same->second.first;
+            }
+        } else {
+            const std::size_t first = all.bytes.size();
+            for (std::size_t voxel = 0; voxel < image.size(); ++voxel) {
+                if (image[voxel] == 0)
+                    continue;
+                entry.mask.add(voxel);
+                all.bytes.push_back(image[voxel]);
+            }
+            if (field == Field::Labels)
+                labels.emplace(change.key, Labels{entry.mask, first});
+        }
+        all.entries.push_back(std::move(entry));
+    }
+    return all;
+}
+
+/// Seed words: which are kept, labels of those that are foretold, the kept ones by significance.
+void writeWords(DeltaWriter& writer, const Difference& all)
+{
+    std::vector<std::uint8_t> labels;
+    std::array<std::vector<std::uint8_t>, wordBytes> kept;
+    auto brick = all.words.begin();
+    for (const Entry& entry : all.entries) {
+        if (entry.key.field != Field::SeedWords)
+            continue;
+        BrickMask keeps;
+        std::size_t number = entry.labels;
+        entry.mask.forEach([&](std::size_t voxel) {
+            const std::uint32_t difference = brick->differences[voxel];
+            const std::uint8_t beside =
+                entry.form == Form::MaskedAsLabels ? all.bytes[number] : std::uint8_t(0);
+            ++number;
+            if (brick->foretold.has(voxel)) {
+                labels.push_back(labelOfDifference(difference) ^ beside);
                 return;
-        }
-    }
-
-    std::unique_ptr<ZSTD_CStream, Deleter> m_stream;
-    std::vector<QByteArray> m_pieces;
-    std::size_t m_filled = 0;
-};
-
-class Expander {
-public:
-    explicit Expander(const BrickDelta& delta)
-        : m_delta(delta)
-        , m_stream(ZSTD_createDStream())
-    {
-    }
-    /// @return the number of bytes that there were, up to @p size
-    std::size_t take(void* data, std::size_t size)
-    {
-        ZSTD_outBuffer output{data, size, 0};
-        while (output.pos < output.size && !m_complete) {
-            if (m_input.pos == m_input.size && m_piece < m_delta.pieces.size()) {
-                const QByteArray& piece = m_delta.pieces[m_piece++];
-                m_input = {piece.constData(), std::size_t(piece.size()), 0};
             }
-            const std::size_t before = output.pos;
-            const std::size_t inputBefore = m_input.pos;
-            const std::size_t status = ZSTD_decompressStream(m_stream.get(), &output, &m_input);
-            if (ZSTD_isError(status)) {
-                m_failed = true;
-                break;
-            }
-            m_complete = status == 0;
-            const bool stuck = output.pos == before && m_input.pos == inputBefore;
-            if (stuck && m_piece == m_delta.pieces.size())
-                break;
-        }
-        return output.pos;
+            keeps.add(voxel);
+            for (std::size_t byte = 0; byte < wordBytes; ++byte)
+                kept[byte].push_back(std::uint8_t(difference >> (8 * byte)));
+        });
+        writer.add(packed(entry.mask, keeps));
+        ++brick;
     }
-    bool failed() const { return m_failed; }
-    bool complete() const { return m_complete; }
+    writer.add(labels);
+    for (const std::vector<std::uint8_t>& plane : kept)
+        writer.add(plane);
+}
 
-private:
-    struct Deleter {
-        void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
+bool readWords(DeltaReader& reader, Difference& all)
+{
+    std::size_t foretold = 0;
+    std::size_t kept = 0;
+    for (const Entry& entry : all.entries) {
+        if (entry.key.field != Field::SeedWords)
+            continue;
+        const std::size_t count = entry.mask.count();
+        std::vector<std::uint8_t> bits((count + 7) / 8);
+        if (!reader.fill(bits))
+            return false;
+        for (std::uint8_t& byte : bits)
+            byte = std::uint8_t(~byte);
+        SeedWordBrick& brick = all.words.emplace_back();
+        brick.key = entry.key;
+        brick.foretold = unpacked(entry.mask, bits);
+        foretold += brick.foretold.count();
+        kept += count - brick.foretold.count();
+    }
+    std::vector<std::uint8_t> labels(foretold);
+    std::array<std::vector<std::uint8_t>, wordBytes> planes;
+    if (!reader.fill(labels))
+        return false;
+    for (std::vector<std::uint8_t>& plane : planes) {
+        plane.resize(kept);
+        if (!reader.fill(plane))
+            return false;
+    }
+    auto brick = all.words.begin();
+    auto label = labels.begin();
+    std::size_t word = 0;
+    for (const Entry& entry : all.entries) {
+        if (entry.key.field != Field::SeedWords)
+            continue;
+        std::size_t number = entry.labels;
+        entry.mask.forEach([&](std::size_t voxel) {
+            std::uint32_t& difference = brick->differences[voxel];
+            const std::uint8_t beside =
+                entry.form == Form::MaskedAsLabels ? all.bytes[number] : std::uint8_t(0);
+            ++number;
+            if (brick->foretold.has(voxel)) {
+                difference = foretoldDifference(*label++ ^ beside);
+                return;
+            }
+            for (std::size_t byte = 0; byte < wordBytes; ++byte)
+                difference |= std::uint32_t(planes[byte][word]) << (8 * byte);
+            ++word;
+        });
+        ++brick;
+    }
+    return completeForetold(all.words, all.along);
+}
+
+/// Everything up to the masks.
+bool readEntries(DeltaReader& reader, Difference& all)
+{
+    std::array<std::uint8_t, 3 * wordBytes> sizes{};
+    if (!reader.fill(sizes))
+        return false;
+    all.along = {int(wordAt(&sizes[0])), int(wordAt(&sizes[wordBytes]))};
+    if (all.along.x < 1 || all.along.y < 1)
+        return false;
+    std::set<BrickKey> keys;
+    for (std::uint32_t left = wordAt(&sizes[2 * wordBytes]); left > 0; --left) {
+        std::array<std::uint8_t, headBytes> head{};
+        if (!reader.fill(head) || head[0] < 1 || head[0] > 3 || head[2] < 1 || head[2] > 2
+            || head[3] != 0)
+            return false;
+        Entry entry;
+        entry.key = {.field = Field(head[0]), .plane = head[1], .brick = wordAt(&head[4])};
+        entry.form = Form(head[2]);
+        if (!keys.insert(entry.key).second)
+            return false;
+        all.entries.push_back(std::move(entry));
+    }
+    for (Entry& entry : all.entries) {
+        if (entry.form == Form::Masked && !reader.fill(entry.mask.bits))
+            return false;
+    }
+    return true;
+}
+
+/// Bytes of the fields of bytes; seed words learn what they have in common with labels.
+bool readBytes(DeltaReader& reader, Difference& all)
+{
+    struct Labels {
+        const Entry* entry;
+        std::size_t first;
     };
+    std::map<BrickKey, Labels> labels;
+    for (Entry& entry : all.entries) {
+        if (entry.form == Form::MaskedAsLabels) {
+            const auto same = labels.find({Field::Labels, entry.key.plane, entry.key.brick});
+            if (entry.key.field != Field::SeedWords || same == labels.end())
+                return false;
+            entry.mask = same->second.entry->mask;
+            entry.labels = same->second.first;
+        } else if (entry.key.field != Field::SeedWords) {
+            std::vector<std::uint8_t> values(entry.mask.count());
+            if (!reader.fill(values))
+                return false;
+            entry.bytes.resize(BrickGrid::voxelsPerBrick);
+            auto value = values.begin();
+            entry.mask.forEach([&](std::size_t voxel) { entry.bytes[voxel] = *value++; });
+            if (entry.key.field == Field::Labels)
+                labels.emplace(entry.key, Labels{&entry, all.bytes.size()});
+            all.bytes.insert(all.bytes.end(), values.begin(), values.end());
+        }
+    }
+    return true;
+}
 
-    const BrickDelta& m_delta;
-    std::unique_ptr<ZSTD_DStream, Deleter> m_stream;
-    ZSTD_inBuffer m_input{nullptr, 0, 0};
-    std::size_t m_piece = 0;
-    bool m_failed = false;
-    bool m_complete = false;
-};
+std::vector<BrickImage> imagesOf(Difference&& all)
+{
+    std::vector<BrickImage> images;
+    images.reserve(all.entries.size());
+    auto brick = all.words.begin();
+    for (Entry& entry : all.entries) {
+        if (entry.key.field == Field::SeedWords) {
+            entry.bytes.resize(wordBytes * brick->differences.size());
+            for (std::size_t i = 0; i < entry.bytes.size(); ++i)
+                entry.bytes[i] =
+                    std::uint8_t(brick->differences[i / wordBytes] >> (8 * (i % wordBytes)));
+            ++brick;
+        }
+        images.push_back({entry.key, std::move(entry.bytes)});
+    }
+    return images;
+}
 
 tl::unexpected<Error> damaged(const char* reason)
 {
@@ -224,105 +319,60 @@ std::size_t BrickDelta::bytes() const
     return sum;
 }
 
-BrickDelta makeDelta(const std::vector<BrickChange>& changes)
+BrickDelta makeDelta(const std::vector<BrickChange>& changes, const BrickGrid& grid)
 {
     if (changes.empty())
         return {};
-    Compressor compressor;
-    compressor.add(magic.data(), magic.size());
-    std::map<BrickKey, Mask> labels;
-    std::vector<std::uint8_t> difference;
-    for (const BrickChange& change : changes) {
-        const BrickKey& key = change.key;
-        const auto wide = std::size_t(bytesPerVoxel(key.field));
-        difference.assign(brickBytes(key.field), 0);
-        layOver(difference.data(), change.before, key);
-        layOver(difference.data(), change.after, key);
-        const Mask mask = maskOf(difference, wide);
-        Form form = Form::Masked;
-        if (key.field == Field::Labels)
-            labels.emplace(key, mask);
-        if (key.field == Field::SeedWords) {
-            const auto same = labels.find({Field::Labels, key.plane, key.brick});
-            if (same != labels.end() && same->second == mask)
-                form = Form::MaskedAsLabels;
-            forecast(difference, withForecast);
-        }
-        const std::array<std::uint8_t, keyBytes> head{std::uint8_t(key.field), key.plane,
-            std::uint8_t(form), 0, std::uint8_t(key.brick), std::uint8_t(key.brick >> 8),
-            std::uint8_t(key.brick >> 16), std::uint8_t(key.brick >> 24)};
-        compressor.add(head.data(), head.size());
-        if (form == Form::Masked)
-            compressor.add(mask.data(), mask.size());
-        const std::vector<std::uint8_t> values = gathered(difference, mask, wide);
-        compressor.add(values.data(), values.size());
+    Difference all = differenceOf(changes, grid);
+    markForetold(all.words, all.along);
+    DeltaWriter writer;
+    writer.add(magic);
+    std::vector<std::uint8_t> heads;
+    append(heads, std::uint32_t(all.along.x));
+    append(heads, std::uint32_t(all.along.y));
+    append(heads, std::uint32_t(all.entries.size()));
+    for (const Entry& entry : all.entries) {
+        for (const std::uint8_t byte : {std::uint8_t(entry.key.field), entry.key.plane,
+                 std::uint8_t(entry.form), std::uint8_t(0)})
+            heads.push_back(byte);
+        append(heads, entry.key.brick);
     }
-    return {compressor.finish()};
+    writer.add(heads);
+    for (const Entry& entry : all.entries) {
+        if (entry.form == Form::Masked)
+            writer.add(entry.mask.bits);
+    }
+    writer.add(all.bytes);
+    writeWords(writer, all);
+    return {writer.finish()};
 }
 
 Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta)
 {
-    std::vector<BrickImage> images;
     if (delta.empty())
-        return images;
-    Expander expander(delta);
-    const auto fill = [&expander](auto& bytes) {
-        return expander.take(bytes.data(), bytes.size()) == bytes.size();
-    };
+        return std::vector<BrickImage>();
+    DeltaReader reader(delta);
     std::array<char, magic.size()> begin{};
-    if (!fill(begin) || (begin != magic && begin != firstMagic))
+    if (!reader.fill(begin))
         return damaged("the difference does not begin as it should");
-    std::map<BrickKey, Mask> labels;
-    while (true) {
-        std::array<std::uint8_t, keyBytes> head{};
-        const std::size_t got = expander.take(head.data(), head.size());
-        if (got == 0 && expander.complete() && !expander.failed())
-            return images;
-        const bool known = head[0] >= 1 && head[0] <= 3 && head[2] <= 2 && head[3] == 0;
-        if (got != head.size() || !known)
-            return damaged("the difference is cut short or garbled");
-        BrickImage image;
-        image.key = {.field = Field(head[0]),
-            .plane = head[1],
-            .brick = std::uint32_t(head[4]) | std::uint32_t(head[5]) << 8
-                | std::uint32_t(head[6]) << 16 | std::uint32_t(head[7]) << 24};
-        const auto wide = std::size_t(bytesPerVoxel(image.key.field));
-        image.bytes.resize(brickBytes(image.key.field));
-        bool sound = true;
-        if (Form(head[2]) == Form::Whole) {
-            std::vector<std::uint8_t> bytes(image.bytes.size());
-            sound = fill(bytes);
-            if (wide == 4)
-                unshuffle(bytes.data(), image.bytes.data());
-            else
-                image.bytes.swap(bytes);
-        } else {
-            Mask mask{};
-            const auto same = labels.find({Field::Labels, image.key.plane, image.key.brick});
-            if (Form(head[2]) == Form::Masked)
-                sound = fill(mask);
-            else if (same != labels.end())
-                mask = same->second;
-            else
-                sound = false;
-            std::vector<std::uint8_t> values(countOf(mask) * wide);
-            sound = sound && fill(values);
-            scatter(values, mask, wide, image.bytes);
-            if (image.key.field == Field::SeedWords)
-                forecast(image.bytes, withoutForecast);
-            if (image.key.field == Field::Labels)
-                labels.emplace(image.key, mask);
-        }
-        if (!sound)
-            return damaged("the difference is cut short or garbled");
-        images.push_back(std::move(image));
+    if (std::find(oldMagic.begin(), oldMagic.end(), begin) != oldMagic.end()) {
+        if (auto images = readOldDelta(reader))
+            return *std::move(images);
+        return damaged("the difference is cut short or garbled");
     }
+    if (begin != magic)
+        return damaged("the difference does not begin as it should");
+    Difference all;
+    if (!readEntries(reader, all) || !readBytes(reader, all) || !readWords(reader, all)
+        || !reader.complete())
+        return damaged("the difference is cut short or garbled");
+    return imagesOf(std::move(all));
 }
 
 BrickImage exclusiveOr(const BrickImage& image, const BrickImage& difference)
 {
     BrickImage result = difference;
-    layOver(result.bytes.data(), image.bytes, image.key);
+    layOver(result.bytes.data(), image.bytes, image.key.field);
     const std::uint8_t empty = emptyByte(image.key.field);
     const bool allEmpty = std::all_of(result.bytes.begin(), result.bytes.end(),
         [empty](std::uint8_t byte) { return byte == empty; });

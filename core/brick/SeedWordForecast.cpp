@@ -3,127 +3,275 @@
 
 #include "core/growth/SeedWord.h"
 
-#include <optional>
+#include <algorithm>
+#include <map>
+#include <utility>
 
 namespace core {
 
 namespace {
 
-constexpr std::uint32_t generationBits = seedWord::maxGeneration << 13;
+constexpr std::uint32_t directions = 6;
+constexpr std::uint32_t lowBits = (1U << 13) - 1;
+constexpr std::uint32_t noGeneration = 0xFFFFFFFFU;
+constexpr std::size_t mostBricks = std::size_t(1) << 20; ///< as many as a Voxel numbers
 
-bool becameMember(std::uint32_t difference)
+/// A voxel of all the bricks: 4096 · place of the brick + voxel.
+using Voxel = std::uint32_t;
+constexpr Voxel none = 0xFFFFFFFFU;
+
+bool isClaim(std::uint32_t difference)
 {
     return (difference & seedWord::notMember) != 0;
 }
 
-/// Exact where the voxel was unvisited; elsewhere as good a number as any.
-std::uint32_t generationOf(std::uint32_t difference)
+bool admitsSeed(std::uint32_t difference)
 {
-    return seedWord::generation(~difference);
+    return (difference & lowBits) == 0;
 }
 
-std::uint32_t withGeneration(std::uint32_t difference, std::uint32_t value)
-{
-    return (difference & ~generationBits) | (value & seedWord::maxGeneration) << 13;
-}
-
-std::uint32_t folded(std::uint32_t distance)
-{
-    distance &= seedWord::maxGeneration;
-    const bool negative = distance > seedWord::maxGeneration / 2;
-    return negative ? 2 * (seedWord::maxGeneration - distance) + 1 : 2 * distance;
-}
-
-std::uint32_t unfolded(std::uint32_t code)
-{
-    return (code & 1U) != 0 ? seedWord::maxGeneration - code / 2 : code / 2;
-}
-
-/// What is known when a voxel's turn comes: all before it, and its own word but for the generation.
-class Forecaster {
+/// Steps from voxel to voxel, over the borders of bricks too.
+class Neighbourhood {
 public:
-    explicit Forecaster(const WordDifferences& differences)
-        : m_differences(differences)
+    Neighbourhood(const std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
+        : m_beside(bricks.size())
     {
+        std::map<BrickKey, std::uint32_t> places;
+        for (const SeedWordBrick& brick : bricks)
+            places.emplace(brick.key, std::uint32_t(places.size()));
+        const auto x = std::uint32_t(along.x);
+        const auto y = std::uint32_t(along.y);
+        for (std::size_t i = 0; i < bricks.size(); ++i) {
+            const BrickKey& key = bricks[i].key;
+            const std::uint32_t row = key.brick / x % y;
+            const auto to = [&](bool inside, std::int64_t step) {
+                const std::int64_t number = std::int64_t(key.brick) + step;
+                const auto found = inside && number >= 0
+                    ? places.find({key.field, key.plane, std::uint32_t(number)})
+                    : places.end();
+                return found == places.end() ? none : found->second;
+            };
+            const std::int64_t slice = std::int64_t(x) * y;
+            m_beside[i] = {to(key.brick % x + 1 < x, 1), to(key.brick % x > 0, -1),
+                to(row + 1 < y, x), to(row > 0, -std::int64_t(x)), to(true, slice),
+                to(true, -slice)};
+        }
     }
 
-    std::uint32_t at(int voxel) const
+    /// One step by the offset of @p direction; none: no brick is there.
+    [[nodiscard]] Voxel step(Voxel voxel, std::uint32_t direction) const
     {
-        const std::uint32_t direction = seedWord::direction(~m_differences[std::size_t(voxel)]);
-        if (direction < 6) {
-            const std::uint32_t axis = direction / 2;
-            if (const auto lower = before(voxel, axis == 0, axis == 1, axis == 2))
-                return direction % 2 == 0 ? *lower + 1 : *lower - 1;
-        }
-        const auto a = before(voxel, 1, 0, 0);
-        const auto b = before(voxel, 0, 1, 0);
-        const auto c = before(voxel, 0, 0, 1);
-        const auto ab = before(voxel, 1, 1, 0);
-        const auto ac = before(voxel, 1, 0, 1);
-        const auto bc = before(voxel, 0, 1, 1);
-        const auto abc = before(voxel, 1, 1, 1);
-        if (a && b && c && ab && ac && bc && abc)
-            return *a + *b + *c - *ab - *ac - *bc + *abc;
-        if (a && b && ab)
-            return *a + *b - *ab;
-        if (a && c && ac)
-            return *a + *c - *ac;
-        if (b && c && bc)
-            return *b + *c - *bc;
-        for (const auto& one : {a, b, c}) {
-            if (one)
-                return *one;
-        }
-        return m_last;
+        constexpr std::uint32_t last = BrickGrid::side - 1;
+        const std::uint32_t shift = direction / 2 * 4;
+        const std::uint32_t at = voxel >> shift & last;
+        const bool up = direction % 2 == 0;
+        if (at != (up ? last : 0))
+            return up ? voxel + (1U << shift) : voxel - (1U << shift);
+        const std::uint32_t beside = m_beside[voxel / BrickGrid::voxelsPerBrick][direction];
+        if (beside == none)
+            return none;
+        const std::uint32_t inBrick = voxel % BrickGrid::voxelsPerBrick ^ last << shift;
+        return beside * BrickGrid::voxelsPerBrick + inBrick;
     }
-    void passed(int voxel) { m_last = generationOf(m_differences[std::size_t(voxel)]); }
 
 private:
-    std::optional<std::uint32_t> before(int voxel, int dx, int dy, int dz) const
+    std::vector<std::array<std::uint32_t, directions>> m_beside; ///< places
+};
+
+/// What is known of a voxel's claim, in one word; 0: it is none.
+namespace cell {
+constexpr std::uint32_t told = 1U << 31; ///< generation and label stand here
+constexpr std::uint32_t foretold = 1U << 30; ///< not kept: generation and direction follow
+constexpr int generationShift = 12;
+constexpr int labelShift = 3;
+constexpr std::uint32_t anyLabel = 256U << labelShift;
+constexpr std::uint32_t labelBits = 511U << labelShift;
+constexpr std::uint32_t directionBits = 7;
+
+std::uint32_t generation(std::uint32_t cell)
+{
+    return cell >> generationShift & seedWord::maxGeneration;
+}
+
+std::uint32_t kept(std::uint32_t difference)
+{
+    const bool seed = admitsSeed(difference);
+    const std::uint32_t label = seed ? anyLabel : seedWord::label(~difference) << labelShift;
+    return told | seedWord::generation(seed ? difference : ~difference) << generationShift | label;
+}
+
+std::uint32_t unreached(std::uint32_t difference)
+{
+    return foretold | seedWord::label(~difference) << labelShift;
+}
+
+bool agree(std::uint32_t a, std::uint32_t b)
+{
+    return ((a ^ b) & labelBits) == 0 || ((a | b) & anyLabel) != 0;
+}
+} // namespace cell
+
+using Cells = std::vector<std::uint32_t>;
+
+Cells cellsFor(const std::vector<SeedWordBrick>& bricks)
+{
+    return Cells(bricks.size() * BrickGrid::voxelsPerBrick, 0);
+}
+
+/// Calls @p visit(voxel, difference, brick) for every difference, in the order of bricks.
+template <typename Bricks, typename Visit>
+void forEachDifference(Bricks& bricks, const Visit& visit)
+{
+    Voxel first = 0;
+    for (auto& brick : bricks) {
+        for (std::uint32_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
+            if (brick.differences[voxel] != 0)
+                visit(first + voxel, brick.differences[voxel], brick);
+        }
+        first += BrickGrid::voxelsPerBrick;
+    }
+}
+
+/// Rings of foretold voxels around those that are kept.
+class Rings {
+public:
+    Rings(const std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
+        : m_neighbours(bricks, along)
+        , m_cells(cellsFor(bricks))
     {
-        constexpr int side = BrickGrid::side;
-        if (voxel % side < dx || voxel / side % side < dy || voxel / (side * side) < dz)
-            return std::nullopt;
-        const std::uint32_t difference =
-            m_differences[std::size_t(voxel - dx - side * (dy + side * dz))];
-        return becameMember(difference) ? std::optional(generationOf(difference)) : std::nullopt;
+        forEachDifference(
+            bricks, [this](Voxel voxel, std::uint32_t difference, const SeedWordBrick& brick) {
+                if (!isClaim(difference))
+                    return;
+                if (brick.foretold.has(voxel % BrickGrid::voxelsPerBrick)) {
+                    m_cells[voxel] = cell::unreached(difference);
+                    ++m_left;
+                } else {
+                    m_cells[voxel] = cell::kept(difference);
+                    m_kept.emplace_back(cell::generation(m_cells[voxel]), voxel);
+                }
+            });
+        std::sort(m_kept.begin(), m_kept.end());
     }
 
-    const WordDifferences& m_differences;
-    std::uint32_t m_last = 0;
+    /// @return false: some are not reached
+    bool spread()
+    {
+        std::vector<Voxel> ring;
+        std::vector<Voxel> reached;
+        auto kept = m_kept.begin();
+        std::uint32_t generation = 0;
+        while (m_left > 0) {
+            if (ring.empty()) {
+                if (kept == m_kept.end())
+                    return false;
+                generation = kept->first;
+            }
+            for (; kept != m_kept.end() && kept->first == generation; ++kept)
+                ring.push_back(kept->second);
+            ++generation;
+            reached.clear();
+            if (generation <= seedWord::maxGeneration)
+                reach(ring, generation, reached);
+            ring.swap(reached);
+        }
+        return true;
+    }
+
+    void put(std::vector<SeedWordBrick>& bricks) const
+    {
+        forEachDifference(
+            bricks, [this](Voxel voxel, std::uint32_t& difference, const SeedWordBrick&) {
+                const std::uint32_t known = m_cells[voxel];
+                if ((known & cell::foretold) != 0)
+                    difference = ~seedWord::member(cell::generation(known),
+                        seedWord::label(~difference), known & cell::directionBits);
+            });
+    }
+
+private:
+    void reach(
+        const std::vector<Voxel>& ring, std::uint32_t generation, std::vector<Voxel>& reached)
+    {
+        for (const Voxel parent : ring) {
+            const std::uint32_t label = m_cells[parent];
+            for (std::uint32_t direction = 0; direction < directions; ++direction) {
+                const Voxel voxel = m_neighbours.step(parent, direction);
+                if (voxel == none)
+                    continue;
+                std::uint32_t& child = m_cells[voxel];
+                if ((child & cell::foretold) == 0 || !cell::agree(child, label))
+                    continue;
+                if ((child & cell::told) == 0) {
+                    child |= cell::told | generation << cell::generationShift | direction;
+                    reached.push_back(voxel);
+                    --m_left;
+                } else if (cell::generation(child) == generation
+                    && direction < (child & cell::directionBits)) {
+                    child = (child & ~cell::directionBits) | direction;
+                }
+            }
+        }
+    }
+
+    Neighbourhood m_neighbours;
+    Cells m_cells;
+    std::vector<std::pair<std::uint32_t, Voxel>> m_kept; ///< by generation
+    std::size_t m_left = 0; ///< foretold ones that are not reached yet
 };
 
 } // namespace
 
-WordDifferences withForecast(const WordDifferences& differences)
+void markForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
 {
-    WordDifferences forecast = differences;
-    Forecaster forecaster(differences);
-    for (int voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-        const std::uint32_t difference = differences[std::size_t(voxel)];
-        if (!becameMember(difference))
-            continue;
-        const std::uint32_t distance = generationOf(difference) - forecaster.at(voxel);
-        forecast[std::size_t(voxel)] = withGeneration(difference, folded(distance));
-        forecaster.passed(voxel);
-    }
-    return forecast;
+    if (bricks.size() >= mostBricks)
+        return;
+    const Neighbourhood neighbours(bricks, along);
+    Cells cells = cellsFor(bricks);
+    forEachDifference(bricks, [&](Voxel voxel, std::uint32_t difference, SeedWordBrick&) {
+        if (isClaim(difference))
+            cells[voxel] = cell::kept(difference);
+    });
+    forEachDifference(bricks, [&](Voxel voxel, std::uint32_t difference, SeedWordBrick& brick) {
+        if (!isClaim(difference) || admitsSeed(difference))
+            return;
+        std::uint32_t earliest = noGeneration;
+        std::uint32_t from = 0;
+        for (std::uint32_t direction = 0; direction < directions; ++direction) {
+            const Voxel beside = neighbours.step(voxel, direction ^ 1U);
+            const std::uint32_t parent = beside == none ? 0 : cells[beside];
+            if (parent != 0 && cell::generation(parent) < earliest
+                && cell::agree(cells[voxel], parent)) {
+                earliest = cell::generation(parent);
+                from = direction;
+            }
+        }
+        const std::uint32_t word = ~difference;
+        if (earliest != noGeneration
+            && word == seedWord::member(earliest + 1, seedWord::label(word), from))
+            brick.foretold.add(voxel % BrickGrid::voxelsPerBrick);
+    });
 }
 
-WordDifferences withoutForecast(const WordDifferences& forecast)
+bool completeForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
 {
-    WordDifferences differences = forecast;
-    Forecaster forecaster(differences);
-    for (int voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-        std::uint32_t& word = differences[std::size_t(voxel)];
-        if (!becameMember(word))
-            continue;
-        const std::uint32_t generation =
-            forecaster.at(voxel) + unfolded(word >> 13 & seedWord::maxGeneration);
-        word = withGeneration(word, ~generation);
-        forecaster.passed(voxel);
-    }
-    return differences;
+    if (bricks.size() >= mostBricks)
+        return false;
+    Rings rings(bricks, along);
+    if (!rings.spread())
+        return false;
+    rings.put(bricks);
+    return true;
+}
+
+std::uint32_t foretoldDifference(std::uint8_t label)
+{
+    return ~seedWord::member(0, label, 0);
+}
+
+std::uint8_t labelOfDifference(std::uint32_t difference)
+{
+    return std::uint8_t(seedWord::label(~difference));
 }
 
 } // namespace core

@@ -1,31 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/brick/BrickGrid.h"
+#include "core/brick/BrickMask.h"
 
-#include <array>
-#include <cstdint>
+#include <glm/glm.hpp>
+
+#include <vector>
 
 namespace core {
 
-/// The differences (XOR) of a brick of seed words, voxel by voxel.
-using WordDifferences = std::array<std::uint32_t, BrickGrid::voxelsPerBrick>;
+/// The differences (XOR) of a brick of seed words.
+struct SeedWordBrick {
+    BrickKey key;
+    std::array<std::uint32_t, BrickGrid::voxelsPerBrick> differences{};
+    BrickMask foretold; ///< voxels whose generation and direction the others tell
+};
 
-// Generations are distances from the seeds, so neighbours all but tell them; what is left
-// compresses well. Where a difference makes a member of a voxel that was none (bit 31), its 18 bits
-// of generation are replaced by how far the generation is from the forecast, folded (0, −1, 1, −2 …
-// become 0, 1, 2, 3 …). Everything else stays.
+// A growth follows from where it began: of a voxel that it took, generation and direction are told
+// by its neighbours (core/growth/SeedWord.h), so of most only the label need be kept.
 //
-// The forecast for a voxel at (x, y, z), from voxels of the same brick that became members too:
-// 1. the neighbour one lower along the axis of its direction, if there is one: that one's
-// generation
-//    + 1 where it is the parent (even directions), − 1 where the parent lies on the other side;
-// 2. else, from the neighbours a, b, c one lower in x, y, z, and ab one lower in x and y …:
-//    a + b + c − ab − ac − bc + abc if all are there; a + b − ab, a + c − ac, b + c − bc, a, b, c,
-//    whichever comes first with all it needs;
-// 3. else the member before it in the order of voxels; 0 if there is none.
-// Modulo 2¹⁸ throughout.
-[[nodiscard]] WordDifferences withForecast(const WordDifferences& differences);
-[[nodiscard]] WordDifferences withoutForecast(const WordDifferences& forecast);
+// A difference with bit 31 is a claim: its other bits are those of a member, inverted, since the
+// voxel was unvisited before (or is so after). Where its lowest 13 bits are 0 a pending seed was
+// admitted: then they are those of the member as they are, and its label is any.
+// A claim that admits no seed is foretold if of its face neighbours in the same plane that are
+// claims too, and of the same label or any, the earliest has its generation − 1, and the lowest
+// direction from which one as early leads to it is its own.
+
+/// Fills `foretold`. Linear in the voxels.
+/// @param bricks no key twice @param along bricks of the volume along x and y
+void markForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along);
+
+/// The reverse: differences of foretold voxels come as foretoldDifference() and are completed, ring
+/// by ring from those that are not foretold.
+/// @pre foretold voxels hold a foretoldDifference(); along is at least 1 each
+/// @return false: some are not told by the others
+[[nodiscard]] bool completeForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along);
+
+/// A claim of a label, without generation and direction.
+[[nodiscard]] std::uint32_t foretoldDifference(std::uint8_t label);
+[[nodiscard]] std::uint8_t labelOfDifference(std::uint32_t difference);
 
 } // namespace core

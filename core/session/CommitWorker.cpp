@@ -5,8 +5,9 @@
 
 namespace core {
 
-CommitWorker::CommitWorker(SessionFile* file, std::function<void()> wakeUp)
-    : m_file(file)
+CommitWorker::CommitWorker(const BrickGrid& grid, SessionFile* file, std::function<void()> wakeUp)
+    : m_grid(grid)
+    , m_file(file)
     , m_wakeUp(std::move(wakeUp))
 {
 }
@@ -20,7 +21,7 @@ void CommitWorker::commit(RowId row, Changes changes, QByteArray documentJson)
 {
     m_thread.post([this, row, changes = std::move(changes), json = std::move(documentJson)] {
         m_hash.update(*changes);
-        BrickDelta delta = makeDelta(*changes);
+        BrickDelta delta = makeDelta(*changes, m_grid);
         Report done{.row = row,
             .deltaBytes = delta.bytes(),
             .stateHash = m_hash.root(json),

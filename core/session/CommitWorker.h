@@ -31,9 +31,10 @@ public:
         std::optional<Result<std::vector<BrickImage>>> differences; ///< after load()
     };
 
+    /// @param grid of the volume
     /// @param file where differences go; null: they stay in memory, compressed
     /// @param wakeUp called on the worker's thread when collect() has something
-    CommitWorker(SessionFile* file, std::function<void()> wakeUp);
+    CommitWorker(const BrickGrid& grid, SessionFile* file, std::function<void()> wakeUp);
 
     /// The voxels that the session begins with.
     void start(std::vector<BrickImage> bricks);
@@ -52,6 +53,7 @@ private:
     void report(Report report);
     [[nodiscard]] Result<std::vector<BrickImage>> differencesOf(RowId row);
 
+    BrickGrid m_grid;
     SessionFile* m_file = nullptr;
     std::function<void()> m_wakeUp;
     std::mutex m_mutex;

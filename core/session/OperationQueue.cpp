@@ -38,7 +38,8 @@ OperationQueue::OperationQueue(EditEngine& engine, Volume volume, std::unique_pt
     , m_wakeUp(std::move(wakeUp))
 {
     m_state.file = std::move(file);
-    m_state.worker = std::make_unique<CommitWorker>(m_state.file.get(), m_wakeUp);
+    m_state.worker = std::make_unique<CommitWorker>(
+        BrickGrid{m_state.document.volumes.front().geometry.size}, m_state.file.get(), m_wakeUp);
     if (m_wakeUp)
         engine.setWakeUp(m_wakeUp);
     if (m_state.file && m_wakeUp)

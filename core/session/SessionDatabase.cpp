@@ -29,13 +29,12 @@ const char* const tables[]{
     "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
 };
 
-/// What version 2 added.
+/// What version 2 added. (Version 3 knows a further form of differences.)
 const char* const sinceVersion1[]{
     "ALTER TABLE row ADD COLUMN at TEXT",
     "ALTER TABLE row ADD COLUMN author TEXT",
     "ALTER TABLE row ADD COLUMN program TEXT",
     "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
-    "PRAGMA user_version=2",
 };
 
 QString newConnectionName()
@@ -252,9 +251,11 @@ bool SessionDatabase::upgrade()
     if (m_version >= schemaVersion)
         return true;
     for (const char* statement : sinceVersion1) {
-        if (!run(QLatin1String(statement)))
+        if (m_version == 1 && !run(QLatin1String(statement)))
             return false;
     }
+    if (!run(QStringLiteral("PRAGMA user_version=%1").arg(int(schemaVersion))))
+        return false;
     m_version = schemaVersion;
     return true;
 }

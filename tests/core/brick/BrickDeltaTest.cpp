@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickDelta.h"
 
+#include <QFile>
 #include <QTest>
 
 #include <random>
@@ -9,6 +10,8 @@
 using namespace core;
 
 namespace {
+
+const BrickGrid grid{glm::ivec3(4096)};
 
 std::vector<std::uint8_t> randomBytes(std::mt19937& random, Field field, int palette)
 {
@@ -39,6 +42,26 @@ std::vector<BrickChange> randomChanges(unsigned seed, int count, int palette)
     return changes;
 }
 
+/// A front of words in one brick and its labels, with holes.
+std::vector<BrickChange> frontInNoise()
+{
+    std::mt19937 random(4);
+    std::vector<BrickChange> changes(2);
+    changes[0].key = {.field = Field::Labels, .plane = 2, .brick = 77};
+    changes[1].key = {.field = Field::SeedWords, .plane = 2, .brick = 77};
+    for (std::uint32_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
+        const bool hole = random() % 50 == 0;
+        const std::uint32_t generation =
+            9 + voxel % 16 + voxel / 16 % 16 + voxel / 256 + (random() % 90 == 0 ? 2 : 0);
+        const std::uint32_t direction = voxel % 16 != 0 ? 0 : voxel / 16 % 16 != 0 ? 2 : 4;
+        const std::uint32_t word = hole ? 0xFFFFFFFFU : generation << 13 | 7U << 5 | direction;
+        changes[0].after.push_back(hole ? 0 : 7);
+        for (int shift = 0; shift < 32; shift += 8)
+            changes[1].after.push_back(std::uint8_t(word >> shift));
+    }
+    return changes;
+}
+
 } // namespace
 
 class BrickDeltaTest : public QObject {
@@ -48,7 +71,7 @@ private Q_SLOTS:
     void leadsThereAndBack()
     {
         const std::vector<BrickChange> changes = randomChanges(1, 20, 7);
-        const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes));
+        const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes, grid));
         QVERIFY(images);
         QCOMPARE(images->size(), changes.size());
         for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -62,7 +85,7 @@ private Q_SLOTS:
 
     void nothingChangedNeedsNoBytes()
     {
-        QVERIFY(makeDelta({}).empty());
+        QVERIFY(makeDelta({}, grid).empty());
         QVERIFY(expandDelta({})->empty());
     }
 
@@ -70,7 +93,7 @@ private Q_SLOTS:
     {
         // Random bytes do not compress: about 12 MB in pieces.
         const std::vector<BrickChange> changes = randomChanges(2, 500, 256);
-        const BrickDelta delta = makeDelta(changes);
+        const BrickDelta delta = makeDelta(changes, grid);
         QVERIFY(delta.pieces.size() > 1);
         for (const QByteArray& piece : delta.pieces)
             QVERIFY(std::size_t(piece.size()) <= BrickDelta::maxPieceBytes);
@@ -91,34 +114,47 @@ private Q_SLOTS:
             for (int shift = 0; shift < 32; shift += 8)
                 change.after.push_back(std::uint8_t(word >> shift));
         }
-        QVERIFY(makeDelta({change}).bytes() < change.after.size() / 20);
+        QVERIFY(makeDelta({change}, grid).bytes() < change.after.size() / 20);
     }
 
-    /// A growth through noise: labels and seed words change in the same voxels, with holes.
-    void growthThroughNoiseComesBack()
+    /// A front through noise that no engine grew: labels and seed words change in the same voxels,
+    /// with holes.
+    void wordsInNoiseComeBack()
     {
-        std::mt19937 random(4);
-        std::vector<BrickChange> changes(2);
-        changes[0].key = {.field = Field::Labels, .plane = 2, .brick = 77};
-        changes[1].key = {.field = Field::SeedWords, .plane = 2, .brick = 77};
-        for (std::uint32_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-            const bool hole = random() % 50 == 0;
-            const std::uint32_t generation =
-                9 + voxel % 16 + voxel / 16 % 16 + voxel / 256 + (random() % 90 == 0 ? 2 : 0);
-            const std::uint32_t direction = voxel % 16 != 0 ? 0 : voxel / 16 % 16 != 0 ? 2 : 4;
-            const std::uint32_t word = hole ? 0xFFFFFFFFU : generation << 13 | 7U << 5 | direction;
-            changes[0].after.push_back(hole ? 0 : 7);
-            for (int shift = 0; shift < 32; shift += 8)
-                changes[1].after.push_back(std::uint8_t(word >> shift));
-        }
-        const BrickDelta together = makeDelta(changes);
+        const std::vector<BrickChange> changes = frontInNoise();
+        const BrickDelta together = makeDelta(changes, grid);
         QVERIFY(together.bytes() < 1200);
         QVERIFY(together.bytes() + 100
-            < makeDelta({changes[0]}).bytes() + makeDelta({changes[1]}).bytes());
+            < makeDelta({changes[0]}, grid).bytes() + makeDelta({changes[1]}, grid).bytes());
         const Result<std::vector<BrickImage>> images = expandDelta(together);
         QVERIFY(images);
         for (std::size_t i = 0; i < changes.size(); ++i)
             QVERIFY(exclusiveOr({changes[i].key, {}}, images->at(i)).bytes == changes[i].after);
+    }
+
+    /// What a Burin whose sessions had schema version 2 made of the same.
+    void differencesOfFormat2AreRead()
+    {
+        QFile file(
+            QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/difference2.bdl"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray stream = file.readAll();
+        const Result<std::vector<BrickImage>> images = expandDelta({{stream}});
+        QVERIFY(images);
+        QCOMPARE(images->size(), std::size_t(3));
+        QVERIFY((images->at(0).key == BrickKey{Field::Coverage, 1, 78}));
+        for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel)
+            QCOMPARE(images->at(0).bytes[voxel], std::uint8_t(voxel < 700 ? voxel % 251 : 0));
+        const std::vector<BrickChange> changes = frontInNoise();
+        for (std::size_t i = 0; i < changes.size(); ++i) {
+            QVERIFY(images->at(i + 1).key == changes[i].key);
+            QVERIFY(exclusiveOr({changes[i].key, {}}, images->at(i + 1)).bytes == changes[i].after);
+        }
+        for (const qsizetype length : {stream.size() - 5, stream.size() / 2, qsizetype(3)}) {
+            const Result<std::vector<BrickImage>> cut = expandDelta({{stream.left(length)}});
+            QVERIFY(!cut);
+            QCOMPARE(cut.error().code, ErrorCode::SessionDamaged);
+        }
     }
 
     /// Whole bricks, bytes of words by significance.
@@ -158,7 +194,7 @@ private Q_SLOTS:
     void damageIsNoticed()
     {
         QFETCH(int, damage);
-        BrickDelta delta = makeDelta(randomChanges(3, 500, 256));
+        BrickDelta delta = makeDelta(randomChanges(3, 500, 256), grid);
         QByteArray& first = delta.pieces.front();
         if (damage == 0)
             first[first.size() / 2] = char(first[first.size() / 2] ^ 1);

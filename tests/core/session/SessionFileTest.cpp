@@ -48,11 +48,14 @@ QByteArray contentOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// A session that a Burin before times and names made, and the study it was made on.
+/// Sessions that earlier Burins made: before times and names; before growths were foretold.
 const QString version1 =
     QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin");
+const QString version2 =
+    QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version2.burin");
 
-LoadedVolume studyOfVersion1(const QString& path)
+/// The study such a session was made on.
+LoadedVolume studyOf(const QString& path)
 {
     LoadedVolume study = test::smallStudy();
     const auto file = SessionFile::open(path, SessionFile::Access::ReadOnly);
@@ -303,12 +306,12 @@ private Q_SLOTS:
     void aNewerSchemaIsRefused()
     {
         makeSession(m_path);
-        test::runSql(m_path, QStringLiteral("PRAGMA user_version=3"));
+        test::runSql(m_path, QStringLiteral("PRAGMA user_version=4"));
         const QByteArray before = contentOf(m_path);
         Opened opened;
         const Result<void> result = openSession(opened, m_path);
         QCOMPARE(result.error().code, ErrorCode::UnsupportedFormat);
-        QVERIFY(result.error().arguments.value(1).contains(QStringLiteral("session format 3")));
+        QVERIFY(result.error().arguments.value(1).contains(QStringLiteral("session format 4")));
         QCOMPARE(contentOf(m_path), before);
     }
 
@@ -354,11 +357,11 @@ private Q_SLOTS:
         QCOMPARE(filesIn(*m_folder), QStringList{QStringLiteral("a.burin")});
     }
 
-    void version1GoesOnAsVersion2()
+    void version1GoesOnAsVersion3()
     {
         QVERIFY(QFile::copy(version1, m_path));
         QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
-        const LoadedVolume study = studyOfVersion1(m_path);
+        const LoadedVolume study = studyOf(m_path);
         reference::ReferenceEngine engine;
         { // Only looked at, it stays what it was.
             const auto session = EditSession::open(engine, study, m_path);
@@ -372,7 +375,7 @@ private Q_SLOTS:
             QVERIFY(session->apply(test::drillAt(4)));
             QVERIFY(session->settle());
         }
-        QCOMPARE(schemaOf(m_path), 2);
+        QCOMPARE(schemaOf(m_path), 3);
         const QByteArray upgraded = contentOf(m_path);
         {
             const auto session = EditSession::open(engine, study, m_path);
@@ -403,12 +406,40 @@ private Q_SLOTS:
         }
     }
 
+    void version2GoesOnAsVersion3()
+    {
+        QVERIFY(QFile::copy(version2, m_path));
+        QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
+        const LoadedVolume study = studyOf(m_path);
+        reference::ReferenceEngine engine;
+        for (const bool written : {false, true}) {
+            QCOMPARE(schemaOf(m_path), 2);
+            const auto session = EditSession::open(engine, study, m_path);
+            QVERIFY(session);
+            if (written) {
+                QVERIFY((*session)->apply(test::drillAt(4)));
+                QVERIFY((*session)->settle());
+            }
+        }
+        QCOMPARE(schemaOf(m_path), 3);
+        const auto session = EditSession::open(engine, study, m_path);
+        QVERIFY(session);
+        const History& history = (*session)->history();
+        QCOMPARE(history.rows().size(), std::size_t(14));
+        QCOMPARE(history.row(13).origin.author, origin().author);
+        for (RowId row = 14; row > 0; --row) {
+            QVERIFY((*session)->goTo(row));
+            QVERIFY((*session)->settle());
+            QCOMPARE((*session)->stateHash(), history.row(row).stateHash);
+        }
+    }
+
     void aFailedUpgradeIsTriedAgain()
     {
         QVERIFY(QFile::copy(version1, m_path));
         QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
         reference::ReferenceEngine engine;
-        const LoadedVolume study = studyOfVersion1(m_path);
+        const LoadedVolume study = studyOf(m_path);
         {
             const auto session = *EditSession::open(engine, study, m_path);
             {
@@ -419,7 +450,7 @@ private Q_SLOTS:
             session->retryWriting();
             QVERIFY(session->settle());
         }
-        QCOMPARE(schemaOf(m_path), 2);
+        QCOMPARE(schemaOf(m_path), 3);
         const auto session = EditSession::open(engine, study, m_path);
         QVERIFY(session);
         QCOMPARE((*session)->history().rows().size(), std::size_t(14));
