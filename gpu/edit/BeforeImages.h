@@ -19,8 +19,6 @@ public:
 
     /// Saves those of the bricks that were not saved yet. Call it before writing them.
     void capture(core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks);
-    /// The same of any fields and planes, few dispatches for many bricks.
-    void capture(std::vector<core::BrickKey> keys);
     /// What was saved against what is there now, of the listed keys (all were captured); bricks
     /// that did not change are left out. Sorted by key. Waits for the GPU.
     [[nodiscard]] std::vector<core::BrickChange> changes(std::vector<core::BrickKey> keys);
@@ -47,8 +45,5 @@ private:
     std::map<core::BrickKey, Place> m_places;
     std::vector<Batch> m_batches;
 };
-
-/// Writes images into their fields: gives and takes pages, tells VoxelFields what changed.
-void writeImages(VoxelFields& fields, std::span<const core::BrickImage> images);
 
 } // namespace gpu

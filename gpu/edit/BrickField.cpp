@@ -54,7 +54,7 @@ void BrickField::enlarge(std::uint32_t pages)
     m_ownerBuffer = Buffer({.label = m_options.label, .bytes = count * sizeof(std::uint32_t)});
 }
 
-void BrickField::ensure(std::span<const std::uint32_t> bricks)
+void BrickField::ensure(std::span<const std::uint32_t> bricks, NewPages pages)
 {
     std::vector<std::uint32_t> fresh;
     for (const std::uint32_t brick : bricks) {
@@ -73,7 +73,8 @@ void BrickField::ensure(std::span<const std::uint32_t> bricks)
         m_tableStale = true;
         m_ownersStale = true;
     }
-    clear(std::move(fresh));
+    if (pages == NewPages::Empty)
+        clear(std::move(fresh));
 }
 
 void BrickField::clear(std::vector<std::uint32_t> pages)

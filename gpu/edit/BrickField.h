@@ -33,8 +33,12 @@ public:
     /// Takes the memory of the first 4096 pages, at most one a brick, so that no stroke waits for
     /// it.
     void reserve();
-    /// Gives every listed brick a page; new pages are empty. May enlarge the atlas.
-    void ensure(std::span<const std::uint32_t> bricks);
+    enum class NewPages : std::uint8_t {
+        Empty,
+        AnyContent, ///< who asks writes every voxel of the listed bricks at once
+    };
+    /// Gives every listed brick a page. May enlarge the atlas.
+    void ensure(std::span<const std::uint32_t> bricks, NewPages pages = NewPages::Empty);
     /// Takes the pages away again; their content is lost.
     void release(std::span<const std::uint32_t> bricks);
     /// No brick has a page.

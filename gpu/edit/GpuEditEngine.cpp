@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/GpuEditEngine.h"
 
+#include "gpu/edit/BrickImages.h"
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -201,7 +203,7 @@ void GpuEditEngine::carryOut(Waiting& next)
 {
     const Clock::time_point start = Clock::now();
     Outcome outcome = m_fields
-        ? std::visit([this](const auto& command) { return carryOut(command); }, next.command)
+        ? std::visit([this](auto& command) { return carryOut(command); }, next.command)
         : Outcome(refusal("volume", "none is open"));
     const double milliseconds = millisecondsSince(start);
     if (outcome && !*outcome) {
@@ -264,7 +266,7 @@ core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys
     return {};
 }
 
-GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::SwapBricks& command)
+GpuEditEngine::Outcome GpuEditEngine::carryOut(core::SwapBricks& command)
 {
     if (m_transaction)
         return refusal("transaction", "an edit is open");
@@ -276,11 +278,8 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::SwapBricks& command)
     }
     if (const core::Result<void> checked = checkKeys(keys); !checked)
         return tl::unexpected(checked.error());
-    BeforeImages before(*m_fields);
-    before.capture(keys);
-    writeImages(*m_fields, command.bricks);
     core::EngineResult result;
-    result.changes = before.changes(std::move(keys));
+    result.changes = swapImages(*m_fields, std::move(command.bricks));
     result.statistics = statisticsOf(result.changes);
     return result;
 }
@@ -297,22 +296,11 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
 {
     if (const core::Result<void> checked = checkKeys(command.keys); !checked)
         return tl::unexpected(checked.error());
+    auto images = readImages(*m_fields, command.keys);
     core::EngineResult result;
-    for (std::size_t first = 0; first < command.keys.size();) {
-        const core::BrickKey& group = command.keys[first];
-        std::vector<std::uint32_t> bricks;
-        std::size_t last = first;
-        for (; last < command.keys.size() && command.keys[last].field == group.field
-             && command.keys[last].plane == group.plane;
-             ++last)
-            bricks.push_back(command.keys[last].brick);
-        auto images =
-            m_fields->copier().images(m_fields->textures(group.field, group.plane), bricks);
-        for (std::size_t i = 0; i < images.size(); ++i)
-            result.changes.push_back(
-                {.key = command.keys[first + i], .before = {}, .after = std::move(images[i])});
-        first = last;
-    }
+    for (std::size_t i = 0; i < images.size(); ++i)
+        result.changes.push_back(
+            {.key = command.keys[i], .before = {}, .after = std::move(images[i])});
     return result;
 }
 

@@ -59,7 +59,7 @@ private:
     Outcome carryOut(const core::BeginEdit& command);
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);
-    Outcome carryOut(const core::SwapBricks& command);
+    Outcome carryOut(core::SwapBricks& command);
     Outcome carryOut(const core::MuteLayers& command);
     Outcome carryOut(const core::ReadBricks& command);
     Outcome carryOut(const core::ProbeVoxels& command);

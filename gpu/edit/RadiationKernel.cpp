@@ -13,6 +13,11 @@ constexpr std::size_t firstBlurWords = 18 * 24 * 24;
 constexpr std::size_t secondBlurWords = 18 * 18 * 24;
 constexpr unsigned gatherGroupsPerBrick = 9; // 576 rows of 24, 64 to a group
 
+std::uint32_t packed(const glm::ivec3& local)
+{
+    return std::uint32_t(local.x | local.y << 5 | local.z << 10);
+}
+
 Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
 {
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
@@ -32,7 +37,7 @@ RadiationKernel::RadiationKernel(const ShaderLibrary& library, const core::Brick
           program(library, "edit/radiationBlur.comp", {{"AXIS", 1}}),
           program(library, "edit/radiationBlur.comp", {{"AXIS", 2}})}
     , m_raise(program(library, "edit/radiationRaise.comp"))
-    , m_brickList(words("radiation bricks", 1))
+    , m_regions(words("radiation regions", 2))
     , m_field(words("radiation field", fieldWords))
     , m_summaries(words("radiation summaries", 1))
     , m_scratchA(words("radiation scratch A", firstBlurWords))
@@ -42,10 +47,10 @@ RadiationKernel::RadiationKernel(const ShaderLibrary& library, const core::Brick
         each->set("volumeSize", grid.volumeSize).set("volumeBricks", grid.bricks());
 }
 
-void RadiationKernel::updateFromCoverage(std::span<BrickField* const> layers,
-    const Texture3D& target, std::span<const std::uint32_t> bricks)
+void RadiationKernel::updateFromCoverage(
+    std::span<BrickField* const> layers, const Texture3D& target, std::span<const Region> regions)
 {
-    update(target, bricks, [this, layers](unsigned count) {
+    update(target, regions, [this, layers](unsigned count) {
         bool first = true;
         for (BrickField* layer : layers) {
             layer->atlas().bindUnit(0);
@@ -63,14 +68,14 @@ void RadiationKernel::updateFromCoverage(std::span<BrickField* const> layers,
 }
 
 void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
-    const Texture3D& target, std::span<const std::uint32_t> bricks)
+    const Texture3D& target, std::span<const Region> regions)
 {
     std::array<unsigned, 8> bits{};
     for (std::size_t label = 1; label < shown.size(); ++label) {
         if (shown[label])
             bits[label / 32] |= 1u << (label % 32);
     }
-    update(target, bricks, [this, &labels, &bits](unsigned count) {
+    update(target, regions, [this, &labels, &bits](unsigned count) {
         labels.bindUnit(0);
         m_gatherLabels.set("firstLayer", true);
         m_gatherLabels.set("shown", std::span<const unsigned>(bits));
@@ -78,15 +83,18 @@ void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitse
     });
 }
 
-void RadiationKernel::update(const Texture3D& target, std::span<const std::uint32_t> bricks,
+void RadiationKernel::update(const Texture3D& target, std::span<const Region> regions,
     const std::function<void(unsigned count)>& gather)
 {
-    for (std::size_t start = 0; start < bricks.size(); start += bricksPerPass) {
-        const auto piece = bricks.subspan(start, std::min(bricksPerPass, bricks.size() - start));
+    for (std::size_t start = 0; start < regions.size(); start += bricksPerPass) {
+        const auto piece = regions.subspan(start, std::min(bricksPerPass, regions.size() - start));
         const auto count = unsigned(piece.size());
-        m_brickList.write(piece);
+        std::vector<glm::uvec2> words;
+        for (const Region& region : piece)
+            words.emplace_back(region.brick, packed(region.low) | packed(region.high) << 15);
+        m_regions.write(std::span<const glm::uvec2>(words));
         m_summaries.fill(0);
-        m_brickList.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        m_regions.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
         m_field.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
         m_summaries.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
         glMemoryBarrier(GL_ALL_BARRIER_BITS);

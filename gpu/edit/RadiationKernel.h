@@ -16,28 +16,38 @@ namespace gpu {
 /// Derives radiation from coverage, and the segmentation map from labels, brick by brick: the exact
 /// integer Gaussian with the rule for thin parts (core/sculpt/Radiation.h; radiation*.comp).
 ///
-/// Cost: about 40 000 fetches and sums a brick, none for bricks that are uniform with their
-/// surroundings. Engine thread only.
+/// Cost: about 40 000 fetches and sums for a whole brick, less for a part of one, and little for
+/// parts that are uniform with their surroundings. Engine thread only.
 class RadiationKernel {
 public:
+    /// Voxels that a changed one reaches: three of the blur, one of the rule for thin parts.
+    static constexpr int reach = 4;
+
+    /// A part of a brick that is brought up to date.
+    struct Region {
+        std::uint32_t brick = 0;
+        glm::ivec3 low{0}; ///< in the brick
+        glm::ivec3 high{core::BrickGrid::side}; ///< one past the last
+    };
+
     RadiationKernel(const ShaderLibrary& library, const core::BrickGrid& grid);
 
     /// @param target dense R8UI texture of the volume
     void updateFromCoverage(std::span<BrickField* const> layers, const Texture3D& target,
-        std::span<const std::uint32_t> bricks);
+        std::span<const Region> regions);
     /// @param labels dense R8UI texture; shown labels count as 255
     void updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
-        const Texture3D& target, std::span<const std::uint32_t> bricks);
+        const Texture3D& target, std::span<const Region> regions);
 
 private:
-    void update(const Texture3D& target, std::span<const std::uint32_t> bricks,
+    void update(const Texture3D& target, std::span<const Region> regions,
         const std::function<void(unsigned count)>& gather);
 
     Program m_gatherCoverage;
     Program m_gatherLabels;
     std::array<Program, 3> m_blur;
     Program m_raise;
-    Buffer m_brickList;
+    Buffer m_regions;
     Buffer m_field;
     Buffer m_summaries;
     Buffer m_scratchA;

@@ -78,6 +78,14 @@ std::vector<std::uint32_t> VoxelFields::labelledBricks() const
     return {m_labelledBricks.begin(), m_labelledBricks.end()};
 }
 
+std::vector<core::VoxelBox> VoxelFields::boxesOf(std::span<const std::uint32_t> bricks) const
+{
+    std::vector<core::VoxelBox> boxes;
+    for (const std::uint32_t brick : bricks)
+        boxes.push_back(m_grid.boxOf(int(brick)));
+    return boxes;
+}
+
 core::VoxelBox VoxelFields::boxOf(std::span<const std::uint32_t> bricks) const
 {
     core::VoxelBox box;
@@ -112,7 +120,7 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
     if (bricks.empty())
         return;
     if (field == core::Field::Coverage) {
-        updateRadiation(bricks);
+        noteCoverage(boxesOf(bricks));
     } else if (field == core::Field::Labels) {
         m_labelledBricks.insert(bricks.begin(), bricks.end());
         m_shared.markDirty(VolumeField::Labels, boxOf(bricks));
@@ -123,16 +131,55 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
     }
 }
 
-void VoxelFields::updateRadiation(std::span<const std::uint32_t> changed)
+std::vector<RadiationKernel::Region> VoxelFields::around(
+    std::span<const core::VoxelBox> boxes) const
 {
-    const std::vector<std::uint32_t> affected = withNeighbours(changed);
+    constexpr int side = core::BrickGrid::side;
+    const glm::ivec3 bricks = m_grid.bricks();
+    constexpr std::uint32_t absent = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> places(std::size_t(m_grid.brickCount()), absent);
+    std::vector<RadiationKernel::Region> regions;
+    for (const core::VoxelBox& box : boxes) {
+        const glm::ivec3 low = glm::max(box.minimum - RadiationKernel::reach, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(box.maximum + RadiationKernel::reach, m_grid.volumeSize);
+        const glm::ivec3 first = low / side;
+        const glm::ivec3 last = (high - 1) / side;
+        for (int z = first.z; z <= last.z; ++z) {
+            for (int y = first.y; y <= last.y; ++y) {
+                for (int x = first.x; x <= last.x; ++x) {
+                    const glm::ivec3 origin = glm::ivec3(x, y, z) * side;
+                    const glm::ivec3 localLow = glm::max(low - origin, glm::ivec3(0));
+                    const glm::ivec3 localHigh = glm::min(high - origin, glm::ivec3(side));
+                    const auto brick = std::uint32_t(x + bricks.x * (y + bricks.y * z));
+                    if (places[brick] == absent) {
+                        places[brick] = std::uint32_t(regions.size());
+                        regions.push_back({brick, localLow, localHigh});
+                        continue;
+                    }
+                    RadiationKernel::Region& region = regions[places[brick]];
+                    region.low = glm::min(region.low, localLow);
+                    region.high = glm::max(region.high, localHigh);
+                }
+            }
+        }
+    }
+    return regions;
+}
+
+void VoxelFields::noteCoverage(std::span<const core::VoxelBox> boxes)
+{
+    const std::vector<RadiationKernel::Region> regions = around(boxes);
     std::vector<BrickField*> layers;
     for (auto& [layer, field] : m_coverage) {
         if (!m_mutedLayers[layer] && !field.empty())
             layers.push_back(&field);
     }
-    m_radiationKernel.updateFromCoverage(layers, m_radiation, affected);
-    m_shared.markDirty(VolumeField::Radiation, boxOf(affected));
+    m_radiationKernel.updateFromCoverage(layers, m_radiation, regions);
+    core::VoxelBox dirty;
+    for (const core::VoxelBox& box : boxes)
+        dirty = dirty.united({glm::max(box.minimum - RadiationKernel::reach, glm::ivec3(0)),
+            glm::min(box.maximum + RadiationKernel::reach, m_grid.volumeSize)});
+    m_shared.markDirty(VolumeField::Radiation, dirty);
 }
 
 void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
@@ -148,7 +195,7 @@ void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
     }
     const std::vector<std::uint32_t> changed(bricks.begin(), bricks.end());
     if (!changed.empty())
-        updateRadiation(changed);
+        noteCoverage(boxesOf(changed));
 }
 
 void VoxelFields::setShownLabels(const std::bitset<256>& shown)
@@ -166,7 +213,10 @@ void VoxelFields::updateSegmentation(std::size_t maxBricks)
     std::vector<std::uint32_t> bricks;
     while (!m_staleSegmentation.empty() && bricks.size() < maxBricks)
         bricks.push_back(m_staleSegmentation.extract(m_staleSegmentation.begin()).value());
-    m_radiationKernel.updateFromLabels(m_shared.labels(), m_shownLabels, m_segmentation, bricks);
+    std::vector<RadiationKernel::Region> regions;
+    for (const std::uint32_t brick : bricks)
+        regions.push_back({.brick = brick});
+    m_radiationKernel.updateFromLabels(m_shared.labels(), m_shownLabels, m_segmentation, regions);
     m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
 }
 

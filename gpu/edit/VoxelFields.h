@@ -39,6 +39,8 @@ public:
 
     /// Tell what was written. Coverage: radiation is brought up to date around these bricks.
     void noteChanged(core::Field field, std::span<const std::uint32_t> bricks);
+    /// The same of coverage where it is known more closely: boxes within a brick each.
+    void noteCoverage(std::span<const core::VoxelBox> boxes);
     /// Which layers are left out of radiation; brings it up to date where any of them has cut.
     void setMutedLayers(const std::bitset<256>& muted);
     /// Bricks whose radiation depends on these: they and their neighbours.
@@ -54,7 +56,10 @@ public:
 
 private:
     [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
-    void updateRadiation(std::span<const std::uint32_t> changed);
+    [[nodiscard]] std::vector<core::VoxelBox> boxesOf(std::span<const std::uint32_t> bricks) const;
+    /// What radiation must be brought up to date in, around boxes that changed.
+    [[nodiscard]] std::vector<RadiationKernel::Region> around(
+        std::span<const core::VoxelBox> boxes) const;
 
     core::BrickGrid m_grid;
     VolumeTextures& m_shared;

@@ -3,6 +3,8 @@
 
 layout(local_size_x = 64) in;
 
+#include "edit/radiationRegion.glsl"
+
 layout(binding = 2, std430) readonly buffer Summaries { uint summaries[]; };
 layout(binding = 3, std430) readonly buffer Source { uint source[]; };
 layout(binding = 4, std430) writeonly buffer Target { uint target[]; };
@@ -18,6 +20,7 @@ const uvec3 sourceSize = uvec3(18, 18, 24);
 const uvec3 targetSize = uvec3(18, 18, 18);
 #endif
 const uvec3 strides = uvec3(1u, sourceSize.x, sourceSize.x * sourceSize.y);
+const uvec3 targetStrides = uvec3(1u, targetSize.x, targetSize.x * targetSize.y);
 const uint targetCount = targetSize.x * targetSize.y * targetSize.z;
 const uint sourceCount = sourceSize.x * sourceSize.y * sourceSize.z;
 
@@ -27,9 +30,11 @@ void main()
     if (summaries[slot] != 3u)
         return;
     uint stride = strides[AXIS];
-    for (uint i = gl_LocalInvocationID.x; i < targetCount; i += 64u) {
-        uvec3 voxel = uvec3(i % targetSize.x, i / targetSize.x % targetSize.y,
-            i / (targetSize.x * targetSize.y));
+    Region region = regionOf(slot);
+    // Beyond the box one voxel either way along axes that are blurred, four along the others.
+    Box box = boxOf(region.size + (ivec3(targetSize) - 16));
+    for (uint i = gl_LocalInvocationID.x; i < box.count; i += 64u) {
+        uvec3 voxel = uvec3(region.low + voxelOf(i, box));
         uint at = slot * sourceCount + voxel.x + voxel.y * strides.y + voxel.z * strides.z;
         uint sum = 4u * (source[at] + source[at + 6u * stride])
             + 21u * (source[at + stride] + source[at + 5u * stride])
@@ -37,6 +42,6 @@ void main()
 #if AXIS == 2
         sum = (sum + (1u << 23)) >> 24;
 #endif
-        target[slot * targetCount + i] = sum;
+        target[slot * targetCount + voxel.x + voxel.y * targetStrides.y + voxel.z * targetStrides.z] = sum;
     }
 }

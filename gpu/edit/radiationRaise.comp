@@ -4,9 +4,9 @@
 layout(local_size_x = 64) in;
 
 #include "edit/bricks.glsl"
+#include "edit/radiationRegion.glsl"
 
 layout(binding = 0, r8ui) uniform writeonly uimage3D radiation;
-layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 layout(binding = 1, std430) readonly buffer Field { uint field[]; };
 layout(binding = 2, std430) readonly buffer Summaries { uint summaries[]; };
 layout(binding = 3, std430) readonly buffer Blurred { uint blurred[]; };
@@ -39,9 +39,11 @@ void main()
 {
     uint slot = gl_WorkGroupID.x;
     uint summary = summaries[slot];
-    ivec3 origin = brickPosition(int(bricks[slot]), volumeBricks) * brickSide;
-    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
-        ivec3 local = voxelInBrick(offset);
+    Region region = regionOf(slot);
+    ivec3 origin = brickPosition(region.brick, volumeBricks) * brickSide;
+    Box box = boxOf(region.size);
+    for (uint i = gl_LocalInvocationID.x; i < box.count; i += 64u) {
+        ivec3 local = region.low + voxelOf(i, box);
         if (!inside(origin + local, volumeSize))
             continue;
         uint value;
