@@ -166,15 +166,23 @@ Result<bool> apply(const ReviseStroke&, Document&)
 {
     return false;
 }
+Result<bool> apply(const PaintStroke&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const BrushStroke&, Document&)
+{
+    return false;
+}
 
 /// A stroke into a layer that is not there or not seen would be lost work.
-Result<void> checkLayer(const DrillStroke& stroke, const Document& document)
+Result<void> checkLayer(const char* field, int id, const Document& document)
 {
-    const SculptLayer* layer = document.layer(stroke.layer);
+    const SculptLayer* layer = document.layer(id);
     if (!layer)
-        return unknownLayer("drill.layer", stroke.layer);
+        return unknownLayer(field, id);
     if (layer->muted)
-        return failure(ErrorCode::InvalidField, QStringLiteral("drill.layer"),
+        return failure(ErrorCode::InvalidField, QLatin1String(field),
             QStringLiteral("sculpt layer '%1' is muted: what is carved there would not be seen")
                 .arg(layer->name));
     return {};
@@ -230,9 +238,18 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
     if (const auto* grow = std::get_if<GrowSteps>(&edit))
         return discardValue(growBurst(*grow, document));
     if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer(*drill, document); !checked)
+        if (const Result<void> checked = checkLayer("drill.layer", drill->layer, document);
+            !checked)
             return checked;
         return discardValue(drillCut(*drill, document));
+    }
+    if (const auto* paint = std::get_if<PaintStroke>(&edit))
+        return discardValue(paintLabel(*paint, document));
+    if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
+        if (const Result<void> checked = checkLayer("brush.layer", brush->layer, document);
+            !checked)
+            return checked;
+        return discardValue(capsuleCut(*brush, document));
     }
     return {}; // "undo only" and revisions read the history, not the document
 }

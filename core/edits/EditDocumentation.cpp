@@ -37,9 +37,9 @@ public:
     }
     template <class Kind>
     void maybe(const char* name, std::optional<typename Kind::Value>&, const Kind& kind,
-        const char* meaning)
+        const char* meaning, const char* absent = "unchanged")
     {
-        add(name, kind.type(), kind.unit(), QStringLiteral("unchanged"), meaning);
+        add(name, kind.type(), kind.unit(), QLatin1String(absent), meaning);
     }
     void constant(const char* name, Presence presence, const QJsonValue& value, const char* meaning)
     {

@@ -344,6 +344,23 @@ SampleList::Value SampleList::rounded(const Value& value) const
     return result;
 }
 
+// --- BrushShape
+// ------------------------------------------------------------------------------------------
+
+QJsonValue BrushShape::write(Value value) const
+{
+    return value == Value::Disc ? QStringLiteral("disc") : QStringLiteral("ball");
+}
+
+QString BrushShape::read(const QJsonValue& json, Value& value) const
+{
+    const QString text = json.toString();
+    if (text != QLatin1String("ball") && text != QLatin1String("disc"))
+        return QStringLiteral("must be \"ball\" or \"disc\"");
+    value = text == QLatin1String("disc") ? Value::Disc : Value::Ball;
+    return {};
+}
+
 // --- Row
 // -------------------------------------------------------------------------------------------------
 

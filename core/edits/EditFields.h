@@ -122,6 +122,18 @@ struct PointList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
+/// "ball" or "disc".
+struct BrushShape {
+    using Value = BrushPath::Shape;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("\"ball\" or \"disc\""); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
 /// [[x, y, pressure, t], …], at least one, t never falling.
 struct SampleList {
     using Value = std::vector<PenSample>;

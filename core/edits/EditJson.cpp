@@ -22,8 +22,8 @@ public:
         m_object.insert(QLatin1String(name), kind.write(value));
     }
     template <class Kind>
-    void maybe(
-        const char* name, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
+        const char*, const char* = nullptr)
     {
         if (value)
             m_object.insert(QLatin1String(name), kind.write(*value));
@@ -58,8 +58,8 @@ public:
             note(name, kind.read(*json, value));
     }
     template <class Kind>
-    void maybe(
-        const char* name, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
+        const char*, const char* = nullptr)
     {
         if (const std::optional<QJsonValue> json = take(name, Presence::Optional))
             note(name, kind.read(*json, value.emplace()));
@@ -139,8 +139,8 @@ public:
         note(name, kind.check(value));
     }
     template <class Kind>
-    void maybe(
-        const char* name, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
+        const char*, const char* = nullptr)
     {
         if (value)
             note(name, kind.check(*value));

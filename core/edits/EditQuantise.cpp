@@ -17,8 +17,8 @@ public:
         value = kind.rounded(value);
     }
     template <class Kind>
-    void maybe(
-        const char*, std::optional<typename Kind::Value>& value, const Kind& kind, const char*)
+    void maybe(const char*, std::optional<typename Kind::Value>& value, const Kind& kind,
+        const char*, const char* = nullptr)
     {
         if (value)
             value = kind.rounded(*value);
@@ -43,6 +43,11 @@ Edit quantised(const Edit& edit)
 std::vector<PenSample> quantised(const std::vector<PenSample>& samples)
 {
     return editFields::SampleList().rounded(samples);
+}
+
+std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps)
+{
+    return editFields::PointList{editSchema::positionLps}.rounded(pointsLps);
 }
 
 } // namespace core

@@ -27,5 +27,7 @@ constexpr double unbounded = 1e300; ///< the range of modality values
 
 /// The same for one piece of a pen path.
 [[nodiscard]] std::vector<PenSample> quantised(const std::vector<PenSample>& samples);
+/// … or of a brush's path.
+[[nodiscard]] std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps);
 
 } // namespace core

@@ -14,7 +14,8 @@ enum class Presence { Required, Optional };
 // reads, writes, checks, rounds or documents them:
 //
 //   field(name, presence, value, kind, meaning)    kind: editFields
-//   maybe(name, std::optional value, kind, meaning)  absent means "stays as it is"
+//   maybe(name, std::optional value, kind, meaning, absent)  may be left out; absent says what
+//                                                  that means, by itself "unchanged"
 //   constant(name, presence, json, meaning)        only this value is known
 //   group(name, meaning, visitInside)              an object of its own
 //
@@ -35,6 +36,8 @@ template <> inline constexpr const char* editName<GrowSteps> = "grow";
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
 template <> inline constexpr const char* editName<RevertRows> = "revert";
 template <> inline constexpr const char* editName<ReviseStroke> = "reviseStroke";
+template <> inline constexpr const char* editName<PaintStroke> = "paint";
+template <> inline constexpr const char* editName<BrushStroke> = "brush";
 
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
@@ -82,6 +85,12 @@ inline constexpr const char* editMeaning<RevertRows> =
 template <>
 inline constexpr const char* editMeaning<ReviseStroke> =
     "Changes or removes an older drill stroke; what later strokes cut stays.";
+template <>
+inline constexpr const char* editMeaning<PaintStroke> =
+    "Paints a segment along a path, or erases it there.";
+template <>
+inline constexpr const char* editMeaning<BrushStroke> =
+    "Carves along a path, or restores what was carved there.";
 
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
 inline constexpr editFields::WholeNumber layerNumber{1, 254};
@@ -92,6 +101,7 @@ inline constexpr editFields::Number millimetres{
     "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
+inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
 
 /// A camera, as every edit that needs one writes it.
@@ -240,6 +250,46 @@ template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
         "whether it goes on behind a gap in the material");
     visit.field("removed", Presence::Optional, edit.removed, editFields::Flag{},
         "whether it is taken out altogether");
+}
+
+/// A brush and the way it went, as every edit that has one writes it.
+template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
+{
+    using namespace editFields;
+    visit.field(
+        "radiusMm", Presence::Required, path.radiusMm, brushRadius, "radius of the ball or disc");
+    visit.field("shape", Presence::Optional, path.shape, BrushShape{},
+        "a ball, or a disc that lies in one plane and is one voxel thick");
+    visit.maybe("normalLps", path.normalLps,
+        Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
+        "of a disc: a direction across its plane, which holds the first point", "none, of a ball");
+    visit.field("pointsLps", Presence::Required, path.pointsLps, PointList{positionLps},
+        "the path, straight from point to point, patient coordinates (LPS)");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitPath(visit, edit.path);
+    visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
+        "whether voxels of the segment are taken away instead");
+    visit.maybe(
+        "lower", edit.lower, modalityValue, "only voxels from this value on, inclusive", "any");
+    visit.maybe(
+        "upper", edit.upper, modalityValue, "only voxels up to this value, inclusive", "any");
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether voxels of other segments that are not locked are taken");
+    visit.field("seeds", Presence::Optional, edit.seeds, editFields::Flag{},
+        "whether what is painted takes part in growth: the next one goes on from there");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, BrushStroke& edit)
+{
+    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+    visitPath(visit, edit.path);
+    visit.field("restore", Presence::Optional, edit.restore, editFields::Flag{},
+        "whether carved voxels come back instead");
 }
 
 } // namespace core::editSchema

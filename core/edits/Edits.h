@@ -104,6 +104,37 @@ struct DrillStroke {
     std::vector<PenSample> samples{};
 };
 
+/// Where a brush went: all that lies within its radius of the path, which runs straight from point
+/// to point.
+struct BrushPath {
+    enum class Shape {
+        Ball,
+        Disc, ///< round in a plane, one voxel thick
+    };
+    double radiusMm = 4.0;
+    Shape shape = Shape::Ball;
+    std::optional<glm::dvec3> normalLps{}; ///< of a disc's plane, which holds the first point
+    std::vector<glm::dvec3> pointsLps{};
+};
+
+/// Paints a segment, or erases it, along a path.
+struct PaintStroke {
+    int segment = 0; ///< label
+    BrushPath path{};
+    bool erase = false;
+    std::optional<double> lower{}; ///< modality units, inclusive; none: any
+    std::optional<double> upper{};
+    bool overwriteUnlocked = false;
+    bool seeds = false; ///< what is painted takes part in growth: it goes on from there
+};
+
+/// Carves, or restores what was carved, along a path.
+struct BrushStroke {
+    int layer = 1;
+    BrushPath path{};
+    bool restore = false;
+};
+
 /// "Undo only here": takes back older rows of the history and leaves what came after them. Their
 /// bricks must not have been written or read since (session/RowReach.h).
 struct RevertRows {
@@ -123,6 +154,6 @@ struct ReviseStroke {
 
 using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
-    RevertRows, ReviseStroke>;
+    RevertRows, ReviseStroke, PaintStroke, BrushStroke>;
 
 } // namespace core

@@ -41,4 +41,21 @@ namespace core {
 [[nodiscard]] std::vector<DrillSample> drillPath(const DrillStroke& stroke, const DrillFrame& frame,
     const PenSample* from, const std::vector<PenSample>& samples);
 
+/// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
+/// below @p name (no point, a disc without a direction across its plane).
+[[nodiscard]] Result<CapsuleFrame> capsuleFrame(
+    const BrushPath& path, const VolumeGeometry& geometry, const QString& name);
+
+/// A brush's way through @p points, in pieces that the frame has room for; what cannot meet the
+/// volume is left out. A way may be converted in parts: `from` is the last point of the part before
+/// (none for the first).
+[[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
+    const glm::dvec3* from, const std::vector<glm::dvec3>& points);
+
+/// The path is not in it. Errors: UnknownSegment, SegmentLocked, InvalidField.
+[[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
+
+/// Likewise. Errors: InvalidField.
+[[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);
+
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
+#include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
 
 #include <bitset>
@@ -65,7 +66,37 @@ struct EraseLabel {
     std::uint8_t label = 0;
 };
 
-using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel>;
+/// Paint a label along a path, or erase it. Looked at are the voxels inside (CapsuleSweep.h, rule 4)
+/// with lowCode ≤ code ≤ highCode; "bears" is said of words of members and of pending seeds.
+///
+/// Paint: a voxel that the plane holds 0, the label or a label in `overwritable` at receives the
+/// label. Of these voxels' seed words: with `seeds` each that is no member of the label becomes
+/// member(0, label, 31), else each that bears another label becomes unvisited. Generation 0 comes
+/// before any growth, so a growth goes on from there, while shrinking it (which takes away what is
+/// later than some generation) leaves what was painted; and no burst counts it as its own.
+/// Erase: a voxel that the plane holds the label at becomes 0, and a seed word that bears the label
+/// becomes unvisited: the place is open to growth.
+struct PaintLabel {
+    std::uint8_t plane = 0;
+    std::uint8_t label = 0;
+    std::bitset<256> overwritable {};
+    bool erase = false;
+    bool seeds = false;
+    int lowCode = 0;
+    int highCode = 65535;
+    CapsuleFrame frame;
+};
+
+/// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5; to
+/// restore, coverage = min(coverage, 255 − cut).
+struct CapsuleCut {
+    std::uint8_t layer = 0;
+    bool restore = false;
+    CapsuleFrame frame;
+};
+
+using EngineEdit
+    = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -83,7 +114,12 @@ struct GrowAdvance {
 /// Forget steps that were asked for and not yet done.
 struct GrowPause { };
 
-using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause>;
+/// More of the path of PaintLabel or CapsuleCut.
+struct CapsulePath {
+    std::vector<Capsule> capsules;
+};
+
+using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath>;
 
 // --- Commands -------------------------------------------------------------------------------------
 
@@ -91,8 +127,8 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause>;
 // while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of another kind
 // of edit; SwapBricks or MuteLayers while a transaction is open; a brick or voxel that the volume
 // does not have; an image that is neither empty nor whole; a connectivity other than 6; a segment
-// label of 0; a frame whose pitch, rampHalfWidth or gapSamples is below 1; a table of opacities of
-// another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
+// label of 0; a drill's frame whose pitch, rampHalfWidth or gapSamples is below 1; a brush's that is
+// not sound (isSound()); a table of opacities of another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
 // open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.

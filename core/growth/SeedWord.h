@@ -8,7 +8,7 @@ namespace core::seedWord {
 /// One 32-bit word per voxel of a live growth (DESIGN §4; seed A §5.1 "seed map").
 ///
 ///   bit 31      1: not a member
-///   bits 30..13 generation, 1 … 262143 for members
+///   bits 30..13 generation of a member, 1 … 262143; 0: painted, before any growth (PaintLabel)
 ///   bits 12..5  label of the segment it grows
 ///   bits 4..0   direction to the parent, see below; 31: seed
 ///

@@ -20,6 +20,10 @@ std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
         const Edit& edit = history.row(id).edit;
         if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
             strokes.push_back({.row = id, .stroke = *drill, .removed = false});
+        } else if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
+            StandingStroke& stroke = strokes.emplace_back();
+            stroke.row = id;
+            stroke.brush = *brush;
         } else if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
             const auto found = std::find_if(strokes.begin(), strokes.end(),
                 [revise](const StandingStroke& stroke) { return stroke.row == revise->row; });

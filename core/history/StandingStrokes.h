@@ -7,16 +7,23 @@
 
 namespace core {
 
-/// A drill stroke of the history as it counts now.
+/// A sculpting stroke of the history as it counts now: of the drill, or of the carve brush.
 struct StandingStroke {
     RowId row = 0; ///< where it was drawn; its rays start on the surface as it was before that row
-    DrillStroke stroke; ///< as the last ReviseStroke that stands made it
+    DrillStroke stroke{}; ///< as the last ReviseStroke that stands made it
     bool removed = false; ///< by ReviseStroke: cuts nothing
+    std::optional<BrushStroke>
+        brush{}; ///< of the carve brush, which needs no surface; no drill then
     bool operator==(const StandingStroke& other) const;
+
+    [[nodiscard]] int layer() const { return brush ? brush->layer : stroke.layer; }
+    [[nodiscard]] bool restores() const { return brush && brush->restore; }
+    [[nodiscard]] Edit edit() const { return brush ? Edit(*brush) : Edit(stroke); }
 };
 
 /// The strokes whose cuts, laid over each other, are the coverage after a row; in the order in
-/// which they were drawn. Those that RevertRows took back are not among them.
+/// which they were drawn: carving by the greater value, restoring by what it leaves. Those that
+/// RevertRows took back are not among them.
 [[nodiscard]] std::vector<StandingStroke> standingStrokes(const History& history, RowId at);
 
 /// The stroke as an edit revises it.

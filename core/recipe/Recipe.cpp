@@ -168,6 +168,8 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
         static_cast<void>(applyToDocument(*edit, document));
         if (const auto* seed = std::get_if<SeedStroke>(edit))
             seeded.insert(seed->segment);
+        if (const auto* paint = std::get_if<PaintStroke>(edit); paint && !paint->erase)
+            seeded.insert(paint->segment);
     }
     const Volume& volume = document.volumes.front();
     std::set<QString> files;
@@ -182,8 +184,9 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
         if (target.format != ExportFormat::DicomSeg || walks)
             continue;
         for (const int label : seeded) {
-            if (!document.segment(label)->code.isSet())
-                return failure(ErrorCode::SegmentNotCoded, document.segment(label)->name);
+            const Segment* segment = document.segment(label);
+            if (segment && !segment->code.isSet())
+                return failure(ErrorCode::SegmentNotCoded, segment->name);
         }
     }
     return {};

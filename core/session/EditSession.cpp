@@ -156,8 +156,10 @@ Result<void> EditSession::begin(const Edit& edit)
     if (const Result<void> checked = checkFieldsAtBegin(edit); !checked)
         return checked;
     const Edit rounded = quantised(edit);
-    const bool isDrill = std::holds_alternative<DrillStroke>(rounded);
-    if (!isDrill && !std::holds_alternative<GrowSteps>(rounded))
+    const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
+        || std::holds_alternative<PaintStroke>(rounded)
+        || std::holds_alternative<BrushStroke>(rounded);
+    if (!isStroke && !std::holds_alternative<GrowSteps>(rounded))
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));
     m_queue->closeGrowth();
@@ -174,6 +176,12 @@ void EditSession::extendDrill(const std::vector<PenSample>& samples)
 {
     if (VoxelOperation* open = m_queue->interactive())
         open->extendDrill(m_queue->state(), quantised(samples));
+}
+
+void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps)
+{
+    if (VoxelOperation* open = m_queue->interactive())
+        open->extendPath(m_queue->state(), quantised(pointsLps));
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)

@@ -76,8 +76,10 @@ public:
     Result<void> apply(const Edit& edit);
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
-    Result<void> begin(const Edit& edit); ///< DrillStroke without samples, or GrowSteps
+    /// DrillStroke without samples, PaintStroke or BrushStroke with the first point, or GrowSteps
+    Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
+    void extendPath(const std::vector<glm::dvec3>& pointsLps); ///< of a PaintStroke or BrushStroke
     void extendGrowth(GrowAdvance advance);
     void pauseGrowth();
     void end(Ending ending);

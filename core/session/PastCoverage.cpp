@@ -96,8 +96,20 @@ void PastCoverage::overlay(SessionState& state, const std::map<BrickKey, BrickIm
         m_toPut[key] = m_images.at(key);
 }
 
-Result<Ticket> PastCoverage::drill(SessionState& state, const DrillStroke& stroke)
+Result<Ticket> PastCoverage::cut(SessionState& state, const StandingStroke& standing)
 {
+    if (standing.brush) {
+        BrushStroke brush = *standing.brush;
+        brush.layer = scratchLayer;
+        brush.restore = false;
+        Result<CapsuleCut> cut = capsuleCut(brush, state.document);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        CapsulePath path{capsules(
+            brush.path, state.document.volumes.front().geometry, nullptr, brush.path.pointsLps)};
+        return submitWhole(state.engine, *std::move(cut), {std::move(path)});
+    }
+    const DrillStroke& stroke = standing.stroke;
     Result<DrillCut> cut = drillCut(stroke, state.document);
     if (!cut)
         return tl::unexpected(cut.error());

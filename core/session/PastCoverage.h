@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/Edits.h"
+#include "core/history/StandingStrokes.h"
 #include "core/session/SessionState.h"
 
 #include <map>
@@ -13,7 +14,7 @@ namespace core {
 using StrokeCut = std::map<std::uint32_t, std::vector<std::uint8_t>>;
 
 /// Lends the engine's coverage for a look into the past: takes it back to what it was before an
-/// older row and drills there, into a layer that no document has, so that the stroke starts on the
+/// older row and cuts there, into a layer that no document has, so that the stroke starts on the
 /// surface that it found then and what it cuts stands alone. Part of ReviseOperation.
 ///
 /// Nothing here is a row; whoever began it ends it by restore(). Tickets follow each other, so of
@@ -38,8 +39,9 @@ public:
     void goBefore(SessionState& state, RowId row);
     /// Lays other bricks over the past, until the next goBefore() or restore().
     void overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images);
-    /// @return the ticket whose result cutOf() reads; or why it cannot be drilled
-    [[nodiscard]] Result<Ticket> drill(SessionState& state, const DrillStroke& stroke);
+    /// @return the ticket whose result cutOf() reads; or why it cannot be cut. What a restoring
+    /// stroke gives back is cut too.
+    [[nodiscard]] Result<Ticket> cut(SessionState& state, const StandingStroke& stroke);
     [[nodiscard]] StrokeCut cutOf(const EngineResult& result);
     /// Back to the position.
     void restore(SessionState& state);

@@ -84,6 +84,23 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
         claims.push_back({RowReach(form, state.document, {}), row, 0});
 }
 
+/// A revision folds in the brush's cuts wherever its own stroke reaches, also where nothing came of
+/// it: taking the brush back after it would leave what lay hidden below.
+bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
+    const Edit& later)
+{
+    const auto* revise = std::get_if<ReviseStroke>(&later);
+    if (!revise || !std::holds_alternative<BrushStroke>(taken))
+        return false;
+    for (const DrillStroke& form : formsOf(state.history, revise->row)) {
+        const RowReach reach(form, state.document, {});
+        if (std::any_of(written.begin(), written.end(),
+                [&reach](const BrickKey& key) { return reach.covers(key); }))
+            return true;
+    }
+    return false;
+}
+
 /// Whether segments that are locked keep their voxels.
 Result<void> checkLocks(const Document& document, const std::vector<BrickChange>& now,
     const std::vector<BrickImage>& then)
@@ -195,6 +212,12 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
         if (changesDocumentOnly(row.edit)
             || !std::binary_search(standing.begin(), standing.end(), id))
             continue;
+        for (const RowId before : m_edit.rows) {
+            if (before < id
+                && foldedIn(
+                    state, history.row(before).edit, keysOf(m_differences.at(before)), row.edit))
+                return entangled(row, history.row(before));
+        }
         for (const Claim& claim : claims) {
             if (!claim.isHurtBy(row.edit))
                 continue;

@@ -138,7 +138,7 @@ void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
 {
     if (stroke.removed)
         return then(state, {});
-    const Result<Ticket> ticket = m_past.drill(state, stroke.stroke);
+    const Result<Ticket> ticket = m_past.cut(state, stroke);
     if (!ticket)
         return giveUp(state, ticket.error());
     await(*ticket, [this, then = std::move(then)](SessionState& now, EngineResult&& result) {
@@ -173,7 +173,7 @@ void ReviseOperation::chooseBricks(SessionState& state)
     const auto misses = [&](const StandingStroke& stroke) {
         if (stroke.row == m_edit.row)
             return false;
-        const RowReach reach(stroke.stroke, state.document, {});
+        const RowReach reach(stroke.edit(), state.document, {});
         return std::none_of(m_folded.begin(), m_folded.end(),
             [&reach](const auto& brick) { return reach.covers(brick.first); });
     };
@@ -209,7 +209,7 @@ void ReviseOperation::foldNext(SessionState& state)
     }
     m_past.goBefore(state, stroke.row);
     cut(state, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
-        if (stroke.row > m_edit.row)
+        if (stroke.row > m_edit.row && !stroke.brush)
             return compare(now, stroke, std::move(recorded));
         lay(recorded, stroke);
         foldNext(now);
@@ -232,11 +232,17 @@ void ReviseOperation::compare(SessionState& state, const StandingStroke& stroke,
 void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
 {
     for (const auto& [brick, bytes] : cut) {
-        const auto found =
-            m_folded.find({Field::Coverage, std::uint8_t(stroke.stroke.layer), brick});
+        const auto found = m_folded.find({Field::Coverage, std::uint8_t(stroke.layer()), brick});
         if (found == m_folded.end())
             continue;
         std::vector<std::uint8_t>& held = found->second.bytes;
+        if (stroke.restores()) {
+            std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
+                [](std::uint8_t a, std::uint8_t b) { return std::min(a, std::uint8_t(255 - b)); });
+            if (std::all_of(held.begin(), held.end(), [](std::uint8_t a) { return a == 0; }))
+                held.clear(); // an empty brick has no bytes
+            continue;
+        }
         if (held.empty())
             held = bytes;
         std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),

@@ -150,6 +150,24 @@ QString listName(const Edit& edit, const Document& document)
     return {};
 }
 
+QString millimetres(double mm)
+{
+    return QString::number(mm, 'f', 1) + QStringLiteral(" mm");
+}
+
+QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const Document& document)
+{
+    // What only makes seeds of painted voxels, or takes seeds away, changes no label.
+    const std::int64_t voxels = statistics.voxelsChanged;
+    const QString count =
+        voxels > 0 ? counted(voxels, "voxel") : counted(seedWordsChanged(changes), "seed voxel");
+    return QStringLiteral("%1 %2 %3, %4%5")
+        .arg(stroke.erase ? QStringLiteral("Erase") : QStringLiteral("Paint"),
+            quoted(segmentName(stroke.segment, document)), millimetres(stroke.path.radiusMm),
+            stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
+}
+
 /// A row without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2 mm".
 QString titleOf(const HistoryRow& row)
 {
@@ -228,6 +246,12 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return revertName(*revert, statistics, changes, history);
     if (const auto* revise = std::get_if<ReviseStroke>(&edit))
         return revisionName(*revise, statistics, history);
+    if (const auto* paint = std::get_if<PaintStroke>(&edit))
+        return paintName(*paint, statistics, changes, document);
+    if (const auto* brush = std::get_if<BrushStroke>(&edit))
+        return QStringLiteral("%1 %2, %3")
+            .arg(brush->restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
+                millimetres(brush->path.radiusMm), counted(statistics.voxelsChanged, "voxel"));
     return QStringLiteral("Drill %1 mm, %2")
         .arg(QString::number(deepestMm(std::get<DrillStroke>(edit)), 'f', 1),
             counted(statistics.bricks, "brick"));

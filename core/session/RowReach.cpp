@@ -29,6 +29,19 @@ glm::dvec2 millimetres(const Fixed3& fixed30)
     return glm::dvec2(double(fixed30[0]), double(fixed30[1])) / 1073741824.0;
 }
 
+/// The bricks under a brush.
+std::set<std::uint32_t> bricksUnder(
+    const BrushPath& path, const CapsuleFrame& frame, const VolumeGeometry& geometry)
+{
+    std::set<std::uint32_t> under;
+    for (const Capsule& capsule : capsules(path, geometry, nullptr, path.pointsLps)) {
+        const std::vector<std::uint32_t> near =
+            bricksNear(frame, capsule, BrickGrid{geometry.size});
+        under.insert(near.begin(), near.end());
+    }
+    return under;
+}
+
 } // namespace
 
 RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written)
@@ -63,6 +76,26 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
             halfDiagonalMm += 1.5 * BrickGrid::side * glm::length(mask.perVoxel[axis]);
         mask.reachMm = drill->radiusMm + halfDiagonalMm;
         m_reach = std::move(mask);
+    } else if (const auto* paint = std::get_if<PaintStroke>(&edit)) {
+        Bricks bricks;
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const Segment* segment = document.segment(paint->segment);
+        const std::uint8_t plane = segment ? segment->plane : std::uint8_t(0);
+        if (const auto frame = capsuleFrame(paint->path, geometry, {})) {
+            for (const std::uint32_t brick : bricksUnder(paint->path, *frame, geometry)) {
+                bricks.keys.insert({Field::Labels, plane, brick});
+                bricks.keys.insert({Field::SeedWords, plane, brick});
+            }
+        }
+        m_reach = std::move(bricks);
+    } else if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
+        Bricks bricks;
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        if (const auto frame = capsuleFrame(brush->path, geometry, {})) {
+            for (const std::uint32_t brick : bricksUnder(brush->path, *frame, geometry))
+                bricks.keys.insert({Field::Coverage, std::uint8_t(brush->layer), brick});
+        }
+        m_reach = std::move(bricks);
     } else {
         m_reach = Bricks{{written.begin(), written.end()}};
     }

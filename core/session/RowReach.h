@@ -18,6 +18,8 @@ namespace core {
 /// - a segment that was deleted: likewise, since its label must not come back without it;
 /// - a drill stroke: the coverage that its rays can meet, one brick of blur around (seed A §4.2):
 ///   all layers, muted or not, from front to back under the swept mask;
+/// - paint: the labels and seed words of the bricks under the brush;
+/// - a carve brush: the coverage of its own layer in the bricks under the brush;
 /// - "undo only": the bricks of the rows that it took back;
 /// - a revised stroke: the bricks that it wrote. (It also folds in what lay hidden there, which
 ///   RevertOperation looks after.)

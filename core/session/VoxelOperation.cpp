@@ -34,6 +34,15 @@ bool openingAdmittedSeeds(const std::vector<BrickChange>& changes, std::uint32_t
     return false;
 }
 
+/// The way of a brush; null for other edits.
+BrushPath* pathOf(Edit& edit)
+{
+    if (auto* paint = std::get_if<PaintStroke>(&edit))
+        return &paint->path;
+    auto* brush = std::get_if<BrushStroke>(&edit);
+    return brush ? &brush->path : nullptr;
+}
+
 std::vector<BrickImage> imagesBefore(const std::vector<BrickChange>& changes)
 {
     std::vector<BrickImage> images;
@@ -72,6 +81,18 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(erase.error());
         return EngineEdit(*erase);
     }
+    if (const auto* paint = std::get_if<PaintStroke>(&m_edit)) {
+        Result<PaintLabel> label = paintLabel(*paint, document);
+        if (!label)
+            return tl::unexpected(label.error());
+        return EngineEdit(*std::move(label));
+    }
+    if (const auto* brush = std::get_if<BrushStroke>(&m_edit)) {
+        Result<CapsuleCut> cut = capsuleCut(*brush, document);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        return EngineEdit(*std::move(cut));
+    }
     Result<DrillCut> cut = drillCut(std::get<DrillStroke>(m_edit), document);
     if (!cut)
         return tl::unexpected(cut.error());
@@ -98,6 +119,9 @@ void VoxelOperation::start(SessionState& state)
     // Samples of a stroke that had to wait in line are all in the edit by now.
     if (drill && !drill->samples.empty())
         m_waiting.push_front(DrillPath{drillPath(*drill, *m_frame, nullptr, drill->samples)});
+    if (const BrushPath* path = pathOf(m_edit))
+        m_waiting.push_front(CapsulePath{
+            capsules(*path, state.document.volumes.front().geometry, nullptr, path->pointsLps)});
     if (grow && m_kind == Kind::Whole && grow->steps.value_or(1) > 0)
         m_waiting.push_back(GrowAdvance{.steps = grow->steps.value_or(GrowAdvance::toClosure)});
     if (m_kind == Kind::Whole)
@@ -116,6 +140,20 @@ void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSampl
         m_waiting.push_back(DrillPath{drillPath(*drill, *m_frame, last, samples)});
     }
     drill->samples.insert(drill->samples.end(), samples.begin(), samples.end());
+    submitWaiting(state);
+}
+
+void VoxelOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps)
+{
+    BrushPath* path = pathOf(m_edit);
+    if (!path || !open() || pointsLps.empty())
+        return;
+    if (m_begun) {
+        const glm::dvec3 last = path->pointsLps.back();
+        m_waiting.push_back(CapsulePath{
+            capsules(*path, state.document.volumes.front().geometry, &last, pointsLps)});
+    }
+    path->pointsLps.insert(path->pointsLps.end(), pointsLps.begin(), pointsLps.end());
     submitWaiting(state);
 }
 

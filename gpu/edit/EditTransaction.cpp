@@ -38,6 +38,22 @@ core::Result<void> check(const core::EraseLabel& edit, const core::BrickGrid&)
     return {};
 }
 
+core::Result<void> check(const core::PaintLabel& edit, const core::BrickGrid&)
+{
+    if (edit.label == 0)
+        return refusal("label", "0 is no segment");
+    if (!core::isSound(edit.frame))
+        return refusal("frame", "is not sound");
+    return {};
+}
+
+core::Result<void> check(const core::CapsuleCut& edit, const core::BrickGrid&)
+{
+    if (!core::isSound(edit.frame))
+        return refusal("frame", "is not sound");
+    return {};
+}
+
 } // namespace
 
 tl::unexpected<core::Error> refusal(const char* field, const char* reason)
@@ -82,6 +98,10 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_drill.emplace(programs.drill, fields, before, *drill);
     } else if (const auto* erase = std::get_if<core::EraseLabel>(&edit)) {
         transaction->m_erasedBricks = eraseLabel(programs.erase, fields, before, *erase);
+    } else if (const auto* paint = std::get_if<core::PaintLabel>(&edit)) {
+        transaction->m_capsule.emplace(programs.capsule, fields, before, *paint);
+    } else if (const auto* cut = std::get_if<core::CapsuleCut>(&edit)) {
+        transaction->m_capsule.emplace(programs.capsule, fields, before, *cut);
     }
     return transaction;
 }
@@ -92,6 +112,12 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
         if (!m_drill)
             return refusal("extension", "the open edit is no drill stroke");
         m_drill->extend(path->samples);
+        return {};
+    }
+    if (const auto* path = std::get_if<core::CapsulePath>(&extension)) {
+        if (!m_capsule)
+            return refusal("extension", "the open edit is no stroke of a brush");
+        m_capsule->extend(path->capsules);
         return {};
     }
     if (!m_growth)
@@ -133,6 +159,8 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
     }
     if (const auto* drill = std::get_if<core::DrillCut>(&m_edit))
         add(core::Field::Coverage, drill->layer, m_drill->touchedBricks());
+    if (m_capsule)
+        return m_capsule->touchedKeys();
     return keys;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/CapsuleKernel.h"
 #include "gpu/edit/DrillKernel.h"
 #include "gpu/edit/EraseKernel.h"
 #include "gpu/edit/GrowthKernel.h"
@@ -19,12 +20,14 @@ struct EditPrograms {
         : growth(library)
         , drill(library)
         , erase(library)
+        , capsule(library)
     {
     }
 
     GrowthPrograms growth;
     DrillPrograms drill;
     ErasePrograms erase;
+    CapsulePrograms capsule;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -61,6 +64,7 @@ private:
     std::vector<core::BrickKey> m_erasedBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<DrillKernel> m_drill;
+    std::optional<CapsuleKernel> m_capsule;
     int m_stepsLeft = 0; ///< negative: to closure
     double m_generationsPerSecond = 0.0;
 };

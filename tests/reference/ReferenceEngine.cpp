@@ -121,6 +121,22 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::EraseLabel& edi
     return Done{};
 }
 
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintLabel& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    if (!core::isSound(edit.frame))
+        return refuse("frame", "is not sound");
+    return Capsules(m_codes, m_fields, edit);
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CapsuleCut& edit)
+{
+    if (!core::isSound(edit.frame))
+        return refuse("frame", "is not sound");
+    return Capsules(m_codes, m_fields, edit);
+}
+
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::BeginEdit& command)
 {
     if (m_open)
@@ -142,6 +158,13 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
         if (!drill)
             return refuse("extension", "the open edit is no drill stroke");
         drill->extend(path->samples);
+        return std::nullopt;
+    }
+    if (const auto* path = std::get_if<core::CapsulePath>(&command.extension)) {
+        Capsules* stroke = std::get_if<Capsules>(&m_open->work);
+        if (!stroke)
+            return refuse("extension", "the open edit is no stroke of a brush");
+        stroke->extend(path->capsules);
         return std::nullopt;
     }
     Growth* growth = std::get_if<Growth>(&m_open->work);

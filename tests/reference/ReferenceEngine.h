@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/EditEngine.h"
+#include "tests/reference/Capsules.h"
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/Drill.h"
 #include "tests/reference/Growth.h"
@@ -32,7 +33,7 @@ public:
 private:
     /// An edit that is done once it has begun.
     struct Done { };
-    using Work = std::variant<Done, Growth, Drill>;
+    using Work = std::variant<Done, Growth, Drill, Capsules>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;
@@ -53,6 +54,8 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);
     [[nodiscard]] core::Result<Work> begin(core::DrillCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);
+    [[nodiscard]] core::Result<Work> begin(core::PaintLabel& edit);
+    [[nodiscard]] core::Result<Work> begin(core::CapsuleCut& edit);
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;

@@ -19,6 +19,11 @@ namespace test {
 /// A drill stroke at a document's volume from a random direction, with a random path.
 [[nodiscard]] core::DrillStroke randomDrill(const core::Document& document, Random& random);
 
+/// Brushes, on and off a document's volume; some rest, some leave it far behind.
+[[nodiscard]] core::BrushPath randomPath(const core::Document& document, Random& random);
+[[nodiscard]] core::PaintStroke randomPaint(const core::Document& document, Random& random);
+[[nodiscard]] core::BrushStroke randomBrush(const core::Document& document, Random& random);
+
 /// The engine's form of a stroke; the stroke must be valid.
 [[nodiscard]] core::DrillCut drillCutOf(
     const core::DrillStroke& stroke, const core::Document& document);
@@ -30,6 +35,7 @@ namespace test {
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> pickCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> eraseCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> capsuleCases(int randomCount); ///< paint and carve brush
 [[nodiscard]] std::vector<EngineCase> layerCases(int randomCount); ///< muted ones
 [[nodiscard]] std::vector<EngineCase> refusalCases();
 

@@ -137,7 +137,8 @@ void HistoryTruth::add(const HistoryRow& row)
     const Edit& edit = row.edit;
     if (changesDocumentOnly(edit)) {
         changeDocument(edit, next.document);
-    } else if (std::holds_alternative<DrillStroke>(edit) || std::holds_alternative<RevertRows>(edit)
+    } else if (std::holds_alternative<DrillStroke>(edit)
+        || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<RevertRows>(edit)
         || std::holds_alternative<ReviseStroke>(edit)) {
         // Everything anew: what stands is grown again, and all cuts are laid over each other.
         const Bricks carved = carvedUntil(row.id);
@@ -164,6 +165,7 @@ HistoryTruth::Bricks HistoryTruth::regrown(RowId row) const
         const HistoryRow& done = m_rows.at(id);
         if (std::holds_alternative<SeedStroke>(done.edit)
             || std::holds_alternative<GrowSteps>(done.edit)
+            || std::holds_alternative<PaintStroke>(done.edit)
             || std::holds_alternative<RemoveSegment>(done.edit)) {
             std::uint32_t ignored = 0;
             bricks = grown(bricks, done.edit, done.parent, &ignored);
@@ -181,6 +183,11 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *seedPlacement(*seed, document), {}, nullptr);
     if (const auto* remove = std::get_if<RemoveSegment>(&edit))
         return withoutLabel(before, remove->segment);
+    if (const auto* paint = std::get_if<PaintStroke>(&edit))
+        return after(before, *paintLabel(*paint, document),
+            {CapsulePath{
+                capsules(paint->path, m_study.volume.geometry, nullptr, paint->path.pointsLps)}},
+            nullptr);
     const auto& grow = std::get<GrowSteps>(edit);
     const int steps = grow.steps.value_or(GrowAdvance::toClosure);
     std::vector<EngineExtension> extensions;
@@ -196,46 +203,71 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
         const Edit& edit = m_rows.at(id).edit;
         if (const auto* drill = std::get_if<DrillStroke>(&edit))
             strokes.push_back({id, *drill});
+        if (const auto* brush = std::get_if<BrushStroke>(&edit))
+            strokes.push_back({id, *brush});
         const auto* revise = std::get_if<ReviseStroke>(&edit);
         for (Stroke& stroke : strokes) {
             if (!revise || stroke.row != revise->row)
                 continue;
-            stroke.form = std::get<DrillStroke>(m_rows.at(stroke.row).edit);
-            stroke.form.radiusMm = revise->radiusMm.value_or(stroke.form.radiusMm);
-            stroke.form.depthMm = revise->depthMm.value_or(stroke.form.depthMm);
-            stroke.form.layer = revise->layer.value_or(stroke.form.layer);
-            stroke.form.throughGaps = revise->throughGaps.value_or(stroke.form.throughGaps);
+            auto form = std::get<DrillStroke>(m_rows.at(stroke.row).edit);
+            form.radiusMm = revise->radiusMm.value_or(form.radiusMm);
+            form.depthMm = revise->depthMm.value_or(form.depthMm);
+            form.layer = revise->layer.value_or(form.layer);
+            form.throughGaps = revise->throughGaps.value_or(form.throughGaps);
             if (revise->removed)
-                stroke.form.samples.clear();
+                form.samples.clear();
+            stroke.form = form;
         }
     }
     Bricks carved;
     for (const Stroke& stroke : strokes) {
+        const auto* brush = std::get_if<BrushStroke>(&stroke.form);
+        const int layer = brush ? brush->layer : std::get<DrillStroke>(stroke.form).layer;
         for (const auto& [brick, bytes] : cutOf(stroke)) {
-            std::vector<std::uint8_t>& held =
-                carved[{Field::Coverage, std::uint8_t(stroke.form.layer), brick}];
+            std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
             for (std::size_t i = 0; i < bytes.size(); ++i)
-                held[i] = std::max(held[i], bytes[i]);
+                held[i] = brush && brush->restore ? std::min(held[i], std::uint8_t(255 - bytes[i]))
+                                                  : std::max(held[i], bytes[i]);
         }
     }
+    std::erase_if(carved, [](const auto& each) {
+        return std::count(each.second.begin(), each.second.end(), 0) == std::ssize(each.second);
+    });
     return carved;
 }
 
 HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
 {
     const QByteArray key = QByteArray::number(qlonglong(stroke.row))
-        + QJsonDocument(editToJson(stroke.form)).toJson(QJsonDocument::Compact);
+        + std::visit(
+            [](const auto& form) {
+                return QJsonDocument(editToJson(form)).toJson(QJsonDocument::Compact);
+            },
+            stroke.form);
     if (const auto known = m_cuts.find(key); known != m_cuts.end())
         return known->second;
     const State& before = m_states.at(m_rows.at(stroke.row).parent);
-    DrillCut alone = *drillCut(stroke.form, before.document);
-    alone.layer = truthLayer;
-    const DrillPath path{drillPath(stroke.form, alone.frame, nullptr, stroke.form.samples)};
     Bricks coverage = before.bricks;
     std::erase_if(coverage, [](const auto& each) { return isOf(each.first, false); });
+    EngineEdit edit;
+    std::vector<EngineExtension> paths;
+    if (const auto* drill = std::get_if<DrillStroke>(&stroke.form)) {
+        DrillCut alone = *drillCut(*drill, before.document);
+        alone.layer = truthLayer;
+        paths.push_back(DrillPath{drillPath(*drill, alone.frame, nullptr, drill->samples)});
+        edit = alone;
+    } else {
+        const auto& brush = std::get<BrushStroke>(stroke.form);
+        CapsuleCut alone = *capsuleCut(brush, before.document);
+        alone.layer = truthLayer;
+        alone.restore = false;
+        paths.push_back(CapsulePath{
+            capsules(brush.path, m_study.volume.geometry, nullptr, brush.path.pointsLps)});
+        edit = alone;
+    }
     Cut cut;
-    for (const auto& [brick, bytes] : after(coverage, alone, {path}, nullptr, &before.document)) {
+    for (const auto& [brick, bytes] : after(coverage, edit, paths, nullptr, &before.document)) {
         if (brick.plane == truthLayer)
             cut[brick.brick] = bytes;
     }

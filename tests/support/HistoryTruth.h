@@ -9,6 +9,7 @@
 
 #include <map>
 #include <set>
+#include <variant>
 #include <vector>
 
 namespace test {
@@ -40,13 +41,13 @@ private:
     };
     struct Stroke {
         core::RowId row = 0;
-        core::DrillStroke form;
+        std::variant<core::DrillStroke, core::BrushStroke> form;
     };
 
     [[nodiscard]] std::vector<core::RowId> path(core::RowId row) const;
     [[nodiscard]] std::set<core::RowId> standing(core::RowId row) const;
     void toggle(core::RowId row, bool stands, std::set<core::RowId>& rows) const;
-    /// Seeds, growths and deletions that stand, one after the other.
+    /// Seeds, growths, paint and deletions that stand, one after the other.
     [[nodiscard]] Bricks regrown(core::RowId row) const;
     [[nodiscard]] Bricks carvedUntil(core::RowId row);
     [[nodiscard]] Cut cutOf(const Stroke& stroke);

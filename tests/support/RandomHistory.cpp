@@ -120,7 +120,13 @@ private:
     {
         const std::size_t rows = m_session->history().rows().size();
         Edit edit = randomGrowth();
-        if (chance(50)) {
+        if (chance(30)) {
+            BrushStroke stroke = randomBrush();
+            const std::vector<glm::dvec3> points = stroke.path.pointsLps;
+            stroke.path.pointsLps.resize(1);
+            if (m_session->begin(stroke))
+                m_session->extendPath(points);
+        } else if (chance(50)) {
             DrillStroke stroke = randomDrill();
             const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
             if (m_session->begin(stroke))
@@ -157,9 +163,13 @@ private:
             return randomBookmark(document);
         if (dice < 44)
             return randomSeeds(any(document.segments).label);
-        if (dice < 58)
+        if (dice < 56)
             return randomGrowth();
-        if (dice < 75 || rows.empty())
+        if (dice < 62)
+            return randomPaint(any(document.segments).label);
+        if (dice < 68)
+            return randomBrush();
+        if (dice < 77 || rows.empty())
             return randomDrill();
         if (dice < 87)
             return ReviseStroke(randomRevision(rows));
@@ -239,6 +249,39 @@ private:
         stroke.depthMm = between(10, 90) / 10.0;
         stroke.layer = any(m_session->document().layers).id;
         stroke.throughGaps = chance(30);
+        return stroke;
+    }
+    /// From a place that drills reach; on one slice now and then.
+    BrushPath randomPath()
+    {
+        BrushPath path{.radiusMm = between(5, 60) / 10.0};
+        const DrillStroke drill = randomDrill();
+        glm::dvec3 at = drill.view.targetLps
+            + glm::dvec3(drill.samples.front().xMm, -between(6, 15), drill.samples.front().yMm);
+        for (int i = between(1, 4); i > 0; --i) {
+            at += glm::dvec3(between(-60, 60), between(-60, 60), between(-30, 30)) / 10.0;
+            path.pointsLps.push_back(at);
+        }
+        if (chance(40)) {
+            path.shape = BrushPath::Shape::Disc;
+            path.normalLps = glm::dvec3(0, 0, 1);
+        }
+        return path;
+    }
+    PaintStroke randomPaint(int segment)
+    {
+        PaintStroke stroke{.segment = segment, .path = randomPath()};
+        stroke.erase = chance(30);
+        stroke.seeds = chance(50);
+        stroke.overwriteUnlocked = chance(40);
+        if (chance(30))
+            stroke.lower = between(-200, 300);
+        return stroke;
+    }
+    BrushStroke randomBrush()
+    {
+        BrushStroke stroke{.layer = any(m_session->document().layers).id, .path = randomPath()};
+        stroke.restore = chance(40);
         return stroke;
     }
     ReviseStroke randomRevision(const std::vector<RowId>& rows)

@@ -61,6 +61,20 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
                 drill->samples.begin() + std::ptrdiff_t(last)});
             session.poll();
         }
+    } else if (std::holds_alternative<core::PaintStroke>(edit)
+        || std::holds_alternative<core::BrushStroke>(edit)) {
+        core::Edit first = edit;
+        const auto pathOf = [](core::Edit& each) -> core::BrushPath& {
+            auto* paint = std::get_if<core::PaintStroke>(&each);
+            return paint ? paint->path : std::get<core::BrushStroke>(each).path;
+        };
+        const std::vector<glm::dvec3> points = pathOf(first).pointsLps;
+        pathOf(first).pointsLps.resize(1);
+        require(session.begin(first), "begin");
+        for (std::size_t next = 1; next < points.size(); ++next) {
+            session.extendPath({points[next]});
+            session.poll();
+        }
     } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
         require(session.begin(*grow), "begin");
         const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
@@ -249,12 +263,22 @@ StrokeCase randomLists(int number)
 
 core::Edit randomEdit(const core::Document& document, Random& random)
 {
-    switch (random() % 5) {
+    switch (random() % 7) {
     case 0:
         return randomSeeds(document, randomInt(random, 1, 2), random);
     case 1:
     case 2:
         return randomGrowth(random);
+    case 3: {
+        core::Document segmented = document;
+        segmented.segments = {{.label = 1}, {.label = 2}};
+        return randomPaint(segmented, random);
+    }
+    case 4: {
+        core::BrushStroke stroke = randomBrush(document, random);
+        stroke.layer = 1;
+        return stroke;
+    }
     default: {
         core::DrillStroke stroke = randomDrill(document, random);
         stroke.layer = 1; // the layer that a session begins with
@@ -367,6 +391,46 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"revise a revised drill", volume,
         {drill, beside, core::ReviseStroke{.row = 1, .removed = true}},
         core::ReviseStroke{.row = 1, .depthMm = 0.5 * drill.depthMm}});
+
+    const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    core::PaintStroke paint{.segment = 1};
+    paint.path.radiusMm = 5.0;
+    paint.path.pointsLps = {geometry.toWorld({4.0, 9.0, 9.0}), geometry.toWorld({20.0, 16.0, 12.0}),
+        geometry.toWorld({30.0, 30.0, 12.0})};
+    core::PaintStroke eraser = paint;
+    eraser.erase = true;
+    eraser.path.radiusMm = 7.0;
+    core::PaintStroke slice = paint;
+    slice.path.shape = core::BrushPath::Shape::Disc;
+    slice.path.normalLps = geometry.direction()[2];
+    slice.seeds = true;
+    slice.lower = 200;
+    core::PaintStroke taker = slice;
+    taker.segment = 2;
+    taker.overwriteUnlocked = true;
+    core::BrushStroke brush;
+    brush.path = paint.path;
+    core::BrushStroke back = brush;
+    back.restore = true;
+    back.path.radiusMm = 3.0;
+    cases.push_back({"paint", volume, {first}, paint});
+    cases.push_back({"paint on a slice", volume, {first, paint}, slice});
+    cases.push_back({"paint over another", volume, {first, second, seeds, all, paint}, taker});
+    cases.push_back({"erase what has grown", volume, {first, seeds, all, paint}, eraser});
+    cases.push_back({"erase nothing", volume, {first}, eraser});
+    cases.push_back({"growth from paint", volume, {first, slice}, all});
+    cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
+    cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    cases.push_back({"carve brush", volume, {drill}, brush});
+    cases.push_back({"restore", volume, {drill, brush}, back});
+    cases.push_back({"restore what is whole", volume, {}, back});
+    cases.push_back({"drill after the brush", volume, {brush, back}, drill});
+    cases.push_back({"revise a drill below the brush", volume, {drill, brush, back, drill},
+        core::ReviseStroke{.row = 1, .radiusMm = drill.radiusMm * 1.5}});
+    cases.push_back({"remove a drill below the brush", volume, {drill, brush, back},
+        core::ReviseStroke{.row = 1, .removed = true}});
+    cases.push_back(
+        {"undo only the brush", volume, {first, brush, seeds, all}, core::RevertRows{{2}}});
 
     core::DrillStroke other = drill;
     other.layer = 2;

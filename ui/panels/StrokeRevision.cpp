@@ -11,10 +11,11 @@ namespace ui {
 
 namespace {
 
+/// Of the drill: the carve brush's strokes cannot be revised.
 std::optional<core::StandingStroke> standingStroke(const core::History& history, core::RowId row)
 {
     for (core::StandingStroke& stroke : core::standingStrokes(history, history.position())) {
-        if (stroke.row == row)
+        if (stroke.row == row && !stroke.brush)
             return std::move(stroke);
     }
     return {};

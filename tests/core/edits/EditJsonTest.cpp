@@ -87,6 +87,36 @@ private Q_SLOTS:
         QVERIFY(!std::get<ChangeSegment>(*change).rgb);
     }
 
+    void readsBrushes()
+    {
+        const Result<Edit> paint = editFromJson(
+            parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'disc','normalLps':[0,0,1],"
+                  "'pointsLps':[[1,2.5,-3],[4,5,6]],'lower':-10,'overwriteUnlocked':true}"));
+        QVERIFY(paint);
+        const auto& stroke = std::get<PaintStroke>(*paint);
+        QCOMPARE(stroke.segment, 2);
+        QVERIFY(stroke.path.shape == BrushPath::Shape::Disc);
+        QCOMPARE(stroke.path.normalLps->z, 1.0);
+        QCOMPARE(stroke.path.pointsLps.at(1).z, 6.0);
+        QCOMPARE(*stroke.lower, -10.0);
+        QVERIFY(!stroke.upper && !stroke.erase && !stroke.seeds && stroke.overwriteUnlocked);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*paint))), editToJson(*paint));
+
+        const Result<Edit> brush = editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'restore':true}"));
+        QVERIFY(brush);
+        QVERIFY(std::get<BrushStroke>(*brush).restore);
+        QVERIFY(std::get<BrushStroke>(*brush).path.shape == BrushPath::Shape::Ball);
+        QCOMPARE(std::get<BrushStroke>(*brush).layer, 1);
+
+        const Result<Edit> cube = editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cube'}"));
+        QVERIFY(!cube);
+        QCOMPARE(cube.error().arguments.value(0), QStringLiteral("brush.shape"));
+        QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':4,'pointsLps':[]}")));
+        QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':0,'pointsLps':[[0,0,0]]}")));
+    }
+
     void refusesUnknownEditsByName()
     {
         const Result<Edit> edit = editFromJson(parse("{'edit':'growl'}"));

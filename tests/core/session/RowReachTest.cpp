@@ -115,6 +115,57 @@ private Q_SLOTS:
         QVERIFY(covered > 0);
     }
 
+    /// Brushes write nothing beyond their reach, and do not care what stands there; nor do they
+    /// reach far.
+    void brushesReachTheirBricksOnly()
+    {
+        int wrote = 0;
+        int bricksNotNeeded = 0;
+        int bricksCovered = 0;
+        for (int number = 0; number < (test::longRun() ? 300 : 30); ++number) {
+            test::Random random{std::uint32_t(8000 + number)};
+            const glm::ivec3 size(90, 40, 60);
+            Document document = test::randomDocument(size, random, number % 2 != 0);
+            document.segments.push_back({.label = 1});
+            PaintStroke paint = test::randomPaint(document, random);
+            paint.erase = false;
+            paint.lower.reset();
+            paint.upper.reset();
+            BrushStroke brush = test::randomBrush(document, random);
+            brush.restore = false;
+            const std::vector<std::uint16_t> codes(std::size_t(size.x) * size.y * size.z, 7);
+            reference::ReferenceEngine engine;
+            QVERIFY(engine.openVolume(size, codes));
+            const VolumeGeometry& geometry = document.volumes.front().geometry;
+            submitWhole(engine, *paintLabel(paint, document),
+                {CapsulePath{capsules(paint.path, geometry, nullptr, paint.path.pointsLps)}});
+            submitWhole(engine, *capsuleCut(brush, document),
+                {CapsulePath{capsules(brush.path, geometry, nullptr, brush.path.pointsLps)}});
+            const std::vector<EngineResult> results = engine.collect();
+            for (std::size_t which = 0; which < 2; ++which) {
+                const RowReach reach(which == 0 ? Edit(paint) : Edit(brush), document, {});
+                for (const BrickChange& change : results[which].changes)
+                    QVERIFY(reach.covers(change.key));
+                wrote += results[which].changes.empty() ? 0 : 1;
+                const Field field = which == 0 ? Field::Labels : Field::Coverage;
+                const auto plane = std::uint8_t(which == 0 ? 0 : brush.layer);
+                for (int brick = 0; brick < BrickGrid{size}.brickCount(); ++brick) {
+                    const BrickKey key{field, plane, std::uint32_t(brick)};
+                    const bool needed =
+                        std::any_of(results[which].changes.begin(), results[which].changes.end(),
+                            [&key](const BrickChange& change) { return change.key == key; });
+                    bricksCovered += reach.covers(key) ? 1 : 0;
+                    bricksNotNeeded += reach.covers(key) && !needed ? 1 : 0;
+                }
+                QVERIFY(!reach.covers({field, std::uint8_t(plane + 1), 0}));
+            }
+        }
+        QVERIFY(wrote > 30);
+        QVERIFY2(
+            bricksNotNeeded * 3 < bricksCovered * 2, qPrintable(QString::number(bricksNotNeeded)));
+        qInfo("%d bricks in reach, %d of them unwritten", bricksCovered, bricksNotNeeded);
+    }
+
     void seedsReachTheirBricksOnly()
     {
         test::Random random{7};

@@ -31,8 +31,10 @@ void StrokeHashTest::agrees()
     const test::StrokeHashes direct = test::runStroke(engine, stroke);
     const QString text = test::contradiction(direct);
     QVERIFY2(text.isEmpty(), qPrintable(text));
+    const bool changesNothing = stroke.name == "growth of nothing" || stroke.name == "erase nothing"
+        || stroke.name == "restore what is whole";
     if (!stroke.name.startsWith("random"))
-        QCOMPARE(direct.finished == direct.before, stroke.name == "growth of nothing");
+        QCOMPARE(direct.finished == direct.before, changesNothing);
 
     reference::ReferenceEngine inner;
     reference::DelayedEngine late(inner, 11);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/VoxelFields.h"
+
+#include <set>
+#include <variant>
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels of brushes (capsulePaint.comp, capsuleCut.comp).
+struct CapsulePrograms {
+    explicit CapsulePrograms(const ShaderLibrary& library);
+
+    Program paint;
+    Program cut;
+};
+
+/// One stroke of a brush while the pen is down: paint (PaintLabel) or carve (CapsuleCut); rules in
+/// core/sculpt/CapsuleSweep.h. extend() looks at the bricks near the new pieces of path only, and
+/// in each brick at the pieces near it. Engine thread only.
+class CapsuleKernel {
+public:
+    CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
+        const core::PaintLabel& paint);
+    CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
+        const core::CapsuleCut& cut);
+
+    void extend(const std::vector<core::Capsule>& capsules);
+
+    /// What was changed.
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
+
+private:
+    /// Bricks near some pieces, each with those that it has to look at.
+    struct Candidates {
+        std::vector<std::uint32_t> bricks; ///< ascending
+        std::vector<std::vector<std::uint32_t>> near; ///< by brick: numbers of pieces
+    };
+    void extendBy(const std::vector<core::Capsule>& capsules);
+    /// Of a stroke that erases or restores: the brick holds nothing.
+    [[nodiscard]] bool nothingToTakeAway(std::uint32_t brick) const;
+    void write(const Candidates& candidates, const std::vector<core::Capsule>& capsules);
+    void setFrame(Program& program) const;
+    /// Runs a kernel whose textures are bound; what it says of each candidate.
+    [[nodiscard]] std::vector<std::uint32_t> run(
+        Program& program, const Candidates& candidates, const std::vector<core::Capsule>& capsules);
+    void paint(const core::PaintLabel& paint, const Candidates& candidates,
+        const std::vector<core::Capsule>& capsules);
+    void cut(const core::CapsuleCut& cut, const Candidates& candidates,
+        const std::vector<core::Capsule>& capsules);
+
+    CapsulePrograms& m_programs;
+    VoxelFields& m_fields;
+    BeforeImages& m_before;
+    std::variant<core::PaintLabel, core::CapsuleCut> m_edit;
+    core::CapsuleFrame m_frame;
+    std::set<core::BrickKey> m_touched;
+};
+
+} // namespace gpu

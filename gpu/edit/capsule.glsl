@@ -1,0 +1,71 @@
+// The distance of a voxel from the pieces of a brush's path (core/sculpt/CapsuleSweep.h, rules 1 to
+// 3), and which pieces a brick has to look at.
+
+struct Capsule {
+    ivec4 from;      // mm16; w: length, mm16
+    ivec4 direction; // unit vector · 2¹⁴
+};
+struct Candidate {
+    ivec4 base;  // stroke coordinates of the brick's first voxel, mm16; w: the brick
+    uvec4 span;  // first and one past the last of its pieces in `near`
+};
+layout(binding = 0, std430) readonly buffer Candidates { Candidate candidates[]; };
+layout(binding = 1, std430) readonly buffer Capsules { Capsule capsules[]; };
+layout(binding = 2, std430) readonly buffer Near { uint near[]; };
+// What changed in each candidate.
+layout(binding = 3, std430) buffer Changed { uint changed[]; };
+
+uniform ivec3 volumeSize;
+uniform ivec3 volumeBricks;
+uniform ivec3 perI; // mm16
+uniform ivec3 perJ;
+uniform ivec3 perK;
+uniform bool disc;
+uniform int halfThickness;
+uniform int radius;
+uniform int reach;
+uniform int shift;
+
+const uint farAway = 0xFFFFFFFFu;
+
+ivec3 strokePosition(Candidate candidate, ivec3 local)
+{
+    return candidate.base.xyz + local.x * perI + local.y * perJ + local.z * perK;
+}
+
+bool inSlab(ivec3 position)
+{
+    return !disc || abs(position.z) <= halfThickness;
+}
+
+int product(ivec3 a, ivec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// Squared, in units; farAway where the piece gives no distance.
+uint squaredDistance(Capsule capsule, ivec3 position)
+{
+    ivec3 a = position - capsule.from.xyz;
+    if (disc)
+        a.z = 0;
+    if (any(greaterThan(abs(a), ivec3(reach))))
+        return farAway;
+    ivec3 q = a >> shift;
+    ivec3 u = capsule.direction.xyz;
+    int h = clamp((product(q, u) + 8192) >> 14, 0, capsule.from.w >> shift);
+    ivec3 e = q - ((h * u + 8192) >> 14);
+    return uint(product(e, e));
+}
+
+// The least over the pieces that lie near the candidate.
+uint leastDistance(Candidate candidate, ivec3 local)
+{
+    ivec3 position = strokePosition(candidate, local);
+    uint least = farAway;
+    if (!inSlab(position))
+        return least;
+    for (uint i = candidate.span.x; i < candidate.span.y; ++i)
+        least = min(least, squaredDistance(capsules[near[i]], position));
+    return least;
+}

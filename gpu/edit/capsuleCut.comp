@@ -1,0 +1,57 @@
+// Carves or restores the candidate bricks of a brush (CapsuleCut in core/engine/EngineCommands.h).
+// One work-group a brick, each voxel written by one invocation.
+
+layout(local_size_x = 64) in;
+
+#include "edit/bricks.glsl"
+#include "edit/capsule.glsl"
+
+layout(binding = 1) uniform usampler3D pageTable;
+layout(binding = 0, r8ui) uniform uimage3D coverage; // atlas
+
+uniform int rampHalfWidth;
+uniform bool restore;
+
+uint squareRoot(uint value)
+{
+    // A float is a good guess; integers decide.
+    uint root = uint(sqrt(float(value)));
+    while (root * root > value)
+        --root;
+    while ((root + 1u) * (root + 1u) <= value)
+        ++root;
+    return root;
+}
+
+uint cutAt(uint squared)
+{
+    int distance = int(squareRoot(squared)) << shift;
+    int t = clamp(radius - distance, -rampHalfWidth, rampHalfWidth);
+    return uint((t + rampHalfWidth) * 255) / uint(2 * rampHalfWidth);
+}
+
+void main()
+{
+    Candidate candidate = candidates[gl_WorkGroupID.x];
+    ivec3 origin = brickPosition(candidate.base.w, volumeBricks) * brickSide;
+    uint entry = texelFetch(pageTable, origin >> 4, 0).r;
+    bool any = false;
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 local = voxelInBrick(offset);
+        if (!inside(origin + local, volumeSize))
+            continue;
+        uint squared = leastDistance(candidate, local);
+        if (squared == farAway)
+            continue;
+        uint cut = cutAt(squared);
+        ivec3 texel = atlasTexel(entry, origin + local);
+        uint held = imageLoad(coverage, texel).r;
+        uint wanted = restore ? min(held, 255u - cut) : max(held, cut);
+        if (wanted != held) {
+            imageStore(coverage, texel, uvec4(wanted));
+            any = true;
+        }
+    }
+    if (any)
+        changed[gl_WorkGroupID.x] = 1u;
+}

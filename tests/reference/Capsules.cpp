@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/Capsules.h"
+
+#include "core/growth/SeedWord.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace reference {
+
+namespace seedWord = core::seedWord;
+
+namespace {
+
+using Position = std::array<std::int64_t, 3>;
+
+std::int64_t round14(std::int64_t value)
+{
+    return (value + 8192) >> 14;
+}
+
+std::int64_t squareRoot(std::int64_t value)
+{
+    std::int64_t root = 0;
+    for (std::int64_t bit = std::int64_t(1) << 20; bit > 0; bit /= 2) {
+        if ((root + bit) * (root + bit) <= value)
+            root += bit;
+    }
+    return root;
+}
+
+bool bears(std::uint32_t word, std::uint32_t label)
+{
+    return (seedWord::isMember(word) || seedWord::isPendingSeed(word))
+        && seedWord::label(word) == label;
+}
+
+bool bearsAnother(std::uint32_t word, std::uint32_t label)
+{
+    return (seedWord::isMember(word) || seedWord::isPendingSeed(word))
+        && seedWord::label(word) != label;
+}
+
+} // namespace
+
+Capsules::Capsules(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintLabel paint)
+    : m_codes(codes)
+    , m_fields(fields)
+    , m_edit(paint)
+    , m_frame(paint.frame)
+{
+}
+
+Capsules::Capsules(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::CapsuleCut cut)
+    : m_codes(codes)
+    , m_fields(fields)
+    , m_edit(cut)
+    , m_frame(cut.frame)
+{
+}
+
+Position Capsules::position(const glm::ivec3& voxel) const
+{
+    const core::BrickGrid grid{m_codes.size};
+    const glm::ivec3 o = grid.boxOf(grid.brickOf(voxel)).minimum;
+    const glm::ivec3 local = voxel - o;
+    Position p{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        p[c] = round14(m_frame.origin[c] + o.x * m_frame.perI[c] + o.y * m_frame.perJ[c]
+                   + o.z * m_frame.perK[c])
+            + local.x * round14(m_frame.perI[c]) + local.y * round14(m_frame.perJ[c])
+            + local.z * round14(m_frame.perK[c]);
+    }
+    return p;
+}
+
+std::optional<std::int64_t> Capsules::distance(
+    const core::Capsule& capsule, Position position) const
+{
+    if (m_frame.disc) {
+        if (std::abs(position[2]) > m_frame.halfThickness)
+            return std::nullopt;
+        position[2] = capsule.from.z;
+    }
+    Position q{};
+    std::int64_t along = 0;
+    for (int c = 0; c < 3; ++c) {
+        const std::int64_t a = position[std::size_t(c)] - capsule.from[c];
+        if (std::abs(a) > m_frame.reach)
+            return std::nullopt;
+        q[std::size_t(c)] = a >> m_frame.shift;
+        along += q[std::size_t(c)] * capsule.direction[c];
+    }
+    const std::int64_t h =
+        std::clamp<std::int64_t>(round14(along), 0, capsule.length >> m_frame.shift);
+    std::int64_t squared = 0;
+    for (int c = 0; c < 3; ++c) {
+        const std::int64_t e = q[std::size_t(c)] - round14(h * capsule.direction[c]);
+        squared += e * e;
+    }
+    return squared;
+}
+
+void Capsules::extend(const std::vector<core::Capsule>& capsules)
+{
+    const std::int64_t unitRadius = m_frame.radius >> m_frame.shift;
+    const glm::ivec3 size = m_codes.size;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::ivec3 voxel(x, y, z);
+                const Position at = position(voxel);
+                for (const core::Capsule& capsule : capsules) {
+                    const std::optional<std::int64_t> squared = distance(capsule, at);
+                    if (!squared)
+                        continue;
+                    if (const auto* carve = std::get_if<core::CapsuleCut>(&m_edit))
+                        cut(*carve, voxel, *squared);
+                    else if (*squared <= unitRadius * unitRadius)
+                        paint(std::get<core::PaintLabel>(m_edit), voxel);
+                }
+            }
+        }
+    }
+}
+
+void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared)
+{
+    const std::int64_t r = m_frame.rampHalfWidth;
+    const std::int64_t t = m_frame.radius - (squareRoot(squared) << m_frame.shift);
+    const std::int64_t value = (std::clamp(t, -r, r) + r) * 255 / (2 * r);
+    std::uint8_t& coverage = m_fields.coverage(cut.layer).at(voxel);
+    coverage = cut.restore ? std::min(coverage, std::uint8_t(255 - value))
+                           : std::max(coverage, std::uint8_t(value));
+}
+
+void Capsules::paint(const core::PaintLabel& paint, const glm::ivec3& voxel)
+{
+    const int code = m_codes.at(voxel);
+    if (code < paint.lowCode || code > paint.highCode)
+        return;
+    std::uint8_t& held = m_fields.labels(paint.plane).at(voxel);
+    std::uint32_t& word = m_fields.seedWords(paint.plane).at(voxel);
+    if (paint.erase) {
+        if (held == paint.label)
+            held = 0;
+        if (bears(word, paint.label))
+            word = seedWord::unvisited;
+        return;
+    }
+    if (held != 0 && held != paint.label && !paint.overwritable.test(held))
+        return;
+    held = paint.label;
+    const bool isMemberOfIt = seedWord::isMember(word) && seedWord::label(word) == paint.label;
+    if (paint.seeds && !isMemberOfIt)
+        word = seedWord::member(0, paint.label, seedWord::seedDirection);
+    else if (!paint.seeds && bearsAnother(word, paint.label))
+        word = seedWord::unvisited;
+}
+
+} // namespace reference

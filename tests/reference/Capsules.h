@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "tests/reference/DenseFields.h"
+
+#include <optional>
+#include <variant>
+
+namespace reference {
+
+/// One open stroke of a brush (core/sculpt/CapsuleSweep.h): every voxel of the volume against every
+/// piece of the path. Codes and fields are borrowed.
+class Capsules {
+public:
+    Capsules(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintLabel paint);
+    Capsules(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::CapsuleCut cut);
+
+    void extend(const std::vector<core::Capsule>& capsules);
+
+private:
+    [[nodiscard]] std::array<std::int64_t, 3> position(const glm::ivec3& voxel) const;
+    /// Rule 3, D².
+    [[nodiscard]] std::optional<std::int64_t> distance(
+        const core::Capsule& capsule, std::array<std::int64_t, 3> position) const;
+    void paint(const core::PaintLabel& paint, const glm::ivec3& voxel);
+    void cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared);
+
+    const DenseArray<std::uint16_t>& m_codes;
+    DenseFields& m_fields;
+    std::variant<core::PaintLabel, core::CapsuleCut> m_edit;
+    core::CapsuleFrame m_frame;
+};
+
+} // namespace reference
