@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sculpt/MaskRaster.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+constexpr int unit = maskSubdivision;
+/// Twice the area of an element, in square subdivisions.
+constexpr std::int64_t wholeElement = 2 * unit * unit;
+
+int floorDivide(int value, int divisor)
+{
+    return value >= 0 ? value / divisor : -((-value + divisor - 1) / divisor);
+}
+
+/// Twice the signed area to the right of the edges, per element: an edge adds what it crosses to
+/// the element it crosses and the rest of its height to the next one, so that the running sum along
+/// a row is the winding, weighted by area.
+class SignedAreas {
+public:
+    SignedAreas(const glm::ivec2& first, const glm::ivec2& size)
+        : m_origin(first * unit)
+        , m_width(size.x + 1)
+        , m_sums(std::size_t(m_width) * std::size_t(size.y), 0)
+    {
+    }
+
+    void addEdge(glm::ivec2 from, glm::ivec2 to)
+    {
+        from -= m_origin;
+        to -= m_origin;
+        const int direction = from.y < to.y ? 1 : -1;
+        if (direction < 0)
+            std::swap(from, to);
+        const glm::ivec2 along = to - from;
+        int x = from.x;
+        for (int y = from.y; y < to.y;) {
+            const int row = y / unit;
+            const int nextY = std::min((row + 1) * unit, to.y);
+            const int nextX = nextY == to.y
+                ? to.x
+                : from.x + int(std::int64_t(along.x) * (nextY - from.y) / along.y);
+            addInRow(row, x, nextX, (nextY - y) * direction);
+            x = nextX;
+            y = nextY;
+        }
+    }
+
+    [[nodiscard]] const std::int64_t* row(int b) const
+    {
+        return &m_sums[std::size_t(m_width) * std::size_t(b)];
+    }
+
+private:
+    void addInRow(int row, int fromX, int toX, int height)
+    {
+        std::int64_t* const sums = &m_sums[std::size_t(m_width) * std::size_t(row)];
+        if (fromX > toX)
+            std::swap(fromX, toX);
+        const int width = toX - fromX;
+        int done = 0; // of the height
+        for (int x = fromX;;) {
+            const int element = x / unit;
+            const int nextX = std::min((element + 1) * unit, toX);
+            const int upTo =
+                nextX == toX ? height : int(std::int64_t(height) * (nextX - fromX) / width);
+            const int rise = upTo - done;
+            const int twiceMiddle = x + nextX - 2 * element * unit;
+            sums[element] += std::int64_t(rise) * (2 * unit - twiceMiddle);
+            sums[element + 1] += std::int64_t(rise) * twiceMiddle;
+            done = upTo;
+            x = nextX;
+            if (x == toX)
+                break;
+        }
+    }
+
+    glm::ivec2 m_origin;
+    int m_width;
+    std::vector<std::int64_t> m_sums; // a curve may wind any number of times
+};
+
+std::uint16_t blended(std::uint32_t before, std::uint32_t middle, std::uint32_t after)
+{
+    return std::uint16_t((43 * before + 170 * middle + 43 * after + 128) >> 8);
+}
+
+} // namespace
+
+std::int64_t MaskRaster::area() const
+{
+    return std::accumulate(values.begin(), values.end(), std::int64_t(0));
+}
+
+MaskRaster filledExactly(const std::vector<MaskVertex>& vertices)
+{
+    if (vertices.size() < 3)
+        return {};
+    glm::ivec2 low = vertices.front();
+    glm::ivec2 high = low;
+    for (const MaskVertex& vertex : vertices) {
+        low = glm::min(low, vertex);
+        high = glm::max(high, vertex);
+    }
+    MaskRaster mask;
+    mask.first = {floorDivide(low.x, unit), floorDivide(low.y, unit)};
+    mask.size = glm::ivec2(floorDivide(high.x, unit), floorDivide(high.y, unit)) + 1 - mask.first;
+
+    SignedAreas areas(mask.first, mask.size);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        areas.addEdge(vertices[i], vertices[(i + 1) % vertices.size()]);
+
+    mask.values.resize(std::size_t(mask.size.x) * std::size_t(mask.size.y));
+    for (int b = 0; b < mask.size.y; ++b) {
+        const std::int64_t* const sums = areas.row(b);
+        std::uint16_t* const out = &mask.values[std::size_t(mask.size.x) * std::size_t(b)];
+        std::int64_t winding = 0;
+        for (int a = 0; a < mask.size.x; ++a) {
+            winding += sums[a];
+            const std::int64_t covered = std::min(winding < 0 ? -winding : winding, wholeElement);
+            out[a] = std::uint16_t((covered + wholeElement / 512) / (wholeElement / 256));
+        }
+    }
+    return mask;
+}
+
+MaskRaster smoothed(const MaskRaster& mask)
+{
+    if (mask.empty())
+        return mask;
+    MaskRaster result;
+    result.first = mask.first - 1;
+    result.size = mask.size + 2;
+    const auto width = std::size_t(result.size.x);
+    // Rows first, with an empty element beyond both ends; then columns over three such rows.
+    const std::vector<std::uint16_t> empty(width, 0);
+    std::vector<std::uint16_t> along(width * std::size_t(mask.size.y));
+    std::vector<std::uint16_t> padded(width + 2, 0);
+    for (int b = 0; b < mask.size.y; ++b) {
+        const auto row = mask.values.begin() + std::ptrdiff_t(mask.size.x) * b;
+        std::copy(row, row + mask.size.x, padded.begin() + 2);
+        std::uint16_t* const out = &along[width * std::size_t(b)];
+        for (std::size_t a = 0; a < width; ++a)
+            out[a] = blended(padded[a], padded[a + 1], padded[a + 2]);
+    }
+    result.values.resize(width * std::size_t(result.size.y));
+    const auto rowAt = [&](int b) {
+        return b < 0 || b >= mask.size.y ? empty.data() : &along[width * std::size_t(b)];
+    };
+    for (int b = 0; b < result.size.y; ++b) {
+        const std::uint16_t* const before = rowAt(b - 2);
+        const std::uint16_t* const middle = rowAt(b - 1);
+        const std::uint16_t* const after = rowAt(b);
+        std::uint16_t* const out = &result.values[width * std::size_t(b)];
+        for (std::size_t a = 0; a < width; ++a)
+            out[a] = blended(before[a], middle[a], after[a]);
+    }
+    return result;
+}
+
+} // namespace core

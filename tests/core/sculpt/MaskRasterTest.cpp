@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sculpt/MaskRaster.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/TestVolumes.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace core;
+using test::Random;
+
+namespace {
+
+constexpr int unit = maskSubdivision;
+
+/// Twice the signed area of a polygon cut to one element, in subdivisions: clipped side by side.
+double areaIn(const std::vector<MaskVertex>& polygon, const glm::ivec2& element)
+{
+    std::vector<glm::dvec2> points(polygon.begin(), polygon.end());
+    const glm::dvec2 low = glm::dvec2(element) * double(unit);
+    const glm::dvec2 high = low + double(unit);
+    for (int side = 0; side < 4; ++side) {
+        const int axis = side / 2;
+        const double border = side % 2 ? high[axis] : low[axis];
+        const double sign = side % 2 ? -1.0 : 1.0;
+        const auto depth = [&](const glm::dvec2& p) { return sign * (p[axis] - border); };
+        std::vector<glm::dvec2> kept;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::dvec2 a = points[i];
+            const glm::dvec2 b = points[(i + 1) % points.size()];
+            if (depth(a) >= 0.0)
+                kept.push_back(a);
+            if (depth(a) * depth(b) < 0.0)
+                kept.push_back(a + (b - a) * (depth(a) / (depth(a) - depth(b))));
+        }
+        points = kept;
+    }
+    double twice = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec2 a = points[i];
+        const glm::dvec2 b = points[(i + 1) % points.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return twice / (2.0 * unit * unit);
+}
+
+std::vector<MaskVertex> rotatedByAQuarter(const std::vector<MaskVertex>& polygon)
+{
+    std::vector<MaskVertex> result;
+    for (const MaskVertex& vertex : polygon)
+        result.emplace_back(-vertex.y, vertex.x);
+    return result;
+}
+
+std::vector<MaskVertex> lasso(int points, const glm::dvec2& radius, double wobble)
+{
+    std::vector<MaskVertex> polygon;
+    for (int i = 0; i < points; ++i) {
+        const double t = 2.0 * M_PI * i / points;
+        const double r = 1.0 - wobble * (0.5 + 0.5 * std::sin(23.0 * t));
+        polygon.emplace_back(glm::ivec2(
+            glm::round(radius * r * glm::dvec2(std::cos(t), std::sin(t)) * double(unit))));
+    }
+    return polygon;
+}
+
+} // namespace
+
+class MaskRasterTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void fillsExactly()
+    {
+        // Stars around a middle do not cross themselves: the area of every element is known.
+        Random random(1);
+        for (int round = 0; round < (qEnvironmentVariableIsSet("BURIN_LONG") ? 300 : 30); ++round) {
+            std::vector<MaskVertex> star;
+            const int corners = test::randomInt(random, 3, 40);
+            const glm::dvec2 middle(
+                test::randomInt(random, -9000, 9000), test::randomInt(random, -9000, 9000));
+            for (int i = 0; i < corners; ++i) {
+                const double t = 2.0 * M_PI * i / corners;
+                const double r = 500.0 + 9000.0 * test::randomUnit(random);
+                star.emplace_back(
+                    glm::ivec2(glm::round(middle + r * glm::dvec2(std::cos(t), std::sin(t)))));
+            }
+            if (round % 2)
+                std::reverse(star.begin(), star.end());
+            const MaskRaster mask = filledExactly(star);
+            double whole = 0.0;
+            for (int b = mask.first.y - 1; b <= mask.first.y + mask.size.y; ++b) {
+                for (int a = mask.first.x - 1; a <= mask.first.x + mask.size.x; ++a) {
+                    const double area = std::abs(areaIn(star, {a, b}));
+                    whole += area;
+                    // Half a value of rounding, and where edges meet rows and columns.
+                    QVERIFY2(std::abs(mask.at({a, b}) - 256.0 * area) < 1.6,
+                        qPrintable(QStringLiteral("%1 %2: %3 instead of %4")
+                                       .arg(a)
+                                       .arg(b)
+                                       .arg(mask.at({a, b}))
+                                       .arg(256.0 * area)));
+                }
+            }
+            QVERIFY(std::abs(double(mask.area()) / 256.0 - whole) < 0.002 * whole + 0.2);
+        }
+    }
+
+    void windsNonZero()
+    {
+        // A pentagram: its middle is wound about twice, and is inside.
+        std::vector<MaskVertex> star;
+        for (int i = 0; i < 5; ++i) {
+            const double t = 4.0 * M_PI * i / 5.0;
+            star.emplace_back(
+                glm::ivec2(glm::round(20.0 * unit * glm::dvec2(std::cos(t), std::sin(t)))));
+        }
+        QCOMPARE(filledExactly(star).at({0, 0}), 256);
+        QCOMPARE(filledExactly(star).at({16, 0}), 256);
+        QCOMPARE(filledExactly(star).at({11, 8}), 0);
+        // An eight, whose halves wind against each other.
+        const std::vector<MaskVertex> eight{
+            {0, 0}, {10 * unit, 10 * unit}, {10 * unit, 0}, {0, 10 * unit}};
+        const MaskRaster mask = filledExactly(eight);
+        QCOMPARE(mask.at({9, 5}), 256);
+        QCOMPARE(mask.at({0, 5}), 256);
+        QCOMPARE(mask.at({5, 0}), 0);
+        // Wound about over and over it is not more than inside, nor does any sum run over.
+        std::vector<MaskVertex> wound;
+        for (int i = 0; i < 200000; ++i)
+            wound.insert(wound.end(), {{0, 0}, {4 * unit, 0}, {4 * unit, 4 * unit}});
+        QCOMPARE(filledExactly(wound).at({3, 1}), 256);
+        QCOMPARE(filledExactly(wound).at({1, 3}), 0);
+    }
+
+    void knowsNoSide()
+    {
+        const std::vector<MaskVertex> polygon = lasso(300, {21.3, 11.7}, 0.6);
+        const MaskRaster mask = smoothed(filledExactly(polygon));
+        const MaskRaster turned = smoothed(filledExactly(rotatedByAQuarter(polygon)));
+        for (int b = -25; b < 25; ++b) {
+            for (int a = -25; a < 25; ++a)
+                QVERIFY(std::abs(mask.at({a, b}) - turned.at({-b - 1, a})) <= 1);
+        }
+        std::vector<MaskVertex> backwards(polygon.rbegin(), polygon.rend());
+        QCOMPARE(filledExactly(backwards).values, filledExactly(polygon).values);
+        // In a frame of its own wherever it lies.
+        std::vector<MaskVertex> moved = polygon;
+        for (MaskVertex& vertex : moved)
+            vertex += glm::ivec2(-1000 * unit, 77 * unit);
+        QCOMPARE(filledExactly(moved).values, filledExactly(polygon).values);
+        QCOMPARE(filledExactly(moved).first, filledExactly(polygon).first + glm::ivec2(-1000, 77));
+    }
+
+    void straightEdgesStayWhereTheyAre()
+    {
+        // The B-spline keeps the level 0.5 of an edge: the sum across it is the same as before, and
+        // an edge through the middle of an element leaves one half there.
+        for (int offset = 0; offset < unit; offset += 64) {
+            const std::vector<MaskVertex> box{{offset, 0}, {20 * unit + offset, 0},
+                {20 * unit + offset, 20 * unit}, {offset, 20 * unit}};
+            const MaskRaster sharp = filledExactly(box);
+            const MaskRaster soft = smoothed(sharp);
+            int before = 0;
+            int after = 0;
+            for (int a = -3; a < 10; ++a) {
+                before += sharp.at({a, 10});
+                after += soft.at({a, 10});
+            }
+            QVERIFY(std::abs(before - after) <= 2);
+            if (offset == unit / 2)
+                QVERIFY(std::abs(soft.at({0, 10}) - 128) <= 1);
+            for (int a = 5; a < 15; ++a)
+                QCOMPARE(soft.at({a, 10}), 256);
+            for (int a = -3; a < 3; ++a)
+                QVERIFY(soft.at({a, 10}) <= soft.at({a + 1, 10}));
+        }
+    }
+
+    void whatHasNoAreaIsEmpty()
+    {
+        QVERIFY(filledExactly({}).empty());
+        QVERIFY(filledExactly({{0, 0}, {5 * unit, 5 * unit}}).empty());
+        QCOMPARE(filledExactly({{0, 0}, {5 * unit, 5 * unit}, {2 * unit, 2 * unit}}).area(),
+            std::int64_t(0));
+        QVERIFY(smoothed({}).empty());
+    }
+
+    void largeLassos()
+    {
+        const std::vector<MaskVertex> polygon = lasso(2000, {614.9, 434.9}, 0.3);
+        MaskRaster mask;
+        QBENCHMARK
+        {
+            mask = smoothed(filledExactly(polygon));
+        }
+        QVERIFY(mask.size.x > 1200 && mask.size.y > 850);
+        QCOMPARE(mask.at({0, 0}), 256);
+    }
+};
+
+QTEST_APPLESS_MAIN(MaskRasterTest)
+#include "MaskRasterTest.moc"
