@@ -54,6 +54,8 @@ public:
         visitInside(inside);
     }
 
+    template <class Inside> void when(bool, const Inside& visitInside) { visitInside(); }
+
 private:
     void add(const char* name, const QString& type, const QString& unit, const QString& fallback,
         const char* meaning)

@@ -15,6 +15,7 @@ namespace core::editFields {
 namespace {
 
 constexpr int maxListLength = 1000000;
+constexpr int maxOutlineLength = 100000;
 constexpr int maxTextLength = 256;
 
 const Number sampleMillimetres{"mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
@@ -283,6 +284,55 @@ PointList::Value PointList::rounded(const Value& value) const
     result.reserve(value.size());
     for (const glm::dvec3& entry : value)
         result.push_back(point.rounded(entry));
+    return result;
+}
+
+// --- Outline
+// -------------------------------------------------------------------------------------------
+
+QJsonValue Outline::write(const Value& value) const
+{
+    QJsonArray array;
+    for (const glm::dvec2& point : value)
+        array.append(QJsonArray{point.x, point.y});
+    return array;
+}
+
+QString Outline::read(const QJsonValue& json, Value& value) const
+{
+    if (!json.isArray())
+        return QStringLiteral("must be a list of points [x, y]");
+    const QJsonArray array = json.toArray();
+    value.assign(std::size_t(array.size()), glm::dvec2(0.0));
+    for (int i = 0; i < array.size(); ++i) {
+        if (const QString reason = readNumbers(array[i], &value[std::size_t(i)].x, 2);
+            !reason.isEmpty())
+            return at(i, reason);
+    }
+    return {};
+}
+
+QString Outline::check(const Value& value) const
+{
+    if (value.size() < 3)
+        return QStringLiteral("needs at least three points");
+    if (value.size() > std::size_t(maxOutlineLength))
+        return QStringLiteral("has more than %1 points").arg(maxOutlineLength);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        for (const double number : {value[i].x, value[i].y}) {
+            if (const QString reason = component.check(number); !reason.isEmpty())
+                return at(int(i), reason);
+        }
+    }
+    return {};
+}
+
+Outline::Value Outline::rounded(const Value& value) const
+{
+    Value result;
+    result.reserve(value.size());
+    for (const glm::dvec2& point : value)
+        result.emplace_back(component.rounded(point.x), component.rounded(point.y));
     return result;
 }
 

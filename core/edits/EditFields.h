@@ -6,6 +6,7 @@
 #include <QJsonValue>
 #include <QString>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -132,6 +133,52 @@ struct BrushShape {
     [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] QString check(Value) const { return {}; }
     [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// One of some names, in the order of the enumerators.
+template <class E, std::size_t N> struct Choice {
+    using Value = E;
+    std::array<const char*, N> names{};
+
+    [[nodiscard]] QString type() const
+    {
+        QString text;
+        for (const char* name : names)
+            text += (text.isEmpty() ? QStringLiteral("\"") : QStringLiteral(" or \""))
+                + QLatin1String(name) + QLatin1Char('"');
+        return text;
+    }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const
+    {
+        return QLatin1String(names[std::size_t(value)]);
+    }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const
+    {
+        const QString text = json.toString();
+        for (std::size_t i = 0; i < N; ++i) {
+            if (text == QLatin1String(names[i])) {
+                value = E(i);
+                return {};
+            }
+        }
+        return QStringLiteral("must be ") + type();
+    }
+    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// [[x, y], …], at least three.
+struct Outline {
+    using Value = std::vector<glm::dvec2>;
+    Number component;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y], …]"); }
+    [[nodiscard]] QString unit() const { return component.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
 };
 
 /// [[x, y, pressure, t], …], at least one, t never falling.

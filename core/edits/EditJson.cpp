@@ -38,6 +38,11 @@ public:
         visitInside(writer);
         m_object.insert(QLatin1String(name), writer.m_object);
     }
+    template <class Inside> void when(bool condition, const Inside& visitInside)
+    {
+        if (condition)
+            visitInside();
+    }
     QJsonObject m_object;
 };
 
@@ -84,6 +89,11 @@ public:
         reader.refuseTheRest();
         if (!m_error)
             m_error = reader.m_error;
+    }
+    template <class Inside> void when(bool condition, const Inside& visitInside)
+    {
+        if (condition)
+            visitInside();
     }
     void refuseTheRest()
     {
@@ -152,6 +162,11 @@ public:
         visitInside(inside);
         if (!m_error)
             m_error = inside.m_error;
+    }
+    template <class Inside> void when(bool condition, const Inside& visitInside)
+    {
+        if (condition)
+            visitInside();
     }
     const std::optional<Error>& error() const { return m_error; }
 

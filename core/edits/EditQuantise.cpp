@@ -28,6 +28,11 @@ public:
     {
         visitInside(*this);
     }
+    template <class Inside> void when(bool condition, const Inside& visitInside)
+    {
+        if (condition)
+            visitInside();
+    }
 };
 
 } // namespace

@@ -5,6 +5,9 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/Edits.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace core::editSchema {
 
 /// Whether a field may be left out; then it has the value of a default-constructed edit.
@@ -18,6 +21,7 @@ enum class Presence { Required, Optional };
 //                                                  that means, by itself "unchanged"
 //   constant(name, presence, json, meaning)        only this value is known
 //   group(name, meaning, visitInside)              an object of its own
+//   when(condition, visitInside)                   fields that are there only then
 //
 // editName<E> is the value of "edit" in JSON, editMeaning<E> its line in the documentation.
 
@@ -77,7 +81,7 @@ inline constexpr const char* editMeaning<GrowSteps> =
     "Grows all seeded segments breadth-first through voxels whose value lies in an interval.";
 template <>
 inline constexpr const char* editMeaning<DrillStroke> =
-    "Carves with a round drill along the view direction, from the visible surface inward.";
+    "Carves with a drill along the view direction, from the visible surface inward.";
 template <>
 inline constexpr const char* editMeaning<RevertRows> =
     "Undoes older strokes and growths only, where nothing wrote or read the same place since.";
@@ -103,6 +107,9 @@ inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
+inline constexpr editFields::Number maskSide{"mm", 0.02, 400.0, quantum::perMillimetre};
+inline constexpr editFields::Outline maskOutline{
+    editFields::Number{"mm", -200.0, 200.0, quantum::perMillimetre}};
 
 /// A camera, as every edit that needs one writes it.
 template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
@@ -208,19 +215,62 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
         "whether growth takes voxels of other segments that are not locked");
 }
 
+/// What is pressed into the volume.
+template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
+{
+    using namespace editFields;
+    using Kind = MaskShape::Kind;
+    visit.group("mask", "what is pressed into the volume, parallel to the view", [&](auto& inside) {
+        inside.maybe("polygonMm", mask.polygonMm, maskOutline,
+            "a closed curve around the sample: right, up; no shape then", "a shape");
+        inside.when(!mask.polygonMm, [&] {
+            inside.field("shape", Presence::Required, mask.kind,
+                Choice<Kind, 5>{{"circle", "ellipse", "square", "rectangle", "rounded"}},
+                "what it looks like to the viewer");
+        });
+        const auto is = [&mask](std::initializer_list<Kind> kinds) {
+            return !mask.polygonMm
+                && std::find(kinds.begin(), kinds.end(), mask.kind) != kinds.end();
+        };
+        inside.when(is({Kind::Circle}), [&] {
+            inside.field(
+                "radiusMm", Presence::Required, mask.radiusMm, drillRadius, "radius (circle)");
+        });
+        inside.when(is({Kind::Square}), [&] {
+            inside.field("sideMm", Presence::Required, mask.widthMm, maskSide, "its side (square)");
+        });
+        inside.when(is({Kind::Ellipse, Kind::Rectangle, Kind::Rounded}), [&] {
+            inside.field("widthMm", Presence::Required, mask.widthMm, maskSide,
+                "from left to right (ellipse, rectangle, rounded)");
+            inside.field("heightMm", Presence::Required, mask.heightMm, maskSide,
+                "from bottom to top (ellipse, rectangle, rounded)");
+        });
+        inside.when(is({Kind::Rounded}), [&] {
+            inside.field("cornerMm", Presence::Required, mask.cornerMm, maskSide,
+                "radius of its corners (rounded)");
+        });
+        inside.when(is({Kind::Ellipse, Kind::Square, Kind::Rectangle, Kind::Rounded}), [&] {
+            inside.field("rotationDegrees", Presence::Optional, mask.rotationDegrees,
+                Number{"degrees", -360.0, 360.0, 1024.0}, "counter-clockwise, not of a circle");
+        });
+    });
+}
+
 template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
 {
     using namespace editFields;
     visit.field("layer", Presence::Optional, edit.layer, layerNumber,
         "the sculpt layer that is carved; not a muted one");
     visitView(visit, edit.view);
-    visit.group("mask", "what is pressed into the volume, parallel to the view", [&](auto& inside) {
-        inside.constant("shape", Presence::Required, QStringLiteral("circle"), "a disc");
-        inside.field(
-            "radiusMm", Presence::Required, edit.radiusMm, drillRadius, "radius of the disc");
-    });
+    visitMask(visit, edit.mask);
+    visit.field("mode", Presence::Optional, edit.mode, Choice<DrillMode, 2>{{"limit", "rate"}},
+        "whether depthMm is the most that one stroke cuts, or what it cuts a second");
     visit.field("depthMm", Presence::Required, edit.depthMm, drillDepth,
         "depth below the surface at full pressure");
+    visit.when(edit.mode == DrillMode::Rate, [&] {
+        visit.field("floorMm", Presence::Optional, edit.floorMm, drillDepth,
+            "no deeper than this below the surface (mode rate)");
+    });
     visit.field("pressureExponent", Presence::Optional, edit.pressureExponent, WholeNumber{1, 3},
         "depth = depthMm · pressure to this power");
     visit.group("surface", "what is seen, hence where the drill starts", [&](auto& inside) {
@@ -229,6 +279,14 @@ template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
     });
     visit.field("throughGaps", Presence::Optional, edit.throughGaps, Flag{},
         "whether the drill goes on behind a gap in the material");
+    visit.field("guardMm", Presence::Optional, edit.guardMm, drillDepth,
+        "parts of the surface under the mask that lie more than the depth and this behind its "
+        "middle are seen through a gap and left alone; 0: all are cut");
+    visit.field("restore", Presence::Optional, edit.restore, Flag{},
+        "whether it fills again what was carved, from the surface towards the viewer");
+    visit.field("byTime", Presence::Optional, edit.byTime, Flag{},
+        "whether samples are points of a path in time, as a pen reports them, rather than its "
+        "corners; in mode rate they always are");
     visit.field("samples", Presence::Required, edit.samples, SampleList{},
         "pen path in the view plane, relative to the target: right, up, pressure, time");
 }

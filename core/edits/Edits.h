@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/sculpt/DrillCut.h"
 
 #include <glm/glm.hpp>
 
@@ -93,14 +94,36 @@ struct PenSample {
     double tSeconds = 0.0;
 };
 
+/// The outline of a tool's tip, in the view plane (seed A §4.1).
+struct MaskShape {
+    enum class Kind : std::uint8_t { Circle, Ellipse, Square, Rectangle, Rounded };
+    Kind kind = Kind::Circle; ///< unless there is a polygon
+    double radiusMm = 8.0; ///< circle
+    double widthMm = 16.0; ///< all others; of a square both
+    double heightMm = 16.0;
+    double cornerMm = 2.0; ///< rounded: radius of its corners
+    double rotationDegrees = 0.0; ///< counter-clockwise
+    /// Closed by itself, may cross itself; relative to the sample.
+    std::optional<std::vector<glm::dvec2>> polygonMm{};
+    bool operator==(const MaskShape&) const = default;
+};
+
 struct DrillStroke {
     int layer = 1;
     OrthographicView view{};
-    double radiusMm = 8.0; ///< circle
-    double depthMm = 8.0; ///< at full pressure
+    MaskShape mask{};
+    DrillMode mode = DrillMode::Limit;
+    double depthMm = 8.0; ///< at full pressure; in mode Rate a second
+    double floorMm = 30.0; ///< mode Rate: no deeper
     int pressureExponent = 2;
     double surfaceThreshold = 0.0; ///< modality units: what is seen
     bool throughGaps = false;
+    /// Parts of the surface that lie so much farther back than the depth are left alone, since they
+    /// are seen through a gap; 0: all are cut.
+    double guardMm = 0.0;
+    bool restore = false; ///< fills again what was carved, from the surface towards the viewer
+    /// Resampled by time, so that the device's report rate does not matter. Mode Rate always is.
+    bool byTime = false;
     std::vector<PenSample> samples{};
 };
 

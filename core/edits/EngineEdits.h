@@ -32,14 +32,9 @@ namespace core {
 /// @p field: eye and target are one point, or up points along the view).
 [[nodiscard]] Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field);
 
-/// The frame of a drill stroke; its samples are not looked at. Errors: InvalidField.
+/// A drill stroke without its path (DrillPathSampler.h); its samples are not looked at. Errors:
+/// InvalidField (also a mask that is too small).
 [[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
-
-/// Resamples a pen path by arc length (a quarter of the mask radius, at least half an element) so
-/// that the cut does not depend on the device's report rate. Pieces of a path may be converted one
-/// after the other: `from` is the last sample of the piece before (none for the first).
-[[nodiscard]] std::vector<DrillSample> drillPath(const DrillStroke& stroke, const DrillFrame& frame,
-    const PenSample* from, const std::vector<PenSample>& samples);
 
 /// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
 /// below @p name (no point, a disc without a direction across its plane).

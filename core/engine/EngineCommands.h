@@ -52,12 +52,6 @@ struct GrowBurst {
     std::bitset<256> frozen {}; ///< labels that do not grow: locked segments
 };
 
-/// Cut with the drill into the coverage of one sculpt layer (rules: DrillCut.h).
-struct DrillCut {
-    std::uint8_t layer = 0;
-    DrillFrame frame;
-};
-
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
 /// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from
 /// it; what is left of other labels keeps its generations.
@@ -95,6 +89,7 @@ struct CapsuleCut {
     CapsuleFrame frame;
 };
 
+/// DrillCut (sculpt/DrillCut.h): cut with the drill into the coverage of one sculpt layer.
 using EngineEdit
     = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut>;
 
@@ -168,14 +163,14 @@ struct ProbeVoxels {
 
 /// How a ray finds what the user sees.
 enum class SeenBy : std::uint8_t {
-    Surface,     ///< first sample that is material (DrillCut.h rule 3)
+    Surface,     ///< first sample that is material (MaskFrame.h rule 3)
     Opacity,     ///< first sample where accumulated opacity reaches one half
     BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
 };
 
 /// Cast rays into what is seen; integers, so a pick is the same everywhere.
 /// A hit names the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and
-/// Z are those of rule 3 in DrillCut.h, with the radiation as it stands at this command (what an open
+/// Z are those of rule 3 in MaskFrame.h, with the radiation as it stands at this command (what an open
 /// stroke has cut so far included). Opacity: each sample inside and not carved adds
 /// o = opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from
 /// T = 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.

@@ -8,7 +8,7 @@ namespace core {
 bool StandingStroke::operator==(const StandingStroke& other) const
 {
     // A revision changes nothing else of a stroke.
-    return row == other.row && removed == other.removed && stroke.radiusMm == other.stroke.radiusMm
+    return row == other.row && removed == other.removed && stroke.mask == other.stroke.mask
         && stroke.depthMm == other.stroke.depthMm && stroke.layer == other.stroke.layer
         && stroke.throughGaps == other.stroke.throughGaps;
 }
@@ -38,7 +38,7 @@ std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
 
 DrillStroke revised(DrillStroke stroke, const ReviseStroke& edit)
 {
-    stroke.radiusMm = edit.radiusMm.value_or(stroke.radiusMm);
+    stroke.mask.radiusMm = edit.radiusMm.value_or(stroke.mask.radiusMm);
     stroke.depthMm = edit.depthMm.value_or(stroke.depthMm);
     stroke.layer = edit.layer.value_or(stroke.layer);
     stroke.throughGaps = edit.throughGaps.value_or(stroke.throughGaps);

@@ -17,7 +17,7 @@ struct StandingStroke {
     bool operator==(const StandingStroke& other) const;
 
     [[nodiscard]] int layer() const { return brush ? brush->layer : stroke.layer; }
-    [[nodiscard]] bool restores() const { return brush && brush->restore; }
+    [[nodiscard]] bool restores() const { return brush ? brush->restore : stroke.restore; }
     [[nodiscard]] Edit edit() const { return brush ? Edit(*brush) : Edit(stroke); }
 };
 

@@ -2,49 +2,59 @@
 #include "core/sculpt/DrillCut.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace core {
 
+using fixedPoint::floorDivide;
+
 namespace {
 
-std::int64_t integerSquareRoot(std::int64_t value)
+glm::ivec2 elementOf(const DrillCut& cut, const DrillSample& sample)
 {
-    auto root = std::int64_t(std::sqrt(double(value)));
-    while (root * root > value)
-        --root;
-    while ((root + 1) * (root + 1) <= value)
-        ++root;
-    return root;
-}
-
-std::int32_t floorDivide(std::int64_t value, std::int32_t divisor)
-{
-    return std::int32_t(value >= 0 ? value / divisor : -((-value + divisor - 1) / divisor));
+    return {floorDivide(sample.x, cut.frame.pitch), floorDivide(sample.y, cut.frame.pitch)};
 }
 
 } // namespace
 
-std::int32_t elementDepth(
-    const DrillFrame& frame, const DrillSample& sample, const glm::ivec2& element)
+std::int32_t maskWeight(const DrillCut& cut, const DrillSample& sample, const glm::ivec2& element)
 {
-    const std::int64_t pitch = frame.pitch;
+    if (!cut.mask.empty())
+        return cut.mask.at(element - elementOf(cut, sample));
+    const std::int64_t pitch = cut.frame.pitch;
     const std::int64_t dx = element.x * pitch + pitch / 2 - sample.x;
     const std::int64_t dy = element.y * pitch + pitch / 2 - sample.y;
-    const std::int64_t distance = integerSquareRoot(dx * dx + dy * dy);
-    const std::int64_t scaled = (frame.maskRadius - distance) * 256 + 128 * pitch;
-    if (scaled <= 0)
-        return 0;
-    const std::int64_t mask = std::min<std::int64_t>(scaled / pitch, 256);
-    return std::int32_t((sample.depth * mask) >> 8);
+    const std::int64_t distance = fixedPoint::squareRoot(dx * dx + dy * dy);
+    const std::int64_t scaled = (cut.maskRadius - distance) * 256 + 128 * pitch;
+    return scaled <= 0 ? 0 : std::int32_t(std::min<std::int64_t>(scaled / pitch, 256));
 }
 
-ElementBox elementsUnder(const DrillFrame& frame, const DrillSample& sample)
+std::int64_t contribution(const DrillCut& cut, const DrillSample& sample, std::int32_t weight)
 {
-    const std::int64_t reach = std::int64_t(frame.maskRadius) + frame.pitch;
-    return {
-        {floorDivide(sample.x - reach, frame.pitch), floorDivide(sample.y - reach, frame.pitch)},
-        {floorDivide(sample.x + reach, frame.pitch), floorDivide(sample.y + reach, frame.pitch)}};
+    const std::int64_t product = std::int64_t(sample.depth) * weight;
+    return cut.mode == DrillMode::Limit ? product >> 8 : product;
+}
+
+MaskColumn drillColumn(const MaskFrame& frame, const SurfaceHit& hit, std::int32_t depth)
+{
+    if (hit.zSurface == SurfaceHit::none || depth <= 0)
+        return {};
+    const std::int32_t r = frame.rampHalfWidth;
+    if (frame.restore)
+        return {hit.zSurface - depth, hit.zSurface + 2 * r, 255};
+    return {hit.zSurface - 2 * r, std::min(hit.zSurface + depth, hit.zExit), 255};
+}
+
+ElementBox elementsUnder(const DrillCut& cut, const DrillSample& sample)
+{
+    if (!cut.mask.empty()) {
+        const glm::ivec2 first = elementOf(cut, sample) + cut.mask.first;
+        return {first, first + cut.mask.size - 1};
+    }
+    const std::int64_t reach = std::int64_t(cut.maskRadius) + cut.frame.pitch;
+    return {{floorDivide(sample.x - reach, cut.frame.pitch),
+                floorDivide(sample.y - reach, cut.frame.pitch)},
+        {floorDivide(sample.x + reach, cut.frame.pitch),
+            floorDivide(sample.y + reach, cut.frame.pitch)}};
 }
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/PastCoverage.h"
 
+#include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
 
 #include <algorithm>
@@ -114,7 +115,8 @@ Result<Ticket> PastCoverage::cut(SessionState& state, const StandingStroke& stan
     if (!cut)
         return tl::unexpected(cut.error());
     cut->layer = scratchLayer;
-    DrillPath path{drillPath(stroke, cut->frame, nullptr, stroke.samples)};
+    cut->laying = Laying::Carve;
+    DrillPath path{drillPath(stroke, *cut)};
     return submitWhole(state.engine, *std::move(cut), {std::move(path)});
 }
 

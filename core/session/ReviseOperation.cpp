@@ -2,6 +2,7 @@
 #include "core/session/ReviseOperation.h"
 
 #include "core/edits/EngineEdits.h"
+#include "core/edits/ToolMasks.h"
 #include "core/session/RowReach.h"
 
 #include <algorithm>
@@ -77,6 +78,9 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
     if (!state.document.layer(m_after.stroke.layer))
         return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
             QStringLiteral("there is no sculpt layer %1").arg(m_after.stroke.layer));
+    if (m_edit.radiusMm && !isRound(m_after.stroke.mask))
+        return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.radiusMm"),
+            QStringLiteral("the mask of row %1 is not round").arg(m_edit.row));
     if (const Result<DrillCut> cut = drillCut(m_after.stroke, state.document); !cut)
         return tl::unexpected(cut.error());
     *target = m_after;

@@ -84,6 +84,16 @@ double deepestMm(const DrillStroke& stroke)
     return stroke.depthMm * std::pow(pressure, stroke.pressureExponent);
 }
 
+/// "Drill 6.2 mm, 214 bricks".
+QString drillName(const DrillStroke& stroke, const EditStatistics& statistics)
+{
+    const QString depth = QString::number(deepestMm(stroke), 'f', 1);
+    return (stroke.restore ? QStringLiteral("Restore ") : QStringLiteral("Drill "))
+        + (stroke.mode == DrillMode::Rate ? QStringLiteral("%1 mm/s, ") : QStringLiteral("%1 mm, "))
+              .arg(depth)
+        + counted(statistics.bricks, "brick");
+}
+
 QString changeName(const ChangeSegment& edit, const Document& document)
 {
     if (edit.name)
@@ -200,8 +210,8 @@ QString revisionName(
         const auto mm = [](double value) { return QString::number(value, 'f', 1); };
         QStringList changes;
         if (edit.radiusMm)
-            changes +=
-                QStringLiteral("radius %1 → %2 mm").arg(mm(stroke.radiusMm), mm(*edit.radiusMm));
+            changes += QStringLiteral("radius %1 → %2 mm")
+                           .arg(mm(stroke.mask.radiusMm), mm(*edit.radiusMm));
         if (edit.depthMm)
             changes +=
                 QStringLiteral("depth %1 → %2 mm").arg(mm(stroke.depthMm), mm(*edit.depthMm));
@@ -252,9 +262,7 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("%1 %2, %3")
             .arg(brush->restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
                 millimetres(brush->path.radiusMm), counted(statistics.voxelsChanged, "voxel"));
-    return QStringLiteral("Drill %1 mm, %2")
-        .arg(QString::number(deepestMm(std::get<DrillStroke>(edit)), 'f', 1),
-            counted(statistics.bricks, "brick"));
+    return drillName(std::get<DrillStroke>(edit), statistics);
 }
 
 } // namespace core

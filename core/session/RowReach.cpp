@@ -2,6 +2,7 @@
 #include "core/session/RowReach.h"
 
 #include "core/edits/EngineEdits.h"
+#include "core/edits/ToolMasks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         SweptMask mask;
         mask.grid = grid;
         if (const Result<DrillCut> cut = drillCut(*drill, document)) {
-            const DrillFrame& frame = cut->frame;
+            const MaskFrame& frame = cut->frame;
             mask.origin = millimetres(frame.planeOrigin);
             mask.perVoxel = glm::dmat3x2(millimetres(frame.planePerI), millimetres(frame.planePerJ),
                 millimetres(frame.planePerK));
@@ -74,7 +75,7 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         double halfDiagonalMm = 0.0;
         for (int axis = 0; axis < 3; ++axis)
             halfDiagonalMm += 1.5 * BrickGrid::side * glm::length(mask.perVoxel[axis]);
-        mask.reachMm = drill->radiusMm + halfDiagonalMm;
+        mask.reachMm = reachMm(drill->mask) + halfDiagonalMm;
         m_reach = std::move(mask);
     } else if (const auto* paint = std::get_if<PaintStroke>(&edit)) {
         Bricks bricks;

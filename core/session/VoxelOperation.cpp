@@ -93,10 +93,11 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(cut.error());
         return EngineEdit(*std::move(cut));
     }
-    Result<DrillCut> cut = drillCut(std::get<DrillStroke>(m_edit), document);
+    const auto& drill = std::get<DrillStroke>(m_edit);
+    Result<DrillCut> cut = drillCut(drill, document);
     if (!cut)
         return tl::unexpected(cut.error());
-    m_frame = cut->frame;
+    m_path.emplace(drill, *cut);
     return EngineEdit(*std::move(cut));
 }
 
@@ -118,7 +119,7 @@ void VoxelOperation::start(SessionState& state)
     }
     // Samples of a stroke that had to wait in line are all in the edit by now.
     if (drill && !drill->samples.empty())
-        m_waiting.push_front(DrillPath{drillPath(*drill, *m_frame, nullptr, drill->samples)});
+        m_waiting.push_front(DrillPath{m_path->add(drill->samples)});
     if (const BrushPath* path = pathOf(m_edit))
         m_waiting.push_front(CapsulePath{
             capsules(*path, state.document.volumes.front().geometry, nullptr, path->pointsLps)});
@@ -126,6 +127,8 @@ void VoxelOperation::start(SessionState& state)
         m_waiting.push_back(GrowAdvance{.steps = grow->steps.value_or(GrowAdvance::toClosure)});
     if (m_kind == Kind::Whole)
         m_ending = Ending::Commit;
+    if (m_ending)
+        liftPen();
     m_begun = state.engine.submit(BeginEdit{*std::move(edit)});
     submitWaiting(state);
 }
@@ -135,11 +138,11 @@ void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSampl
     auto* drill = std::get_if<DrillStroke>(&m_edit);
     if (!drill || !open() || samples.empty())
         return;
-    if (m_begun) {
-        const PenSample* last = drill->samples.empty() ? nullptr : &drill->samples.back();
-        m_waiting.push_back(DrillPath{drillPath(*drill, *m_frame, last, samples)});
-    }
-    drill->samples.insert(drill->samples.end(), samples.begin(), samples.end());
+    const double last = drill->samples.empty() ? 0.0 : drill->samples.back().tSeconds;
+    const std::vector<PenSample> sound = soundSamples(samples, last);
+    if (m_path)
+        m_waiting.push_back(DrillPath{m_path->add(sound)});
+    drill->samples.insert(drill->samples.end(), sound.begin(), sound.end());
     submitWaiting(state);
 }
 
@@ -170,7 +173,15 @@ void VoxelOperation::end(SessionState& state, Ending ending)
     if (!open())
         return;
     m_ending = ending;
+    liftPen();
     submitWaiting(state);
+}
+
+/// What the end of a stroke still owes; one that has not started yet pays when it does.
+void VoxelOperation::liftPen()
+{
+    if (m_path)
+        m_waiting.push_back(DrillPath{m_path->finish()});
 }
 
 void VoxelOperation::submitWaiting(SessionState& state)

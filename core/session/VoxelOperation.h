@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/DrillPathSampler.h"
 #include "core/session/Operation.h"
 
 #include <deque>
@@ -33,6 +34,7 @@ public:
 
 private:
     [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
+    void liftPen();
     void submitWaiting(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);
     [[nodiscard]] Edit carriedOut(const EngineResult& result) const;
@@ -40,7 +42,7 @@ private:
     Edit m_edit;
     Kind m_kind;
     RowId m_again = 0;
-    std::optional<DrillFrame> m_frame;
+    std::optional<DrillPathSampler> m_path; ///< of a drill stroke
     std::uint32_t m_firstGeneration = 0;
     std::deque<EngineExtension> m_waiting;
     std::optional<Ending> m_ending;

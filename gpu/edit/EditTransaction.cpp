@@ -95,7 +95,7 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_growth.emplace(programs.growth, fields, before, *grow);
         transaction->m_growth->open();
     } else if (const auto* drill = std::get_if<core::DrillCut>(&edit)) {
-        transaction->m_drill.emplace(programs.drill, fields, before, *drill);
+        transaction->m_drill.emplace(programs.mask, fields, before, *drill);
     } else if (const auto* erase = std::get_if<core::EraseLabel>(&edit)) {
         transaction->m_erasedBricks = eraseLabel(programs.erase, fields, before, *erase);
     } else if (const auto* paint = std::get_if<core::PaintLabel>(&edit)) {

@@ -18,14 +18,14 @@ namespace gpu {
 struct EditPrograms {
     explicit EditPrograms(const ShaderLibrary& library)
         : growth(library)
-        , drill(library)
+        , mask(library)
         , erase(library)
         , capsule(library)
     {
     }
 
     GrowthPrograms growth;
-    DrillPrograms drill;
+    MaskPrograms mask;
     ErasePrograms erase;
     CapsulePrograms capsule;
 };

@@ -1,4 +1,4 @@
-// Integer interpolation of codes and radiation along rays (core/sculpt/DrillCut.h, rule 3).
+// Integer interpolation of codes and radiation along rays (core/sculpt/MaskFrame.h, rule 3).
 // Needs volumeSize and the functions codeAt(ivec3) and radiationAt(ivec3).
 
 const uint carvedAt = 128u << 24;
@@ -40,8 +40,13 @@ bool carved(ivec3 p)
 }
 
 // thresholdCode 65536 is never reached.
-bool material(ivec3 p, int thresholdCode)
+bool dense(ivec3 p, int thresholdCode)
 {
     return thresholdCode <= 65535 && insideVolume(p)
-        && interpolatedCode(p) >= uint(thresholdCode) << 16 && !carved(p);
+        && interpolatedCode(p) >= uint(thresholdCode) << 16;
+}
+
+bool material(ivec3 p, int thresholdCode)
+{
+    return dense(p, thresholdCode) && !carved(p);
 }

@@ -100,7 +100,7 @@ private:
             .targetLps = camera.targetLps,
             .up = camera.up,
             .heightMm = camera.heightMm};
-        stroke.radiusMm = camera.heightMm / 20.0;
+        stroke.mask.radiusMm = camera.heightMm / 20.0;
         stroke.depthMm = camera.heightMm / 10.0;
         stroke.surfaceThreshold = m_application->workspace().volumeDisplay().surfaceThreshold;
         for (int i = 0; i <= 6; ++i)

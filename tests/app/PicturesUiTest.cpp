@@ -334,7 +334,7 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
         core::EditSession& session = *real.workspace.session();
         core::DrillStroke drill;
         drill.view = {.eyeLps = {0.0, -500.0, 0.0}, .targetLps = {}, .up = {0.0, 0.0, 1.0}};
-        drill.radiusMm = 12.0;
+        drill.mask.radiusMm = 12.0;
         drill.depthMm = 15.0;
         drill.surfaceThreshold = -350.0;
         drill.samples = {{10.0, 10.0, 1.0, 0.0}, {-20.0, 10.0, 1.0, 0.4}};

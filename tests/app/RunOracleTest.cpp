@@ -110,7 +110,7 @@ void RunOracleTest::runsAlike()
     DrillStroke drill;
     drill.view.targetLps = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
     drill.view.eyeLps = drill.view.targetLps + glm::dvec3(-150.0, -210.0, 60.0);
-    drill.radiusMm = 9.0;
+    drill.mask.radiusMm = 9.0;
     drill.depthMm = 12.0;
     drill.surfaceThreshold = input.lower;
     drill.samples = {{.xMm = -6.0, .yMm = 3.0, .pressure = 0.8}, {.xMm = 8.0, .yMm = -5.0}};

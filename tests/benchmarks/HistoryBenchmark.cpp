@@ -325,7 +325,7 @@ QString measureMemory(gpu::GpuEngine& engine, PeerReport& report)
             .targetLps = target,
             .up = {0.0, 0.0, 1.0},
             .heightMm = 150.0};
-        stroke.radiusMm = 1.5;
+        stroke.mask.radiusMm = 1.5;
         stroke.depthMm = 4.0;
         const double x = (number % columns - columns / 2) * 1.2;
         const double y = (number / columns - columns / 2) * 1.2;

@@ -2,176 +2,91 @@
 #include "tests/reference/Drill.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+#include <vector>
 
 namespace reference {
 
-namespace {
-
-std::int64_t round14(std::int64_t value)
-{
-    return (value + (1 << 13)) >> 14;
-}
-
-std::int64_t floorDivide(std::int64_t value, std::int64_t divisor)
-{
-    const std::int64_t quotient = value / divisor;
-    return quotient * divisor > value ? quotient - 1 : quotient;
-}
-
-/// ⌊√value⌋ in integers, one bit of the root after the other.
-std::int64_t squareRoot(std::int64_t value)
-{
-    std::int64_t root = 0;
-    for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1) {
-        if ((root + bit) <= value / (root + bit))
-            root += bit;
-    }
-    return root;
-}
-
-std::int64_t ramp(std::int64_t t, std::int64_t halfWidth)
-{
-    return (std::clamp(t, -halfWidth, halfWidth) + halfWidth) * 255 / (2 * halfWidth);
-}
-
-} // namespace
-
 Drill::Drill(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
     DenseFields& fields, core::DrillCut cut)
-    : m_codes(codes)
-    , m_radiation(std::move(radiation))
-    , m_coverage(fields.coverage(cut.layer))
-    , m_frame(cut.frame)
+    : m_cut(std::move(cut))
+    , m_plane(codes, std::move(radiation), fields.coverage(m_cut.layer), m_cut.frame)
 {
 }
 
-std::int64_t Drill::depthUnder(
+std::int64_t Drill::weightUnder(
     const core::DrillSample& sample, std::int64_t a, std::int64_t b) const
 {
-    const std::int64_t pitch = m_frame.pitch;
+    const std::int64_t pitch = m_cut.frame.pitch;
+    if (!m_cut.mask.values.empty()) {
+        const std::int64_t x = a - floorDivide(sample.x, pitch) - m_cut.mask.first.x;
+        const std::int64_t y = b - floorDivide(sample.y, pitch) - m_cut.mask.first.y;
+        const bool inside = x >= 0 && y >= 0 && x < m_cut.mask.size.x && y < m_cut.mask.size.y;
+        return inside ? m_cut.mask.values[std::size_t(y * m_cut.mask.size.x + x)] : 0;
+    }
     const std::int64_t dx = a * pitch + pitch / 2 - sample.x;
     const std::int64_t dy = b * pitch + pitch / 2 - sample.y;
     const std::int64_t distance = squareRoot(dx * dx + dy * dy);
-    const std::int64_t m = std::clamp<std::int64_t>(
-        floorDivide((m_frame.maskRadius - distance) * 256 + 128 * pitch, pitch), 0, 256);
-    return (sample.depth * m) >> 8;
-}
-
-std::optional<Drill::Hit> Drill::cast(std::int64_t a, std::int64_t b) const
-{
-    const Tissue tissue{m_codes, m_radiation};
-    Index16 start;
-    Index16 step;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        start[axis] = round14(
-            m_frame.rayOrigin[axis] + a * m_frame.rayPerA[axis] + b * m_frame.rayPerB[axis]);
-        step[axis] = round14(m_frame.rayPerSample[axis]);
-    }
-    const auto materialAt = [&](std::int64_t n, std::int64_t q) {
-        Index16 position;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] = start[axis] + n * step[axis] + ((q * step[axis]) >> 4);
-        return tissue.material(position, m_frame.thresholdCode);
-    };
-    const auto height = [&](std::int64_t n, std::int64_t q) {
-        return m_frame.zStart + n * m_frame.zPerSample + ((q * m_frame.zPerSample) >> 4);
-    };
-
-    std::int64_t first = 0;
-    while (first < m_frame.sampleCount && !materialAt(first, 0))
-        ++first;
-    if (first >= m_frame.sampleCount)
-        return std::nullopt;
-
-    std::int64_t high = first * 16;
-    if (first > 0) {
-        std::int64_t low = (first - 1) * 16;
-        for (int bisection = 0; bisection < 4; ++bisection) {
-            const std::int64_t middle = (low + high) / 2;
-            (materialAt(middle / 16, middle % 16) ? high : low) = middle;
-        }
-    }
-
-    Hit hit{height(high / 16, high % 16), std::numeric_limits<std::int32_t>::max()};
-    if (m_frame.throughGaps)
-        return hit;
-    int run = 0;
-    for (std::int64_t n = first + 1;
-         n < m_frame.sampleCount && height(n, 0) <= hit.zSurface + m_frame.maxDepth; ++n) {
-        run = materialAt(n, 0) ? 0 : run + 1;
-        if (run == m_frame.gapSamples) {
-            hit.zExit = height(n - run + 1, 0);
-            break;
-        }
-    }
-    return hit;
+    return std::clamp<std::int64_t>(
+        floorDivide((m_cut.maskRadius - distance) * 256 + 128 * pitch, pitch), 0, 256);
 }
 
 void Drill::extend(const std::vector<core::DrillSample>& samples)
 {
+    const core::MaskFrame& frame = m_cut.frame;
+    const std::int64_t pitch = frame.pitch;
+    // A mask ends half an element beyond its radius; one more is asked for than can be reached.
+    std::int64_t reach = m_cut.maskRadius / pitch + 2;
+    for (const int side : {m_cut.mask.first.x, m_cut.mask.first.y,
+             m_cut.mask.first.x + m_cut.mask.size.x, m_cut.mask.first.y + m_cut.mask.size.y})
+        reach = std::max<std::int64_t>(reach, std::abs(side) + 1);
     for (const core::DrillSample& sample : samples) {
-        // A mask ends half an element beyond its radius; one more is asked for than can be reached.
-        const std::int64_t reach = std::int64_t(m_frame.maskRadius) + 2 * m_frame.pitch;
-        for (std::int64_t b = floorDivide(sample.y - reach, m_frame.pitch);
-             b <= floorDivide(sample.y + reach, m_frame.pitch); ++b) {
-            for (std::int64_t a = floorDivide(sample.x - reach, m_frame.pitch);
-                 a <= floorDivide(sample.x + reach, m_frame.pitch); ++a) {
-                const std::int64_t depth = depthUnder(sample, a, b);
-                if (depth <= 0)
+        if (sample.depth <= 0)
+            continue;
+        std::vector<std::pair<Element*, std::int64_t>> under; // with weights
+        std::vector<std::int64_t> surfaces;
+        const std::int64_t middleA = floorDivide(sample.x, pitch);
+        const std::int64_t middleB = floorDivide(sample.y, pitch);
+        for (std::int64_t b = middleB - reach; b <= middleB + reach; ++b) {
+            for (std::int64_t a = middleA - reach; a <= middleA + reach; ++a) {
+                const std::int64_t weight = weightUnder(sample, a, b);
+                if (weight <= 0)
                     continue;
                 const auto [element, isNew] = m_elements.try_emplace({a, b});
                 if (isNew)
-                    element->second.hit = cast(a, b);
-                element->second.depth = std::max(element->second.depth, depth);
+                    element->second.hit = m_plane.cast(a, b);
+                if (!element->second.hit)
+                    continue;
+                under.emplace_back(&element->second, weight);
+                surfaces.push_back(element->second.hit->zSurface);
+            }
+        }
+        std::sort(surfaces.begin(), surfaces.end());
+        for (const auto& [element, weight] : under) {
+            if (m_cut.guard >= 0
+                && element->hit->zSurface > surfaces[(surfaces.size() - 1) / 2] + m_cut.guard)
+                continue;
+            if (m_cut.mode == core::DrillMode::Limit) {
+                element->depth = std::max(element->depth, (sample.depth * weight) >> 8);
+            } else {
+                element->sum += sample.depth * weight;
+                element->depth = std::min<std::int64_t>(frame.maxDepth, element->sum >> 16);
             }
         }
     }
-    cutVoxels();
-}
 
-void Drill::cutVoxels()
-{
-    const core::BrickGrid grid{m_codes.size};
-    std::array<std::int64_t, 3> perI;
-    std::array<std::int64_t, 3> perJ;
-    std::array<std::int64_t, 3> perK;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        perI[axis] = round14(m_frame.planePerI[axis]);
-        perJ[axis] = round14(m_frame.planePerJ[axis]);
-        perK[axis] = round14(m_frame.planePerK[axis]);
+    std::map<MaskPlane::Place, MaskPlane::Column> columns;
+    const std::int64_t r = frame.rampHalfWidth;
+    for (const auto& [place, element] : m_elements) {
+        if (!element.hit || element.depth <= 0)
+            continue;
+        const MaskPlane::Hit& hit = *element.hit;
+        columns[place] = frame.restore
+            ? MaskPlane::Column{hit.zSurface - element.depth, hit.zSurface + 2 * r}
+            : MaskPlane::Column{
+                hit.zSurface - 2 * r, std::min(hit.zSurface + element.depth, hit.zExit)};
     }
-    const std::int64_t r = m_frame.rampHalfWidth;
-    for (int brick = 0; brick < grid.brickCount(); ++brick) {
-        const core::VoxelBox box = grid.boxOf(brick);
-        const glm::ivec3 o = box.minimum;
-        std::array<std::int64_t, 3> base;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            base[axis] = round14(m_frame.planeOrigin[axis] + o.x * m_frame.planePerI[axis]
-                + o.y * m_frame.planePerJ[axis] + o.z * m_frame.planePerK[axis]);
-        for (int k = 0; k < box.maximum.z - o.z; ++k) {
-            for (int j = 0; j < box.maximum.y - o.y; ++j) {
-                for (int i = 0; i < box.maximum.x - o.x; ++i) {
-                    const auto plane = [&](std::size_t axis) {
-                        return base[axis] + i * perI[axis] + j * perJ[axis] + k * perK[axis];
-                    };
-                    const auto element = m_elements.find({floorDivide(plane(0), m_frame.pitch),
-                        floorDivide(plane(1), m_frame.pitch)});
-                    if (element == m_elements.end() || !element->second.hit)
-                        continue;
-                    const Hit& hit = *element->second.hit;
-                    const std::int64_t z = plane(2);
-                    const std::int64_t zEnd =
-                        std::min(hit.zSurface + element->second.depth, hit.zExit);
-                    const std::int64_t cut =
-                        std::min(ramp(zEnd - z, r), ramp(z - (hit.zSurface - 2 * r), r));
-                    std::uint8_t& coverage = m_coverage.at(o + glm::ivec3(i, j, k));
-                    coverage = std::max(coverage, std::uint8_t(cut));
-                }
-            }
-        }
-    }
+    m_plane.lay(columns, m_cut.laying);
 }
 
 } // namespace reference

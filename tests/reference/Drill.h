@@ -3,7 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/DenseFields.h"
-#include "tests/reference/Rays.h"
+#include "tests/reference/MaskPlane.h"
 
 #include <map>
 #include <optional>
@@ -21,26 +21,18 @@ public:
     void extend(const std::vector<core::DrillSample>& samples);
 
 private:
-    /// Rules 4 and 5 for one element.
-    struct Hit {
-        std::int64_t zSurface = 0;
-        std::int64_t zExit = 0;
-    };
     struct Element {
         std::int64_t depth = 0;
-        std::optional<Hit> hit;
+        std::int64_t sum = 0; ///< mode Rate
+        std::optional<MaskPlane::Hit> hit;
     };
 
-    [[nodiscard]] std::int64_t depthUnder(
+    [[nodiscard]] std::int64_t weightUnder(
         const core::DrillSample& sample, std::int64_t a, std::int64_t b) const;
-    [[nodiscard]] std::optional<Hit> cast(std::int64_t a, std::int64_t b) const;
-    void cutVoxels();
 
-    const DenseArray<std::uint16_t>& m_codes;
-    DenseArray<std::uint8_t> m_radiation; ///< as it was when the stroke began
-    DenseArray<std::uint8_t>& m_coverage;
-    core::DrillFrame m_frame;
-    std::map<std::pair<std::int64_t, std::int64_t>, Element> m_elements;
+    core::DrillCut m_cut;
+    MaskPlane m_plane;
+    std::map<MaskPlane::Place, Element> m_elements;
 };
 
 } // namespace reference

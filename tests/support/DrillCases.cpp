@@ -77,8 +77,8 @@ Codes randomCodes(const glm::ivec3& size, Random& random)
 /// Integers that a stroke would not have, within what the rules allow.
 void disturb(DrillCut& cut, Random& random)
 {
-    core::DrillFrame& frame = cut.frame;
-    switch (random() % 8) {
+    core::MaskFrame& frame = cut.frame;
+    switch (random() % 9) {
     case 0:
         frame.gapSamples = randomInt(random, 1, 8);
         break;
@@ -92,10 +92,13 @@ void disturb(DrillCut& cut, Random& random)
         frame.rampHalfWidth = randomInt(random, 1, 3 * frame.rampHalfWidth);
         break;
     case 4:
-        frame.maskRadius = randomInt(random, 0, frame.pitch * 2);
+        cut.maskRadius = randomInt(random, 0, frame.pitch * 2);
         break;
     case 5:
         frame.pitch = randomInt(random, frame.pitch / 2, frame.pitch * 3);
+        break;
+    case 6:
+        cut.laying = cut.laying == core::Laying::Carve ? core::Laying::Refill : core::Laying::Carve;
         break;
     default:
         break;
@@ -201,7 +204,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         scene.made.codes = balls(size, 5, scene.random);
         DrillStroke stroke = scene.stroke();
         stroke.depthMm = 9.0;
-        stroke.radiusMm = 7.0;
+        stroke.mask.radiusMm = 7.0;
         stroke.surfaceThreshold = threshold;
         scene.append(stroke);
         add(scene);
@@ -243,7 +246,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         stroke.view.eyeLps = stroke.view.targetLps - 100.0 * geometry.direction()[1];
         stroke.view.up = geometry.direction()[2];
         stroke.depthMm = 100.0;
-        stroke.radiusMm = 5.0;
+        stroke.mask.radiusMm = 5.0;
         stroke.throughGaps = throughGaps;
         stroke.samples = {{.xMm = 0.0, .yMm = 0.0}, {.xMm = 6.0, .yMm = 3.0}};
         scene.append(stroke);
@@ -253,7 +256,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         Scene scene("strokes over strokes in two layers", 6, size);
         scene.made.codes = shells(size);
         DrillStroke stroke = scene.stroke();
-        stroke.radiusMm = 6.0;
+        stroke.mask.radiusMm = 6.0;
         stroke.depthMm = 4.0;
         for (int i = 0; i < 6; ++i) {
             stroke.layer = 1 + i % 2;

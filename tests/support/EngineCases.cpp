@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/EngineCases.h"
 
+#include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
 
 #include <cmath>
@@ -18,6 +19,49 @@ glm::dvec3 randomDirection(Random& random)
             2.0 * randomUnit(random) - 1.0};
     } while (glm::length(v) < 0.1 || glm::length(v) > 1.0);
     return glm::normalize(v);
+}
+
+core::MaskShape randomMask(double radiusMm, Random& random)
+{
+    core::MaskShape mask;
+    mask.radiusMm = radiusMm;
+    mask.kind = core::MaskShape::Kind(randomInt(random, 0, 4));
+    mask.widthMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
+    mask.heightMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
+    mask.cornerMm = radiusMm * randomUnit(random);
+    mask.rotationDegrees = randomInt(random, -360, 360);
+    if (random() % 3 == 0) {
+        // May cross itself; the corner at the end keeps it from being too small.
+        mask.polygonMm.emplace();
+        for (int i = randomInt(random, 2, 9); i > 0; --i)
+            mask.polygonMm->push_back(
+                2.0 * radiusMm * glm::dvec2(randomUnit(random) - 0.5, randomUnit(random) - 0.5));
+        const glm::dvec2 last = mask.polygonMm->back();
+        mask.polygonMm->push_back(last + glm::dvec2(radiusMm + 1.5, 0.0));
+        mask.polygonMm->push_back(last + glm::dvec2(0.0, radiusMm + 1.5));
+    }
+    return mask;
+}
+
+/// Masks, modes and pen times, often.
+void randomise(core::DrillStroke& stroke, double reach, Random& random)
+{
+    if (random() % 2)
+        stroke.mask = randomMask(stroke.mask.radiusMm, random);
+    stroke.restore = random() % 4 == 0;
+    stroke.byTime = random() % 2;
+    if (random() % 3 == 0)
+        stroke.guardMm = 0.1 + 0.3 * reach * randomUnit(random);
+    if (random() % 4 == 0) {
+        stroke.mode = core::DrillMode::Rate;
+        stroke.floorMm = reach * randomUnit(random);
+        stroke.depthMm *= 4.0;
+    }
+    double seconds = 0.0;
+    for (core::PenSample& sample : stroke.samples) {
+        sample.tSeconds = seconds;
+        seconds += random() % 4 ? randomInt(random, 1, 3000) / 10000.0 : 0.0;
+    }
 }
 
 EngineStep command(core::EngineCommand known)
@@ -67,7 +111,7 @@ core::DrillStroke randomDrill(const core::Document& document, Random& random)
     do {
         stroke.view.up = randomDirection(random);
     } while (std::abs(glm::dot(stroke.view.up, towards)) > 0.95);
-    stroke.radiusMm = 0.5 + reach * 0.5 * randomUnit(random);
+    stroke.mask.radiusMm = 0.5 + reach * 0.5 * randomUnit(random);
     stroke.depthMm = reach * randomUnit(random);
     stroke.pressureExponent = randomInt(random, 1, 3);
     stroke.surfaceThreshold = tissueCode / 2;
@@ -79,6 +123,7 @@ core::DrillStroke randomDrill(const core::Document& document, Random& random)
         xMm += (randomUnit(random) - 0.5) * reach;
         yMm += (randomUnit(random) - 0.5) * reach;
     }
+    randomise(stroke, reach, random);
     return stroke;
 }
 
@@ -93,7 +138,7 @@ core::DrillCut drillCutOf(const core::DrillStroke& stroke, const core::Document&
 std::vector<core::DrillSample> drillSamplesOf(
     const core::DrillStroke& stroke, const core::DrillCut& cut)
 {
-    return core::drillPath(stroke, cut.frame, nullptr, stroke.samples);
+    return core::drillPath(stroke, cut);
 }
 
 std::vector<EngineCase> refusalCases()

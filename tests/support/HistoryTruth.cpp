@@ -2,6 +2,7 @@
 #include "tests/support/HistoryTruth.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/edits/DrillPathSampler.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
 #include "core/session/StateHash.h"
@@ -210,7 +211,7 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
             if (!revise || stroke.row != revise->row)
                 continue;
             auto form = std::get<DrillStroke>(m_rows.at(stroke.row).edit);
-            form.radiusMm = revise->radiusMm.value_or(form.radiusMm);
+            form.mask.radiusMm = revise->radiusMm.value_or(form.mask.radiusMm);
             form.depthMm = revise->depthMm.value_or(form.depthMm);
             form.layer = revise->layer.value_or(form.layer);
             form.throughGaps = revise->throughGaps.value_or(form.throughGaps);
@@ -222,13 +223,15 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
     Bricks carved;
     for (const Stroke& stroke : strokes) {
         const auto* brush = std::get_if<BrushStroke>(&stroke.form);
-        const int layer = brush ? brush->layer : std::get<DrillStroke>(stroke.form).layer;
+        const auto* drill = std::get_if<DrillStroke>(&stroke.form);
+        const int layer = brush ? brush->layer : drill->layer;
+        const bool restore = brush ? brush->restore : drill->restore;
         for (const auto& [brick, bytes] : cutOf(stroke)) {
             std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
             for (std::size_t i = 0; i < bytes.size(); ++i)
-                held[i] = brush && brush->restore ? std::min(held[i], std::uint8_t(255 - bytes[i]))
-                                                  : std::max(held[i], bytes[i]);
+                held[i] = restore ? std::min(held[i], std::uint8_t(255 - bytes[i]))
+                                  : std::max(held[i], bytes[i]);
         }
     }
     std::erase_if(carved, [](const auto& each) {
@@ -255,7 +258,8 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
     if (const auto* drill = std::get_if<DrillStroke>(&stroke.form)) {
         DrillCut alone = *drillCut(*drill, before.document);
         alone.layer = truthLayer;
-        paths.push_back(DrillPath{drillPath(*drill, alone.frame, nullptr, drill->samples)});
+        alone.laying = Laying::Carve;
+        paths.push_back(DrillPath{drillPath(*drill, alone)});
         edit = alone;
     } else {
         const auto& brush = std::get<BrushStroke>(stroke.form);

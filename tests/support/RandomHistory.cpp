@@ -245,10 +245,27 @@ private:
             stroke.view.eyeLps = middle + glm::dvec3(between(-200, 200), between(50, 200), 30);
         for (PenSample& sample : stroke.samples)
             sample.yMm += between(-60, 60) / 10.0;
-        stroke.radiusMm = between(10, 70) / 10.0;
+        stroke.mask.radiusMm = between(10, 70) / 10.0;
         stroke.depthMm = between(10, 90) / 10.0;
         stroke.layer = any(m_session->document().layers).id;
         stroke.throughGaps = chance(30);
+        stroke.restore = chance(30);
+        if (chance(40)) {
+            stroke.mask.kind = MaskShape::Kind(between(0, 4));
+            stroke.mask.widthMm = between(10, 140) / 10.0;
+            stroke.mask.heightMm = between(10, 140) / 10.0;
+            stroke.mask.rotationDegrees = between(0, 90);
+        }
+        if (chance(20))
+            stroke.mask.polygonMm = {{{-6, -4}, {5, between(-50, 50) / 10.0}, {-3, 6}, {7, 7}}};
+        if (chance(25)) {
+            stroke.mode = DrillMode::Rate;
+            stroke.depthMm *= 10.0;
+            stroke.floorMm = between(10, 90) / 10.0;
+        }
+        stroke.byTime = chance(50);
+        if (chance(30))
+            stroke.guardMm = between(1, 40) / 10.0;
         return stroke;
     }
     /// From a place that drills reach; on one slice now and then.

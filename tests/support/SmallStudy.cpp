@@ -71,7 +71,7 @@ core::DrillStroke drillAt(double xMm)
         .targetLps = middle,
         .up = {0, 0, 1},
         .heightMm = 80};
-    stroke.radiusMm = 4;
+    stroke.mask.radiusMm = 4;
     stroke.depthMm = 5;
     stroke.surfaceThreshold = 500;
     stroke.samples = {{.xMm = xMm, .yMm = 0.3, .pressure = 0.7, .tSeconds = 0.0},

@@ -381,11 +381,11 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
 
     core::DrillStroke beside = drill;
-    beside.radiusMm *= 0.7;
+    beside.mask.radiusMm *= 0.7;
     for (core::PenSample& sample : beside.samples)
-        sample.xMm += beside.radiusMm;
+        sample.xMm += beside.mask.radiusMm;
     cases.push_back({"revise a drill", volume, {first, drill, seeds, beside, all},
-        core::ReviseStroke{.row = 2, .radiusMm = drill.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 2, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill", volume, {drill, beside, drill},
         core::ReviseStroke{.row = 1, .removed = true}});
     cases.push_back({"revise a revised drill", volume,
@@ -426,7 +426,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"restore what is whole", volume, {}, back});
     cases.push_back({"drill after the brush", volume, {brush, back}, drill});
     cases.push_back({"revise a drill below the brush", volume, {drill, brush, back, drill},
-        core::ReviseStroke{.row = 1, .radiusMm = drill.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill below the brush", volume, {drill, brush, back},
         core::ReviseStroke{.row = 1, .removed = true}});
     cases.push_back(

@@ -3,6 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/EditSchema.h"
+#include "core/edits/ToolMasks.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -51,7 +52,7 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     , m_row(stroke.row)
     , m_drawn(drawn)
     , m_radius(millimetreBox(
-          this, QStringLiteral("radius"), core::editSchema::drillRadius, stroke.stroke.radiusMm))
+          this, QStringLiteral("radius"), core::editSchema::drillRadius, stroke.stroke.mask.radiusMm))
     , m_depth(millimetreBox(
           this, QStringLiteral("depth"), core::editSchema::drillDepth, stroke.stroke.depthMm))
     , m_layer(new QComboBox(this))
@@ -77,6 +78,7 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     form->addRow(tr("Depth at full pressure"), m_depth);
     form->addRow(tr("Layer"), m_layer);
     form->addRow(QString(), m_throughGaps);
+    form->setRowVisible(m_radius, core::isRound(drawn.mask));
     // With one layer there is nothing to choose.
     form->setRowVisible(m_layer, m_layer->count() > 1);
     auto* buttons = new QDialogButtonBox(this);
@@ -95,7 +97,7 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
 core::ReviseStroke ReviseStrokeDialog::edit() const
 {
     core::ReviseStroke edit{.row = m_row};
-    edit.radiusMm = changed(*m_radius, m_drawn.radiusMm);
+    edit.radiusMm = changed(*m_radius, m_drawn.mask.radiusMm);
     edit.depthMm = changed(*m_depth, m_drawn.depthMm);
     if (m_layer->currentIndex() >= 0 && m_layer->currentData().toInt() != m_drawn.layer)
         edit.layer = m_layer->currentData().toInt();

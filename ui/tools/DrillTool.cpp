@@ -16,6 +16,9 @@ namespace ui {
 
 namespace {
 
+/// What lies so much deeper than the cut is seen through a gap.
+constexpr double guardMm = 5.0;
+
 /// The next round millimetre value: steps grow with the size, a tenth of it at least half a mm.
 double stepped(double value, int steps, double minimum, double maximum)
 {
@@ -84,9 +87,11 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view) const
     core::DrillStroke stroke;
     stroke.layer = m_workspace.activeLayer();
     stroke.view = orthographicView(scene);
-    stroke.radiusMm = settings.radiusMm;
+    stroke.mask.radiusMm = settings.radiusMm;
     stroke.depthMm = settings.depthMm;
     stroke.throughGaps = settings.throughGaps;
+    stroke.guardMm = guardMm;
+    stroke.byTime = true;
     stroke.surfaceThreshold = drillThreshold(m_workspace.volumeDisplay(), *m_workspace.volume());
     return stroke;
 }

@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(drill);
         const auto& stroke = std::get<DrillStroke>(*drill);
         QCOMPARE(stroke.view.eyeLps.y, -400.0);
-        QCOMPARE(stroke.radiusMm, 8.0);
+        QCOMPARE(stroke.mask.radiusMm, 8.0);
         QCOMPARE(stroke.surfaceThreshold, 250.0);
         QCOMPARE(stroke.layer, 1);
         QCOMPARE(stroke.pressureExponent, 2);

@@ -32,7 +32,7 @@ public:
             .targetLps = point(),
             .up = point() / 2000.0,
             .heightMm = number(1, 900)};
-        stroke.radiusMm = number(0.1, 50);
+        stroke.mask.radiusMm = number(0.1, 50);
         stroke.depthMm = number(0.1, 50);
         stroke.surfaceThreshold = number(-1024, 3000);
         double time = 0;
@@ -89,8 +89,8 @@ private Q_SLOTS:
         const auto after = std::get<DrillStroke>(quantised(before));
         QVERIFY(onGrid(after.view.eyeLps.x, 1024) && onGrid(after.view.targetLps.z, 1024));
         QVERIFY(onGrid(after.view.up.y, 1048576));
-        QVERIFY(onGrid(after.radiusMm, 1024) && onGrid(after.depthMm, 1024));
-        QVERIFY(std::abs(after.radiusMm - before.radiusMm) <= 0.5 / 1024);
+        QVERIFY(onGrid(after.mask.radiusMm, 1024) && onGrid(after.depthMm, 1024));
+        QVERIFY(std::abs(after.mask.radiusMm - before.mask.radiusMm) <= 0.5 / 1024);
         for (std::size_t i = 0; i < after.samples.size(); ++i) {
             QVERIFY(onGrid(after.samples[i].xMm, 1024) && onGrid(after.samples[i].yMm, 1024));
             QVERIFY(onGrid(after.samples[i].pressure, 65535));

@@ -28,7 +28,7 @@ struct StraightView {
         stroke.view.targetLps = glm::dvec3(size) / 2.0;
         stroke.view.eyeLps = stroke.view.targetLps - glm::dvec3(0, 0, 300);
         stroke.view.up = {0.0, 1.0, 0.0};
-        stroke.radiusMm = 6.0;
+        stroke.mask.radiusMm = 6.0;
         stroke.depthMm = 5.0;
         stroke.pressureExponent = 1;
         stroke.surfaceThreshold = test::tissueCode / 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickGrid.h"
 #include "core/edits/EditQuantise.h"
+#include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
@@ -89,7 +90,7 @@ QByteArray hashOf(const std::vector<Edit>& edits)
 DrillStroke drill(double xMm, double radiusMm = 5.0, double depthMm = 5.0, int layer = 1)
 {
     DrillStroke stroke = test::drillAt(xMm);
-    stroke.radiusMm = radiusMm;
+    stroke.mask.radiusMm = radiusMm;
     stroke.depthMm = depthMm;
     stroke.layer = layer;
     return stroke;
@@ -142,7 +143,7 @@ private:
         DrillCut alone = *drillCut(drawn.stroke, document);
         alone.layer = 9;
         const Ticket ticket = submitWhole(engine, alone,
-            {DrillPath{drillPath(drawn.stroke, alone.frame, nullptr, drawn.stroke.samples)}});
+            {DrillPath{drillPath(drawn.stroke, alone)}});
         engine.finish();
         std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
         for (const EngineResult& result : engine.collect()) {

@@ -72,7 +72,7 @@ private Q_SLOTS:
         Panel panel;
         core::EditSession& session = panel.session();
         core::DrillStroke second = test::drillAt(1);
-        second.radiusMm = 3.0;
+        second.mask.radiusMm = 3.0;
         panel.applyAll({test::drillAt(0), second});
         const auto answer = [&panel](const std::function<void(ui::ReviseStrokeDialog&)>& act) {
             auto* dialog = panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();

@@ -139,9 +139,11 @@ private Q_SLOTS:
         const auto& scene = std::get<gpu::VolumeScene>(context.scene);
         core::DrillStroke expected;
         expected.view = {scene.eyeLps, scene.targetLps, scene.up, scene.heightMm};
-        expected.radiusMm = 3.0;
+        expected.mask.radiusMm = 3.0;
         expected.depthMm = 6.0;
         expected.surfaceThreshold = 300.0;
+        expected.guardMm = 5.0;
+        expected.byTime = true;
         const double mmPerPixel = scene.heightMm / fixture.view.height();
         for (const Reading& reading : stroke)
             expected.samples.push_back({reading.offset.x() * mmPerPixel,

@@ -123,7 +123,7 @@ private Q_SLOTS:
         view.lookFrom({0.0, -1.0, 0.0});
         core::DrillStroke hole;
         hole.view = ui::orthographicView(std::get<gpu::VolumeScene>(view.context().scene));
-        hole.radiusMm = 6.0;
+        hole.mask.radiusMm = 6.0;
         hole.depthMm = 40.0;
         hole.throughGaps = true;
         hole.surfaceThreshold = 300.0;

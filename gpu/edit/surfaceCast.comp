@@ -1,5 +1,5 @@
-// Where each new mask element meets the surface as it was at pen-down, and where the material behind
-// it ends (core/sculpt/DrillCut.h, rules 2 to 5). One invocation a ray.
+// Where mask elements meet the surface as it was when the edit began, and where the material behind
+// it ends (core/sculpt/MaskFrame.h, rules 2 to 5). One invocation a ray.
 
 layout(local_size_x = 64) in;
 
@@ -9,7 +9,7 @@ layout(binding = 0) uniform usampler3D codes;
 layout(binding = 1) uniform usampler3D radiation;
 layout(binding = 0, std430) readonly buffer Rays { ivec4 rays[]; };     // index16 at sample 0
 layout(binding = 1, std430) writeonly buffer Hits { ivec2 hits[]; };    // zSurface, zExit (mm16)
-// Radiation at pen-down of the bricks that this stroke has changed since: slot + 1 a brick, 0 none.
+// Radiation at the beginning of the bricks that this edit has changed since: slot + 1 a brick, 0 none.
 layout(binding = 2, std430) readonly buffer SnapshotSlots { uint snapshotSlots[]; };
 layout(binding = 3, std430) readonly buffer Snapshots { uint snapshots[]; };
 
@@ -24,6 +24,7 @@ uniform int thresholdCode;
 uniform int maxDepth;
 uniform int gapSamples;
 uniform bool throughGaps;
+uniform bool restore;
 
 const int nowhere = 0x7FFFFFFF;
 
@@ -84,9 +85,20 @@ void main()
     ivec3 origin = rays[ray].xyz;
     ivec2 range = samplesInside(origin);
     int first = range.x;
-    while (first < range.y && !material(at(origin, first, 0), thresholdCode))
-        ++first;
-    if (first >= range.y) {
+    int lastCarved = -1;
+    for (; first < range.y; ++first) {
+        ivec3 p = at(origin, first, 0);
+        if (!dense(p, thresholdCode))
+            continue;
+        if (!carved(p))
+            break;
+        lastCarved = first;
+    }
+    if (restore && lastCarved >= 0 && (first >= range.y || lastCarved + 1 < first)) {
+        hits[ray] = ivec2(heightAt(lastCarved + 1, 0), nowhere);
+        return;
+    }
+    if (first >= range.y || (restore && lastCarved < 0)) {
         hits[ray] = ivec2(nowhere);
         return;
     }
@@ -103,7 +115,7 @@ void main()
 
     int exit = nowhere;
     int run = 0;
-    for (int n = first + 1; !throughGaps && n < sampleCount && heightAt(n, 0) <= surface + maxDepth;
+    for (int n = first + 1; !throughGaps && !restore && n < sampleCount && heightAt(n, 0) <= surface + maxDepth;
          ++n) {
         if (material(at(origin, n, 0), thresholdCode)) {
             run = 0;

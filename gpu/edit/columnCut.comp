@@ -1,5 +1,5 @@
-// Cuts the candidate bricks of a drill stroke: coverage = max(coverage, cut)
-// (core/sculpt/DrillCut.h, rule 6). One work-group a brick, each voxel written by one invocation.
+// Lays the columns of a mask plane into candidate bricks (core/sculpt/MaskFrame.h, rule 6). One
+// work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
 
@@ -12,12 +12,12 @@ struct Candidate {
 };
 layout(binding = 0, std430) readonly buffer Candidates { Candidate candidates[]; };
 layout(binding = 1, std430) readonly buffer TileSlots { uint tileSlots[]; }; // slot + 1, 0: none
-struct Element {
-    int depth;   // mm16
-    int surface; // mm16
-    int exit;    // mm16
+struct Column {
+    int from; // mm16
+    int to;   // mm16
+    int weight;
 };
-layout(binding = 2, std430) readonly buffer Elements { Element elements[]; };
+layout(binding = 2, std430) readonly buffer Columns { Column columns[]; };
 layout(binding = 3, std430) writeonly buffer Changed { uint changed[]; };
 
 uniform ivec3 volumeSize;
@@ -29,8 +29,7 @@ uniform int pitch;
 uniform int rampHalfWidth;
 uniform ivec2 firstTile; // in tiles of 16 × 16 elements
 uniform ivec2 tileCount;
-
-const int nowhere = 0x7FFFFFFF;
+uniform bool refill;
 
 uint ramp(int t)
 {
@@ -50,11 +49,10 @@ uint cutAt(ivec3 plane)
     uint slot = tileSlots[tile.x + tileCount.x * tile.y];
     if (slot == 0u)
         return 0u;
-    Element e = elements[(slot - 1u) * 256u + uint(element.x & 15) + 16u * uint(element.y & 15)];
-    if (e.depth == 0 || e.surface == nowhere)
+    Column c = columns[(slot - 1u) * 256u + uint(element.x & 15) + 16u * uint(element.y & 15)];
+    if (c.weight == 0)
         return 0u;
-    int end = min(e.surface + e.depth, e.exit);
-    return min(ramp(end - plane.z), ramp(plane.z - (e.surface - 2 * rampHalfWidth)));
+    return min(uint(c.weight), min(ramp(c.to - plane.z), ramp(plane.z - c.from)));
 }
 
 void main()
@@ -72,8 +70,10 @@ void main()
         if (cut == 0u)
             continue;
         ivec3 texel = atlasTexel(entry, origin + local);
-        if (imageLoad(coverage, texel).r < cut) {
-            imageStore(coverage, texel, uvec4(cut));
+        uint held = imageLoad(coverage, texel).r;
+        uint value = refill ? min(held, 255u - cut) : max(held, cut);
+        if (value != held) {
+            imageStore(coverage, texel, uvec4(value));
             any = true;
         }
     }

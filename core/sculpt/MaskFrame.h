@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/VolumeGeometry.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace core {
+
+/// Three 64-bit fixed-point coordinates.
+using Fixed3 = std::array<std::int64_t, 3>;
+
+/// The plane that a tool presses into the volume along the view direction (seed A §4.1, 4.2), in
+/// integers: where it lies, what it meets, how it cuts. Drill, peel and scissors build on it; both
+/// engines follow the rules below to the bit.
+///
+/// Spaces. *Plane* coordinates (x right, y up, z along the view direction) are mm from the view's
+/// target, in 16.16 fixed point ("mm16") unless 2⁻³⁰ is said. *Index* coordinates are voxels, 16.16
+/// ("index16") unless 2⁻³⁰ is said. `>>` is the arithmetic shift (rounds down); round14(v) is
+/// (v + 2¹³) >> 14 and brings 2⁻³⁰ to 2⁻¹⁶.
+///
+/// 1. Elements. The mask plane is a raster of square elements; element (a, b) covers
+///    [a·pitch, (a+1)·pitch) × [b·pitch, (b+1)·pitch), centre c = (a·pitch + pitch/2, …) (integer
+///    division). Each tool says which elements it uses and how deep (DrillCut.h, rule 1).
+/// 2. Rays. Every element that is used is cast once. P₀ = round14(rayOrigin + a·rayPerA +
+///    b·rayPerB), S = round14(rayPerSample), per component; where P₀ leaves ±2³⁰ the element cuts
+///    nothing (it lies far from the volume). The position at sample n plus q sixteenths is
+///    P(n, q) = P₀ + n·S + ((q·S) >> 4), its height z(n, q) = zStart + n·zPerSample +
+///    ((q·zPerSample) >> 4).
+/// 3. Material at P (index16). Outside unless 0 ≤ P ≤ (size − 1)·2¹⁶ in every component.
+///    i = P >> 16, f = (P & 0xFFFF) >> 8, neighbours clamped to size − 1. Codes are interpolated
+///    along x, y, z: X = (c₀(256−f) + c₁f) >> 4, Y = (X₀(256−f) + X₁f) >> 4, Z = Y₀(256−f) + Y₁f,
+///    all in unsigned 32 bits; dense iff Z ≥ thresholdCode·2¹⁶ (thresholdCode 65536: never dense).
+///    Radiation (see Radiation.h) *as it was when the edit began* is interpolated alike without the
+///    shifts; carved iff the result ≥ 128·2²⁴. Material = inside, dense and not carved.
+/// 4. Surface. n₀ = the first sample 0 ≤ n < sampleCount with material at (n, 0); none: the element
+///    cuts nothing. For n₀ > 0 four bisections of [(n₀−1)·16, n₀·16] in sixteenths (middle =
+///    (low + high) / 2; material → high, else low) give (n, q) = (high / 16, high % 16);
+///    for n₀ = 0 it is (0, 0). zSurface = z(n, q).
+///    Restoring: n_c = the last sample before n₀ (before sampleCount where there is no n₀) that is
+///    inside, dense and carved at (n, 0); none: the element restores nothing. Where n₀ = n_c + 1,
+///    zSurface is as above; else, where what was carved ends at a gap or all is drilled through,
+///    zSurface = z(n_c + 1, 0).
+/// 5. Gap. From n₀ + 1 on, while n < sampleCount and z(n, 0) ≤ zSurface + maxDepth: the first run
+///    of gapSamples consecutive samples without material (at (n, 0)) ends the cut at
+///    z(first of the run, 0) =: zExit. A run cut short by the end of the march does not count. No
+///    such run, throughGaps, or restoring: zExit = 2³¹ − 1.
+/// 6. Voxels. For a brick with first voxel o: base = round14(planeOrigin + o.x·planePerI +
+///    o.y·planePerJ + o.z·planePerK), and for the voxel at local (i, j, k):
+///    (x, y, z) = base + i·round14(planePerI) + j·round14(planePerJ) + k·round14(planePerK).
+///    Its element a = ⌊x / pitch⌋, b = ⌊y / pitch⌋ has a column (zFrom, zTo, weight 0 … 255), or
+///    none, and then nothing happens. With r = rampHalfWidth,
+///    ramp(t) = ((clamp(t, −r, r) + r)·255) / (2r),
+///    cut = min(weight, ramp(zTo − z), ramp(z − zFrom)).
+///    Laying::Carve: coverage = max(coverage, cut). Laying::Refill: coverage = min(coverage,
+///    255 − cut).
+struct MaskFrame {
+    Fixed3 planeOrigin{}; ///< plane coordinates of voxel (0, 0, 0), mm · 2³⁰
+    Fixed3 planePerI{}; ///< change per voxel along i, mm · 2³⁰
+    Fixed3 planePerJ{};
+    Fixed3 planePerK{};
+    Fixed3 rayOrigin{}; ///< index coordinates of the centre of element (0, 0) at zStart, · 2³⁰
+    Fixed3 rayPerA{};
+    Fixed3 rayPerB{};
+    Fixed3 rayPerSample{};
+    std::int32_t pitch = 0; ///< side of an element, mm16
+    std::int32_t zStart = 0; ///< mm16; before the volume begins
+    std::int32_t zPerSample = 0; ///< mm16
+    std::int32_t sampleCount = 0; ///< up to behind the volume
+    std::int32_t rampHalfWidth = 0; ///< mm16, half the finest spacing
+    std::int32_t thresholdCode = 0; ///< the surface: codes ≥ this are seen
+    std::int32_t maxDepth = 0; ///< mm16, no cut reaches deeper
+    std::int32_t gapSamples = 0; ///< ≥ 1
+    bool throughGaps = false;
+    bool restore = false; ///< the tool backwards: rule 4, and the columns that the tools make
+};
+
+/// What an element met: rules 4 and 5.
+struct SurfaceHit {
+    static constexpr std::int32_t none = 0x7FFFFFFF;
+    std::int32_t zSurface = none; ///< none: nothing
+    std::int32_t zExit = none;
+};
+
+/// What an element does: rule 6.
+struct MaskColumn {
+    std::int32_t zFrom = 0; ///< mm16
+    std::int32_t zTo = 0; ///< mm16
+    std::int32_t weight = 0; ///< 0: nothing
+    bool operator==(const MaskColumn&) const = default;
+};
+
+/// How a cut is laid into a layer.
+enum class Laying : std::uint8_t { Carve, Refill };
+
+/// A stretch of mask elements, both ends included.
+struct ElementBox {
+    glm::ivec2 minimum{0};
+    glm::ivec2 maximum{-1};
+};
+
+/// The integer arithmetic of these rules.
+namespace fixedPoint {
+
+/// 2⁻³⁰ to 2⁻¹⁶.
+[[nodiscard]] constexpr std::int64_t round14(std::int64_t value)
+{
+    return (value + (1 << 13)) >> 14;
+}
+[[nodiscard]] inline glm::ivec3 round14(const Fixed3& v)
+{
+    return {int(round14(v[0])), int(round14(v[1])), int(round14(v[2]))};
+}
+
+/// Rounds down, for divisors above 0.
+[[nodiscard]] constexpr std::int32_t floorDivide(std::int64_t value, std::int32_t divisor)
+{
+    return std::int32_t(value >= 0 ? value / divisor : -((-value + divisor - 1) / divisor));
+}
+
+/// ⌊√value⌋.
+[[nodiscard]] std::int64_t squareRoot(std::int64_t value);
+
+} // namespace fixedPoint
+
+/// Rule 6: plane coordinates of a brick's first voxel.
+[[nodiscard]] glm::ivec3 planeBase(const MaskFrame& frame, const glm::ivec3& firstVoxel);
+
+} // namespace core

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/MaskPlane.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace reference {
+
+namespace {
+
+std::int64_t round14(std::int64_t value)
+{
+    return (value + (1 << 13)) >> 14;
+}
+
+std::int64_t ramp(std::int64_t t, std::int64_t halfWidth)
+{
+    return (std::clamp(t, -halfWidth, halfWidth) + halfWidth) * 255 / (2 * halfWidth);
+}
+
+} // namespace
+
+std::int64_t floorDivide(std::int64_t value, std::int64_t divisor)
+{
+    const std::int64_t quotient = value / divisor;
+    return quotient * divisor > value ? quotient - 1 : quotient;
+}
+
+std::int64_t squareRoot(std::int64_t value)
+{
+    // One bit of the root after the other.
+    std::int64_t root = 0;
+    for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1) {
+        if ((root + bit) <= value / (root + bit))
+            root += bit;
+    }
+    return root;
+}
+
+MaskPlane::MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
+    DenseArray<std::uint8_t>& coverage, core::MaskFrame frame)
+    : m_codes(codes)
+    , m_radiation(std::move(radiation))
+    , m_coverage(coverage)
+    , m_frame(frame)
+{
+}
+
+std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) const
+{
+    const Tissue tissue{m_codes, m_radiation};
+    Index16 start;
+    Index16 step;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        start[axis] = round14(
+            m_frame.rayOrigin[axis] + a * m_frame.rayPerA[axis] + b * m_frame.rayPerB[axis]);
+        step[axis] = round14(m_frame.rayPerSample[axis]);
+    }
+    const auto materialAt = [&](std::int64_t n, std::int64_t q) {
+        Index16 position;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            position[axis] = start[axis] + n * step[axis] + ((q * step[axis]) >> 4);
+        return tissue.material(position, m_frame.thresholdCode);
+    };
+    const auto height = [&](std::int64_t n, std::int64_t q) {
+        return m_frame.zStart + n * m_frame.zPerSample + ((q * m_frame.zPerSample) >> 4);
+    };
+
+    const auto carvedAt = [&](std::int64_t n) {
+        Index16 position;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            position[axis] = start[axis] + n * step[axis];
+        return tissue.inside(position) && tissue.carved(position)
+            && std::int64_t(tissue.density(position))
+            >= std::int64_t(m_frame.thresholdCode) * 65536;
+    };
+    for (const std::int64_t coordinate : start) {
+        if (std::abs(coordinate) > std::int64_t(1) << 30)
+            return std::nullopt;
+    }
+
+    std::int64_t first = 0;
+    while (first < m_frame.sampleCount && !materialAt(first, 0))
+        ++first;
+    if (m_frame.restore) {
+        std::int64_t carved = first - 1;
+        while (carved >= 0 && !carvedAt(carved))
+            --carved;
+        if (carved < 0)
+            return std::nullopt;
+        if (first >= m_frame.sampleCount || carved + 1 < first)
+            return Hit{height(carved + 1, 0), never};
+    }
+    if (first >= m_frame.sampleCount)
+        return std::nullopt;
+
+    std::int64_t high = first * 16;
+    if (first > 0) {
+        std::int64_t low = (first - 1) * 16;
+        for (int bisection = 0; bisection < 4; ++bisection) {
+            const std::int64_t middle = (low + high) / 2;
+            (materialAt(middle / 16, middle % 16) ? high : low) = middle;
+        }
+    }
+
+    Hit hit{height(high / 16, high % 16), never};
+    if (m_frame.throughGaps || m_frame.restore)
+        return hit;
+    int run = 0;
+    for (std::int64_t n = first + 1;
+         n < m_frame.sampleCount && height(n, 0) <= hit.zSurface + m_frame.maxDepth; ++n) {
+        run = materialAt(n, 0) ? 0 : run + 1;
+        if (run == m_frame.gapSamples) {
+            hit.zExit = height(n - run + 1, 0);
+            break;
+        }
+    }
+    return hit;
+}
+
+void MaskPlane::lay(const std::map<Place, Column>& columns, core::Laying laying)
+{
+    const core::BrickGrid grid{m_codes.size};
+    std::array<std::int64_t, 3> perI;
+    std::array<std::int64_t, 3> perJ;
+    std::array<std::int64_t, 3> perK;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        perI[axis] = round14(m_frame.planePerI[axis]);
+        perJ[axis] = round14(m_frame.planePerJ[axis]);
+        perK[axis] = round14(m_frame.planePerK[axis]);
+    }
+    const std::int64_t r = m_frame.rampHalfWidth;
+    for (int brick = 0; brick < grid.brickCount(); ++brick) {
+        const core::VoxelBox box = grid.boxOf(brick);
+        const glm::ivec3 o = box.minimum;
+        std::array<std::int64_t, 3> base;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            base[axis] = round14(m_frame.planeOrigin[axis] + o.x * m_frame.planePerI[axis]
+                + o.y * m_frame.planePerJ[axis] + o.z * m_frame.planePerK[axis]);
+        for (int k = 0; k < box.maximum.z - o.z; ++k) {
+            for (int j = 0; j < box.maximum.y - o.y; ++j) {
+                for (int i = 0; i < box.maximum.x - o.x; ++i) {
+                    const auto plane = [&](std::size_t axis) {
+                        return base[axis] + i * perI[axis] + j * perJ[axis] + k * perK[axis];
+                    };
+                    const auto column = columns.find({floorDivide(plane(0), m_frame.pitch),
+                        floorDivide(plane(1), m_frame.pitch)});
+                    if (column == columns.end())
+                        continue;
+                    const Column& c = column->second;
+                    const std::int64_t z = plane(2);
+                    const auto cut = std::uint8_t(
+                        std::min({c.weight, ramp(c.zTo - z, r), ramp(z - c.zFrom, r)}));
+                    std::uint8_t& coverage = m_coverage.at(o + glm::ivec3(i, j, k));
+                    coverage = laying == core::Laying::Carve
+                        ? std::max(coverage, cut)
+                        : std::min(coverage, std::uint8_t(255 - cut));
+                }
+            }
+        }
+    }
+}
+
+} // namespace reference

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/MaskFrame.h"
+#include "tests/reference/DenseFields.h"
+#include "tests/reference/Rays.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace reference {
+
+/// What the tools that press a mask into the volume share (core/sculpt/MaskFrame.h). Codes and
+/// fields are borrowed.
+class MaskPlane {
+public:
+    using Place = std::pair<std::int64_t, std::int64_t>; ///< of an element
+    /// Rules 4 and 5 for one element.
+    struct Hit {
+        std::int64_t zSurface = 0;
+        std::int64_t zExit = 0;
+    };
+    struct Column {
+        std::int64_t zFrom = 0;
+        std::int64_t zTo = 0;
+        std::int64_t weight = 255;
+    };
+    static constexpr std::int64_t never = 0x7FFFFFFF;
+
+    /// @param radiation as it is now
+    MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
+        DenseArray<std::uint8_t>& coverage, core::MaskFrame frame);
+
+    [[nodiscard]] const core::MaskFrame& frame() const { return m_frame; }
+    [[nodiscard]] std::optional<Hit> cast(std::int64_t a, std::int64_t b) const;
+    /// Rule 6.
+    void lay(const std::map<Place, Column>& columns, core::Laying laying);
+
+private:
+    const DenseArray<std::uint16_t>& m_codes;
+    DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
+    DenseArray<std::uint8_t>& m_coverage;
+    core::MaskFrame m_frame;
+};
+
+/// Rounds down.
+[[nodiscard]] std::int64_t floorDivide(std::int64_t value, std::int64_t divisor);
+/// ⌊√value⌋, by other means than core's.
+[[nodiscard]] std::int64_t squareRoot(std::int64_t value);
+
+} // namespace reference
