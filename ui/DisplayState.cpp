@@ -19,7 +19,8 @@ namespace ui {
 
 namespace {
 
-constexpr std::array<const char*, 3> modeNames{"surface", "dvr", "mip"}; ///< gpu::RenderMode
+constexpr std::array<const char*, gpu::renderModes> modeNames{
+    "surface", "dvr", "mip", "xray"}; ///< gpu::RenderMode
 
 // --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
 
@@ -95,7 +96,8 @@ QJsonObject toJson(const Workspace::VolumeDisplay& display)
     return {{QStringLiteral("mode"), QLatin1String(modeNames[std::size_t(display.mode)])},
         {QStringLiteral("surfaceThreshold"), display.surfaceThreshold},
         {QStringLiteral("transferFunction"), toJson(display.transferFunction)},
-        {QStringLiteral("mipWindow"), toJson(display.mipWindow)}};
+        {QStringLiteral("mipWindow"), toJson(display.mipWindow)},
+        {QStringLiteral("xrayWindow"), toJson(display.xrayWindow)}};
 }
 
 void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
@@ -108,6 +110,7 @@ void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
     read(json[QLatin1String("surfaceThreshold")], display.surfaceThreshold);
     read(json[QLatin1String("transferFunction")], display.transferFunction);
     read(json[QLatin1String("mipWindow")], display.mipWindow);
+    read(json[QLatin1String("xrayWindow")], display.xrayWindow);
 }
 
 // --- Where the views stand. ----------------------------------------------------------------------

@@ -35,6 +35,25 @@ core::WindowLevel mipWindow(const core::Volume& volume)
     return {0.5 * (low + high), high - low};
 }
 
+/// From what a path through air alone would give to what one through the object alone would.
+core::WindowLevel xrayWindow(const core::Histogram& histogram)
+{
+    const double parted = otsuThreshold(histogram);
+    const double binWidth = (histogram.maximum - histogram.minimum)
+        / double(std::max<std::size_t>(histogram.counts.size(), 1));
+    glm::dvec2 sum(0.0);
+    glm::dvec2 count(1e-9);
+    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+        const double value = histogram.minimum + (double(bin) + 0.5) * binWidth;
+        const int side = value < parted ? 0 : 1;
+        sum[side] += value * histogram.counts[bin];
+        count[side] += histogram.counts[bin];
+    }
+    const double low = sum[0] / count[0];
+    const double high = std::max(sum[1] / count[1], low + 1e-3);
+    return {0.5 * (low + high), high - low};
+}
+
 } // namespace
 
 double otsuThreshold(const core::Histogram& histogram)
@@ -72,6 +91,7 @@ Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
 {
     Workspace::VolumeDisplay display;
     display.mipWindow = mipWindow(volume);
+    display.xrayWindow = xrayWindow(volume.histogram);
     if (volume.unit == QLatin1String("HU")) {
         display.surfaceThreshold = skinOverAirHu;
         display.transferFunction = ctTransferFunction();

@@ -143,8 +143,9 @@ void MainWindow::buildMenus()
     grey->addAction(&m_actions[QStringLiteral("view.inverted")]);
     QMenu* volume = view->addMenu(QStringLiteral("3D"));
     m_actions.fill(*volume,
-        ids({"view.surface", "view.dvr", "view.mip", "", "view.fromFront", "view.fromBack",
-            "view.fromLeft", "view.fromRight", "view.fromAbove", "view.fromBelow"}));
+        ids({"view.surface", "view.dvr", "view.mip", "view.xray", "", "view.fromFront",
+            "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
+            "view.fromBelow"}));
     view->addSeparator();
     m_actions.fill(*view, ids({"view.crosshair", "view.patient", "view.segments", ""}));
     m_panelsMenu = view->addMenu(QStringLiteral("Panels"));

@@ -212,11 +212,13 @@ void addLayout(MainWindow& window, const char* id, const char* text, const char*
         .checked = [&window, view] { return window.views().maximised() == view(); }});
 }
 
-void addMode(MainWindow& window, const char* id, const char* text, gpu::RenderMode mode)
+void addMode(
+    MainWindow& window, const char* id, const char* text, const char* key, gpu::RenderMode mode)
 {
     Workspace& workspace = window.workspace();
     window.actionTable().add({.id = QLatin1String(id),
         .text = QLatin1String(text),
+        .keys = {QKeySequence(QLatin1String(key))},
         .run =
             [&workspace, mode] {
                 Workspace::VolumeDisplay display = workspace.volumeDisplay();
@@ -271,9 +273,10 @@ void addViewActions(MainWindow& window)
         .keys = {QKeySequence(QStringLiteral("F11"))},
         .run = [&window] { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); },
         .checked = [&window] { return window.isFullScreen(); }});
-    addMode(window, "view.surface", "Surface", gpu::RenderMode::Surface);
-    addMode(window, "view.dvr", "Volume rendering", gpu::RenderMode::Dvr);
-    addMode(window, "view.mip", "Maximum intensity", gpu::RenderMode::Mip);
+    addMode(window, "view.surface", "Surface", "Alt+1", gpu::RenderMode::Surface);
+    addMode(window, "view.dvr", "Volume rendering", "Alt+2", gpu::RenderMode::Dvr);
+    addMode(window, "view.mip", "Maximum intensity", "Alt+3", gpu::RenderMode::Mip);
+    addMode(window, "view.xray", "X-ray", "Alt+4", gpu::RenderMode::Xray);
     for (const Side& side : sides) {
         actions.add({.id = QLatin1String(side.id),
             .text = QLatin1String(side.text),

@@ -133,6 +133,20 @@ void Workspace::followLayers()
         setActiveLayer(document.layers.front().id);
 }
 
+Workspace::GreyWindow Workspace::greyWindow(gpu::RenderMode mode)
+{
+    switch (mode) {
+    case gpu::RenderMode::Mip:
+        return &VolumeDisplay::mipWindow;
+    case gpu::RenderMode::Xray:
+        return &VolumeDisplay::xrayWindow;
+    case gpu::RenderMode::Surface:
+    case gpu::RenderMode::Dvr:
+        break;
+    }
+    return nullptr;
+}
+
 void Workspace::setVolumeDisplay(const VolumeDisplay& display)
 {
     if (display == m_volumeDisplay)

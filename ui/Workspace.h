@@ -45,8 +45,13 @@ public:
         gpu::TransferFunction transferFunction;
         /// Its own: what shows soft tissue on a slice drowns every bone along a ray.
         core::WindowLevel mipWindow;
+        core::WindowLevel xrayWindow; ///< of means, which air thins
         bool operator==(const VolumeDisplay&) const = default;
     };
+
+    /// The window that a display's grey values go through; null: its mode shows no grey values.
+    using GreyWindow = core::WindowLevel VolumeDisplay::*;
+    [[nodiscard]] static GreyWindow greyWindow(gpu::RenderMode mode);
 
     /// What lies over the pictures, in every view.
     struct ViewOptions {

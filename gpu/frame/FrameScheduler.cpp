@@ -57,7 +57,7 @@ FrameScheduler::FrameScheduler(const Options& options)
     , m_cellKernel(options.shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
 {
     // Guesses of a software renderer; the first tiles correct them.
-    m_cost = {60.0, 500.0, 800.0, 800.0};
+    m_cost = {60.0, 500.0, 800.0, 800.0, 1500.0};
 }
 
 FrameScheduler::~FrameScheduler() = default;

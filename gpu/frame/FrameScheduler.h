@@ -117,7 +117,8 @@ private:
     std::bitset<256> m_shown;
     std::map<ViewId, View> m_views;
     std::map<ViewId, Delivery> m_deliveries;
-    std::array<double, 4> m_cost; ///< milliseconds per megapixel: slice, surface, DVR, MIP
+    /// Milliseconds per megapixel: of slices, then by render mode.
+    std::array<double, 1 + renderModes> m_cost;
     std::optional<Flying> m_flying;
     std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
     std::uint64_t m_turn = 0;

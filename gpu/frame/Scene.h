@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <variant>
@@ -17,27 +18,29 @@ namespace gpu {
 
 /// How the segments are drawn, by label.
 struct SegmentDisplay {
-    std::array<std::uint32_t, 256> rgb {};   ///< 0xRRGGBB
-    std::array<bool, 256> visible {};
-    float fillOpacity = 0.35f;               ///< of slices
-    float outlineWidthPixels = 2.0f;         ///< of slices
+    std::array<std::uint32_t, 256> rgb{}; ///< 0xRRGGBB
+    std::array<bool, 256> visible{};
+    float fillOpacity = 0.35f; ///< of slices
+    float outlineWidthPixels = 2.0f; ///< of slices
     bool operator==(const SegmentDisplay&) const = default;
 };
 
 /// One plane through the volume, seen orthographically.
 struct SliceScene {
-    glm::dvec3 centreLps {0.0};  ///< at the middle of the frame
-    glm::dvec3 rightLps {1.0, 0.0, 0.0}; ///< unit, towards the frame's right
-    glm::dvec3 downLps {0.0, 1.0, 0.0};  ///< unit, towards the frame's bottom
+    glm::dvec3 centreLps{0.0}; ///< at the middle of the frame
+    glm::dvec3 rightLps{1.0, 0.0, 0.0}; ///< unit, towards the frame's right
+    glm::dvec3 downLps{0.0, 1.0, 0.0}; ///< unit, towards the frame's bottom
     double mmPerPixel = 1.0;
     core::WindowLevel window;
-    bool inverted = false;       ///< dark is high
-    bool interpolated = true;    ///< false: nearest voxel
-    bool showCarved = true;      ///< carved voxels as a tinted outline
+    bool inverted = false; ///< dark is high
+    bool interpolated = true; ///< false: nearest voxel
+    bool showCarved = true; ///< carved voxels as a tinted outline
     bool operator==(const SliceScene&) const = default;
 };
 
-enum class RenderMode : std::uint8_t { Surface, Dvr, Mip };
+/// Mip: the greatest visible value along a ray. Xray: the mean of the visible values along it.
+enum class RenderMode : std::uint8_t { Surface, Dvr, Mip, Xray };
+inline constexpr std::size_t renderModes = 4;
 
 /// Colour and opacity over modality values; piecewise linear.
 struct TransferFunction {
@@ -53,15 +56,16 @@ struct TransferFunction {
 
 /// The 3D view.
 struct VolumeScene {
-    glm::dvec3 eyeLps {0.0, -500.0, 0.0};
-    glm::dvec3 targetLps {0.0};
-    glm::dvec3 up {0.0, 0.0, 1.0};
-    double heightMm = 300.0;        ///< what the frame's height shows in the target's plane
-    bool orthographic = true;       ///< else perspective from eyeLps
+    glm::dvec3 eyeLps{0.0, -500.0, 0.0};
+    glm::dvec3 targetLps{0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    double heightMm = 300.0; ///< what the frame's height shows in the target's plane
+    bool orthographic = true; ///< else perspective from eyeLps
     RenderMode mode = RenderMode::Surface;
     double surfaceThreshold = 300.0; ///< modality units
     TransferFunction transferFunction;
     core::WindowLevel mipWindow;
+    core::WindowLevel xrayWindow;
     bool operator==(const VolumeScene&) const = default;
 };
 
@@ -72,7 +76,7 @@ using ViewId = int;
 
 struct FrameRequest {
     ViewId view = 0;
-    glm::ivec2 sizePixels {0}; ///< device pixels
+    glm::ivec2 sizePixels{0}; ///< device pixels
     Scene scene;
     SegmentDisplay segments;
     bool interacting = false; ///< coarse and fast now; refinement waits until false
@@ -82,7 +86,7 @@ struct FrameRequest {
 struct Frame {
     enum class Quality : std::uint8_t { Coarse, Full, Refined };
     ViewId view = 0;
-    glm::ivec2 sizePixels {0};
+    glm::ivec2 sizePixels{0};
     std::shared_ptr<const std::vector<std::uint8_t>> rgba;
     Quality quality = Quality::Coarse;
     double renderMilliseconds = 0.0;
@@ -90,4 +94,3 @@ struct Frame {
 };
 
 } // namespace gpu
-

@@ -25,6 +25,8 @@ double stepMm(RenderMode mode, const core::VolumeGeometry& geometry)
         return 0.8 * finest;
     case RenderMode::Mip:
         return 0.8 * finest;
+    case RenderMode::Xray:
+        break; // a mean: every voxel once
     }
     return finest;
 }
@@ -33,7 +35,8 @@ double stepMm(RenderMode mode, const core::VolumeGeometry& geometry)
 
 RaycastPass::RaycastPass(const ShaderLibrary& library)
 {
-    static constexpr std::array<const char*, 3> labels{"surface", "volume rendering", "MIP"};
+    static constexpr std::array<const char*, renderModes> labels{
+        "surface", "volume rendering", "MIP", "X-ray"};
     for (std::size_t mode = 0; mode < labels.size(); ++mode) {
         for (int sculpted = 0; sculpted < 2; ++sculpted) {
             m_programs[2 * mode + std::size_t(sculpted)] = Program(library,
@@ -177,6 +180,9 @@ VisibleCodes RaycastPass::setMode(
         const double black = -grey.y / grey.x * 65535.0;
         return {{{int(std::clamp(std::floor(black), 0.0, double(lastCode))), lastCode}}};
     }
+    case RenderMode::Xray:
+        program.set("window", glm::vec2(greyOfTexel(encoding, scene.xrayWindow)));
+        return {{{0, lastCode}}}; // all that is not carved away counts
     }
     return {};
 }

@@ -14,9 +14,9 @@ namespace gpu {
 class VolumeTextures;
 struct ViewFrame;
 
-/// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering or maximum
-/// intensity; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not seen;
-/// shown segments are, whole. Background black.
+/// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
+/// intensity or X-ray; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not
+/// seen; shown segments are, whole. Background black.
 class RaycastPass {
 public:
     /// Throws ShaderError.
@@ -40,8 +40,8 @@ private:
     /// @return codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
-    std::array<Program, 6> m_programs; ///< by mode, each plain and sculpted
-    std::array<bool, 3> m_warm{}; ///< by mode: the sculpted program has drawn
+    std::array<Program, 2 * renderModes> m_programs; ///< by mode, each plain and sculpted
+    std::array<bool, renderModes> m_warm{}; ///< by mode: the sculpted program has drawn
     TransferLookup m_transfer;
 };
 

@@ -1,11 +1,13 @@
-// One pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity.
+// One pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity, 3 X-ray.
 #include "render/raycast.glsl"
 #if MODE == 0
 #include "render/surface.glsl"
 #elif MODE == 1
 #include "render/dvr.glsl"
-#else
+#elif MODE == 2
 #include "render/mip.glsl"
+#else
+#include "render/xray.glsl"
 #endif
 
 void main()

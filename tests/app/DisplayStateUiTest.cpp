@@ -93,6 +93,7 @@ private:
         volume.transferFunction = {
             {{-100.0, 0x204060, 0.0}, {35.0, 0xC06040, 0.02}, {900.5, 0xFFFFEE, 0.6}}};
         volume.mipWindow = {500.0, 700.0};
+        volume.xrayWindow = {-400.0, 900.0};
         workspace.setVolumeDisplay(volume);
         workspace.setActiveSegment(2);
         workspace.setActiveLayer(2);
@@ -235,7 +236,7 @@ private Q_SLOTS:
                           "'growth':null}");
         QTest::newRow("out of range")
             << QByteArray("{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
-                          "'activeSegment':99,'tool':'chainsaw','volume':{'mode':'xray',"
+                          "'activeSegment':99,'tool':'chainsaw','volume':{'mode':'hologram',"
                           "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
                           "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},'volume':"
                           "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"

@@ -107,10 +107,14 @@ void VtkVolumeView::setUp(const gpu::VolumeScene& scene, double sampleMm)
             opacity->AddPoint(point.value, point.opacity);
         }
         break;
-    case gpu::RenderMode::Mip: {
-        blend = vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND;
-        const double low = scene.mipWindow.centre - 0.5 * scene.mipWindow.width;
-        const double high = scene.mipWindow.centre + 0.5 * scene.mipWindow.width;
+    case gpu::RenderMode::Mip:
+    case gpu::RenderMode::Xray: {
+        const bool mean = scene.mode == gpu::RenderMode::Xray;
+        blend = mean ? vtkVolumeMapper::AVERAGE_INTENSITY_BLEND
+                     : vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND;
+        const core::WindowLevel& window = mean ? scene.xrayWindow : scene.mipWindow;
+        const double low = window.centre - 0.5 * window.width;
+        const double high = window.centre + 0.5 * window.width;
         colour->AddRGBPoint(low, 0.0, 0.0, 0.0);
         colour->AddRGBPoint(high, 1.0, 1.0, 1.0);
         opacity->AddPoint(low, 1.0);

@@ -75,7 +75,8 @@ void VolumePanel::build()
     auto* modes = new QHBoxLayout;
     modes->setSpacing(4);
     const std::pair<gpu::RenderMode, QString> names[] = {{gpu::RenderMode::Surface, tr("Surface")},
-        {gpu::RenderMode::Dvr, tr("DVR")}, {gpu::RenderMode::Mip, tr("MIP")}};
+        {gpu::RenderMode::Dvr, tr("DVR")}, {gpu::RenderMode::Mip, tr("MIP")},
+        {gpu::RenderMode::Xray, tr("X-ray")}};
     for (const auto& [mode, name] : names) {
         auto* button = new QPushButton(name, this);
         button->setObjectName(QStringLiteral("renderMode") + name);
@@ -85,6 +86,8 @@ void VolumePanel::build()
     }
     m_modes->button(int(gpu::RenderMode::Dvr))->setToolTip(tr("Direct volume rendering"));
     m_modes->button(int(gpu::RenderMode::Mip))->setToolTip(tr("Maximum intensity projection"));
+    m_modes->button(int(gpu::RenderMode::Xray))
+        ->setToolTip(tr("The mean of what is visible along each line of sight"));
 
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setRange(0, sliderSteps);

@@ -85,6 +85,10 @@ void DrillOptions::showSettings()
         m_start->setToolTip(tr("Maximum intensity shows no surface: a cut starts at that of the "
                                "surface mode"));
         break;
+    case gpu::RenderMode::Xray:
+        m_start->setToolTip(
+            tr("An X-ray shows no surface: a cut starts at that of the surface mode"));
+        break;
     }
 }
 

@@ -68,6 +68,7 @@ core::PickVoxels pickQuestion(const gpu::VolumeScene& scene, const std::vector<g
             opacityOfCodes(scene.transferFunction, volume.encoding, picked.sampleMm);
         break;
     case gpu::RenderMode::Mip:
+    case gpu::RenderMode::Xray:
         question.seenBy = core::SeenBy::BrightestVoxel;
         break;
     }

@@ -114,12 +114,13 @@ gpu::Scene VolumeView::scene() const
     scene.surfaceThreshold = display.surfaceThreshold;
     scene.transferFunction = display.transferFunction;
     scene.mipWindow = display.mipWindow;
+    scene.xrayWindow = display.xrayWindow;
     return scene;
 }
 
 ImageView::Gesture VolumeView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
 {
-    const bool grey = workspace().volumeDisplay().mode == gpu::RenderMode::Mip;
+    const bool grey = Workspace::greyWindow(workspace().volumeDisplay().mode) != nullptr;
     switch (button) {
     case Qt::LeftButton:
         return toolWorksHere ? Gesture::Tool : Gesture::Rotate;
@@ -147,7 +148,7 @@ void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to
         m_camera.heightMm = std::clamp(m_camera.heightMm * std::exp(moved.y() * 0.008), 1.0, 1e4);
         break;
     case Gesture::Window:
-        return changeMipWindow(moved);
+        return changeWindow(moved);
     default:
         return;
     }
@@ -155,10 +156,11 @@ void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to
     requestMovingFrame();
 }
 
-void VolumeView::changeMipWindow(const QPointF& moved)
+void VolumeView::changeWindow(const QPointF& moved)
 {
     Workspace::VolumeDisplay display = workspace().volumeDisplay();
-    display.mipWindow = windowAfterDrag(display.mipWindow, moved);
+    if (const auto window = Workspace::greyWindow(display.mode))
+        display.*window = windowAfterDrag(display.*window, moved);
     workspace().setVolumeDisplay(display);
 }
 
@@ -199,18 +201,23 @@ QString VolumeView::modeText() const
 {
     const core::Volume& volume = *workspace().volume();
     const double span = volume.maximum - volume.minimum;
-    switch (workspace().volumeDisplay().mode) {
+    const Workspace::VolumeDisplay& display = workspace().volumeDisplay();
+    switch (display.mode) {
     case gpu::RenderMode::Surface:
         return QStringLiteral("surface at %1")
-            .arg(valueText(workspace().volumeDisplay().surfaceThreshold, volume.unit, span));
+            .arg(valueText(display.surfaceThreshold, volume.unit, span));
     case gpu::RenderMode::Dvr:
         return QStringLiteral("volume rendering");
     case gpu::RenderMode::Mip:
+    case gpu::RenderMode::Xray:
         break;
     }
-    const core::WindowLevel& window = workspace().volumeDisplay().mipWindow;
-    return QStringLiteral("maximum intensity · W %1  L %2")
-        .arg(valueText(window.width, QString(), span), valueText(window.centre, volume.unit, span));
+    const core::WindowLevel& window = display.*Workspace::greyWindow(display.mode);
+    const QString what = display.mode == gpu::RenderMode::Mip ? QStringLiteral("maximum intensity")
+                                                              : QStringLiteral("X-ray, mean");
+    return QStringLiteral("%1 · W %2  L %3")
+        .arg(what, valueText(window.width, QString(), span),
+            valueText(window.centre, volume.unit, span));
 }
 
 QString VolumeView::qualityText() const

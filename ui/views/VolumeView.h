@@ -39,7 +39,7 @@ protected:
 private:
     void openVolume();
     void fit();
-    void changeMipWindow(const QPointF& moved);
+    void changeWindow(const QPointF& moved);
     [[nodiscard]] OrientationCube cube(const Camera& camera) const;
     [[nodiscard]] QString modeText() const;
     [[nodiscard]] QString qualityText() const;

@@ -40,6 +40,7 @@ class BaselineGlTest : public test::GlTest {
         scene.orthographic = orthographic;
         scene.surfaceThreshold = 1500.0;
         scene.mipWindow = {1600.0, 1400.0};
+        scene.xrayWindow = {700.0, 1300.0};
         scene.transferFunction.points = {{600.0, 0xB06048, 0.0}, {1000.0, 0xC87860, 0.03},
             {1300.0, 0xD89070, 0.05}, {1700.0, 0xF0DCC0, 0.5}, {2300.0, 0xFFF8EC, 0.8}};
         return scene;
@@ -50,7 +51,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<bool>("sculpted");
-        for (const char* name : {"surface", "perspective", "dvr", "mip", "slice"}) {
+        for (const char* name : {"surface", "perspective", "dvr", "mip", "xray", "slice"}) {
             for (const bool sculpted : {false, true}) {
                 const QString file = QString::fromLatin1(name)
                     + (sculpted ? QStringLiteral("-sculpted") : QString());
@@ -80,6 +81,7 @@ private Q_SLOTS:
         }
         Scene scene = view(name == QLatin1String("dvr") ? RenderMode::Dvr
                 : name == QLatin1String("mip")          ? RenderMode::Mip
+                : name == QLatin1String("xray")         ? RenderMode::Xray
                                                         : RenderMode::Surface,
             name != QLatin1String("perspective"));
         if (name == QLatin1String("slice")) {

@@ -28,6 +28,7 @@ VolumeScene scene(RenderMode mode)
     result.heightMm = 90.0;
     result.surfaceThreshold = 1000.0;
     result.mipWindow = {2000.0, 4001.0};
+    result.xrayWindow = {2000.0, 4001.0};
     return result;
 }
 
@@ -160,6 +161,52 @@ private Q_SLOTS:
         QVERIFY(std::abs(test::pixel(carved, 32 - 15, 32).r - grey(1000)) <= 1);
     }
 
+    /// A slab of 3000 in 1000, seen along its normal and aslant: the mean of the interpolated
+    /// values over the whole path, to 1 of 255 (15.7 of 4000).
+    void meansHaveKnownGreys_data()
+    {
+        QTest::addColumn<bool>("orthographic");
+        QTest::addColumn<glm::dvec3>("eye");
+        for (const bool orthographic : {true, false}) {
+            const char* how = orthographic ? "orthographic" : "perspective";
+            QTest::addRow("%s, along", how) << orthographic << glm::dvec3(0, -300, 0);
+            QTest::addRow("%s, aslant", how) << orthographic << glm::dvec3(90, -300, -70);
+        }
+    }
+
+    void meansHaveKnownGreys()
+    {
+        QFETCH(bool, orthographic);
+        QFETCH(glm::dvec3, eye);
+        // Voxel centres from -20 to 20 mm in y; the slab's, from -2 to 6, weigh one cell each.
+        const auto geometry = test::centredGeometry({80, 41, 80}, {1.0, 1.0, 1.25});
+        m_fixture->open(geometry,
+            [](const glm::dvec3& lps) { return lps.y > -2.5 && lps.y < 6.5 ? 3000.0 : 1000.0; });
+        VolumeScene view = scene(RenderMode::Xray);
+        view.eyeLps = eye;
+        view.orthographic = orthographic;
+        view.heightMm = 30.0;
+        const glm::ivec2 size(40, 40);
+        const auto grey = [](double value) { return (value + 0.5) / 4000.0 * 255.0; };
+        const auto everywhere = [&](const Frame& frame, double value) {
+            for (const int at : {8, 20, 31}) {
+                const double seen = test::pixel(frame, at, 39 - at).r;
+                if (std::abs(seen - grey(value)) > 1.0)
+                    return QStringLiteral("%1 for %2").arg(seen).arg(grey(value));
+            }
+            return QString();
+        };
+        QString wrong = everywhere(m_fixture->draw(view, size), 1000.0 + 2000.0 * 9.0 / 41.0);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+        // What is carved away counts neither above nor below the line: the front 20 voxels.
+        m_fixture->fill(VolumeField::Radiation, {{0, 0, 0}, {80, 20, 80}}, 255);
+        // The cut lies half-way between centres; the interpolated step there, too.
+        wrong = everywhere(m_fixture->draw(view, size), 1000.0 + 2000.0 * 7.0 / 21.0);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+        m_fixture->fill(VolumeField::Radiation, {{0, 0, 0}, {80, 41, 80}}, 255);
+        QCOMPARE(test::pixel(m_fixture->draw(view, size), 20, 20), glm::ivec3(0));
+    }
+
     void opacityGrowsWithThePath()
     {
         m_fixture->open(
@@ -190,6 +237,7 @@ private Q_SLOTS:
             QTest::addRow("surface, target %s", where) << int(RenderMode::Surface) << target;
             QTest::addRow("DVR, target %s", where) << int(RenderMode::Dvr) << target;
             QTest::addRow("MIP, target %s", where) << int(RenderMode::Mip) << target;
+            QTest::addRow("X-ray, target %s", where) << int(RenderMode::Xray) << target;
         }
     }
 

@@ -90,6 +90,7 @@ class SkippingGlTest : public test::GlTest {
         scene.orthographic = unit(random) < 0.5;
         scene.surfaceThreshold = 200.0 + 2500.0 * unit(random);
         scene.mipWindow = {500.0 + 2000.0 * unit(random), 200.0 + 3000.0 * unit(random)};
+        scene.xrayWindow = {0.5 * scene.mipWindow.centre, 0.5 * scene.mipWindow.width + 500.0};
         // Opacity comes and goes: nothing, a little, nothing, much.
         double value = 0.0;
         for (int i = 0; i < 6; ++i) {
@@ -123,6 +124,7 @@ private Q_SLOTS:
             QTest::addRow("surface%s", how) << int(RenderMode::Surface) << sculpted;
             QTest::addRow("DVR%s", how) << int(RenderMode::Dvr) << sculpted;
             QTest::addRow("MIP%s", how) << int(RenderMode::Mip) << sculpted;
+            QTest::addRow("X-ray%s", how) << int(RenderMode::Xray) << sculpted;
         }
     }
 
