@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace core {
@@ -80,29 +81,21 @@ private:
 
 /// What is known of a voxel's claim, in one word; 0: it is none.
 namespace cell {
-constexpr std::uint32_t told = 1U << 31; ///< generation and label stand here
-constexpr std::uint32_t foretold = 1U << 30; ///< not kept: generation and direction follow
-constexpr int generationShift = 12;
-constexpr int labelShift = 3;
-constexpr std::uint32_t anyLabel = 256U << labelShift;
-constexpr std::uint32_t labelBits = 511U << labelShift;
-constexpr std::uint32_t directionBits = 7;
+constexpr std::uint32_t isOne = 1U << 31;
+constexpr int generationShift = 9;
+constexpr std::uint32_t anyLabel = 256U;
+constexpr std::uint32_t labelBits = 511U;
 
 std::uint32_t generation(std::uint32_t cell)
 {
     return cell >> generationShift & seedWord::maxGeneration;
 }
 
-std::uint32_t kept(std::uint32_t difference)
+std::uint32_t of(std::uint32_t difference)
 {
     const bool seed = admitsSeed(difference);
-    const std::uint32_t label = seed ? anyLabel : seedWord::label(~difference) << labelShift;
-    return told | seedWord::generation(seed ? difference : ~difference) << generationShift | label;
-}
-
-std::uint32_t unreached(std::uint32_t difference)
-{
-    return foretold | seedWord::label(~difference) << labelShift;
+    const std::uint32_t label = seed ? anyLabel : seedWord::label(~difference);
+    return isOne | seedWord::generation(seed ? difference : ~difference) << generationShift | label;
 }
 
 bool agree(std::uint32_t a, std::uint32_t b)
@@ -135,22 +128,27 @@ void forEachDifference(Bricks& bricks, const Visit& visit)
 /// Rings of foretold voxels around those that are kept.
 class Rings {
 public:
-    Rings(const std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
-        : m_neighbours(bricks, along)
-        , m_cells(cellsFor(bricks))
+    Rings(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
+        : m_bricks(bricks)
+        , m_neighbours(bricks, along)
+        , m_states(bricks.size() * BrickGrid::voxelsPerBrick, 0)
     {
+        std::set<std::uint32_t> labels;
         forEachDifference(
-            bricks, [this](Voxel voxel, std::uint32_t difference, const SeedWordBrick& brick) {
+            bricks, [&](Voxel voxel, std::uint32_t difference, const SeedWordBrick& brick) {
                 if (!isClaim(difference))
                     return;
+                const std::uint32_t claim = cell::of(difference);
                 if (brick.foretold.has(voxel % BrickGrid::voxelsPerBrick)) {
-                    m_cells[voxel] = cell::unreached(difference);
+                    m_states[voxel] = open;
                     ++m_left;
                 } else {
-                    m_cells[voxel] = cell::kept(difference);
-                    m_kept.emplace_back(cell::generation(m_cells[voxel]), voxel);
+                    m_kept.emplace_back(cell::generation(claim), voxel);
                 }
+                if (labels.size() < 2 && (claim & cell::anyLabel) == 0)
+                    labels.insert(claim & cell::labelBits);
             });
+        m_severalLabels = labels.size() > 1;
         std::sort(m_kept.begin(), m_kept.end());
     }
 
@@ -172,50 +170,64 @@ public:
             ++generation;
             reached.clear();
             if (generation <= seedWord::maxGeneration)
-                reach(ring, generation, reached);
+                reach(ring, reached);
+            close(reached, generation);
             ring.swap(reached);
         }
         return true;
     }
 
-    void put(std::vector<SeedWordBrick>& bricks) const
-    {
-        forEachDifference(
-            bricks, [this](Voxel voxel, std::uint32_t& difference, const SeedWordBrick&) {
-                const std::uint32_t known = m_cells[voxel];
-                if ((known & cell::foretold) != 0)
-                    difference = ~seedWord::member(cell::generation(known),
-                        seedWord::label(~difference), known & cell::directionBits);
-            });
-    }
-
 private:
-    void reach(
-        const std::vector<Voxel>& ring, std::uint32_t generation, std::vector<Voxel>& reached)
+    // Of a voxel that is foretold; 0: it is none, or its ring is closed. The lowest three bits are
+    // the direction, once it is reached.
+    static constexpr std::uint8_t open = 0x10;
+    static constexpr std::uint8_t reachedNow = 0x08;
+    static constexpr std::uint8_t directionBits = 0x07;
+
+    void reach(const std::vector<Voxel>& ring, std::vector<Voxel>& reached)
     {
         for (const Voxel parent : ring) {
-            const std::uint32_t label = m_cells[parent];
             for (std::uint32_t direction = 0; direction < directions; ++direction) {
                 const Voxel voxel = m_neighbours.step(parent, direction);
                 if (voxel == none)
                     continue;
-                std::uint32_t& child = m_cells[voxel];
-                if ((child & cell::foretold) == 0 || !cell::agree(child, label))
+                std::uint8_t& state = m_states[voxel];
+                if (state == 0 || (m_severalLabels && !agree(parent, voxel)))
                     continue;
-                if ((child & cell::told) == 0) {
-                    child |= cell::told | generation << cell::generationShift | direction;
+                const bool first = (state & reachedNow) == 0;
+                if (first)
                     reached.push_back(voxel);
-                    --m_left;
-                } else if (cell::generation(child) == generation
-                    && direction < (child & cell::directionBits)) {
-                    child = (child & ~cell::directionBits) | direction;
-                }
+                if (first || direction < (state & directionBits))
+                    state = std::uint8_t(open | reachedNow | direction);
             }
         }
     }
 
+    void close(const std::vector<Voxel>& reached, std::uint32_t generation)
+    {
+        for (const Voxel voxel : reached) {
+            std::uint32_t& difference = differenceAt(voxel);
+            difference = ~seedWord::member(
+                generation, seedWord::label(~difference), m_states[voxel] & directionBits);
+            m_states[voxel] = 0;
+        }
+        m_left -= reached.size();
+    }
+
+    [[nodiscard]] std::uint32_t& differenceAt(Voxel voxel)
+    {
+        return m_bricks[voxel / BrickGrid::voxelsPerBrick]
+            .differences[voxel % BrickGrid::voxelsPerBrick];
+    }
+    [[nodiscard]] bool agree(Voxel a, Voxel b)
+    {
+        return cell::agree(cell::of(differenceAt(a)), cell::of(differenceAt(b)));
+    }
+
+    std::vector<SeedWordBrick>& m_bricks;
     Neighbourhood m_neighbours;
-    Cells m_cells;
+    std::vector<std::uint8_t> m_states;
+    bool m_severalLabels = false;
     std::vector<std::pair<std::uint32_t, Voxel>> m_kept; ///< by generation
     std::size_t m_left = 0; ///< foretold ones that are not reached yet
 };
@@ -230,7 +242,7 @@ void markForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along)
     Cells cells = cellsFor(bricks);
     forEachDifference(bricks, [&](Voxel voxel, std::uint32_t difference, SeedWordBrick&) {
         if (isClaim(difference))
-            cells[voxel] = cell::kept(difference);
+            cells[voxel] = cell::of(difference);
     });
     forEachDifference(bricks, [&](Voxel voxel, std::uint32_t difference, SeedWordBrick& brick) {
         if (!isClaim(difference) || admitsSeed(difference))
@@ -257,11 +269,7 @@ bool completeForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& alon
 {
     if (bricks.size() >= mostBricks)
         return false;
-    Rings rings(bricks, along);
-    if (!rings.spread())
-        return false;
-    rings.put(bricks);
-    return true;
+    return Rings(bricks, along).spread();
 }
 
 std::uint32_t foretoldDifference(std::uint8_t label)
