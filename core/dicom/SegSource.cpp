@@ -139,11 +139,12 @@ std::string decimalString(double value)
     return "0";
 }
 
-Result<SegSource> readSegSource(const std::vector<SourceSlice>& sources, const Progress& progress)
+Result<SegSource> readSegSource(
+    const std::vector<SourceSlice>& sources, const KeptHeaders* kept, const Progress& progress)
 {
     SegSource source;
     source.slices.resize(sources.size());
-    const Result<void> visited = visitSourceFiles(sources, progress,
+    const Result<void> visited = visitSourceFiles(sources, kept, progress,
         [&](const QString& file, DcmDataset& dataset,
             const std::vector<std::size_t>& held) -> Result<void> {
             for (const std::size_t k : held) {

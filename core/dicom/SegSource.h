@@ -47,7 +47,9 @@ struct SegSource {
     ~SegSource();
 };
 
-Result<SegSource> readSegSource(const std::vector<SourceSlice>& sources, const Progress& progress);
+/// @param kept stands for the files (visitSourceFiles()); null: they are read
+Result<SegSource> readSegSource(
+    const std::vector<SourceSlice>& sources, const KeptHeaders* kept, const Progress& progress);
 
 /// A decimal string of at most 16 characters (PS3.5 6.2), as close as that allows.
 std::string decimalString(double value);

@@ -253,7 +253,7 @@ Result<SegWritten> writeSeg(
         return failure(ErrorCode::UnsupportedFormat, path,
             QStringLiteral(
                 "its frames fill more than 4 GiB; export the segments in several files"));
-    auto source = readSegSource(content.sources, progress);
+    auto source = readSegSource(content.sources, content.keptHeaders.get(), progress);
     if (!source)
         return tl::unexpected(source.error());
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct SegContent {
 
     StudyIdentity identity; ///< of the source, as it was loaded
     std::vector<SourceSlice> sources;
+    std::shared_ptr<const KeptHeaders> keptHeaders; ///< of these; null: their files are read
     int columns = 0;
     int rows = 0;
     /// Distance of neighbouring slices along their normal; 0 if it is not the same everywhere.

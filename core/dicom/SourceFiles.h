@@ -18,9 +18,10 @@ using TakeSourceFile = std::function<Result<void>(
     const QString& file, DcmDataset& header, const std::vector<std::size_t>& slices)>;
 
 /// Reads the headers of the slices' files anew, pixel data not touched; each file once, in no
-/// order. Slices of one file need not follow each other. Ends at the first error.
-/// Errors: FileNotFound, FileUnreadable, Cancelled, and those of @p take.
-[[nodiscard]] Result<void> visitSourceFiles(
-    const std::vector<SourceSlice>& slices, const Progress& progress, const TakeSourceFile& take);
+/// order. Where @p kept is there it stands for the files, which are not looked at. Slices of one
+/// file need not follow each other. Ends at the first error. Errors: FileNotFound, FileUnreadable,
+/// Cancelled, and those of @p take.
+[[nodiscard]] Result<void> visitSourceFiles(const std::vector<SourceSlice>& slices,
+    const KeptHeaders* kept, const Progress& progress, const TakeSourceFile& take);
 
 } // namespace core

@@ -10,10 +10,10 @@
 namespace core {
 
 Result<std::vector<SourceHeader>> readSourceHeaders(
-    const std::vector<SourceSlice>& slices, const Progress& progress)
+    const std::vector<SourceSlice>& slices, const KeptHeaders* kept, const Progress& progress)
 {
     std::vector<SourceHeader> headers(slices.size());
-    const Result<void> visited = visitSourceFiles(slices, progress,
+    const Result<void> visited = visitSourceFiles(slices, kept, progress,
         [&](const QString& file, DcmDataset& dataset,
             const std::vector<std::size_t>& held) -> Result<void> {
             const ItemReader reader(&dataset);

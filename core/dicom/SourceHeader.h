@@ -44,10 +44,11 @@ struct SourceHeader {
     HeaderPlane plane;
 };
 
-/// Reads the headers of the slices' files anew, pixel data not touched; each file once.
+/// Reads the headers of the slices' files anew, pixel data not touched; each file once; or what is
+/// @p kept of them (visitSourceFiles()).
 /// Errors: FileNotFound, FileUnreadable, InvalidGeometry (no position, orientation or spacing),
 /// Cancelled.
 Result<std::vector<SourceHeader>> readSourceHeaders(
-    const std::vector<SourceSlice>& slices, const Progress& progress);
+    const std::vector<SourceSlice>& slices, const KeptHeaders* kept, const Progress& progress);
 
 } // namespace core

@@ -8,6 +8,7 @@
 #include <nifti1_io.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 
 namespace core {
@@ -23,6 +24,20 @@ NiftiPointer open(const QString& file, bool withVoxels)
 {
     nifti_set_debug_level(0);
     return NiftiPointer(nifti_image_read(QFile::encodeName(file).constData(), withVoxels ? 1 : 0));
+}
+
+/// The header of a volume that was read from one file.
+NiftiPointer openSource(const Volume& volume)
+{
+    if (!volume.keptHeaders)
+        return open(volume.sourcePath, false);
+    const auto kept = volume.keptHeaders->find(volume.sourcePath);
+    nifti_1_header header{};
+    if (kept == volume.keptHeaders->end() || kept->second.size() != qsizetype(sizeof header))
+        return nullptr;
+    std::memcpy(&header, kept->second.constData(), sizeof header);
+    nifti_set_debug_level(0);
+    return NiftiPointer(nifti_convert_nhdr2nim(header, nullptr));
 }
 
 /// RAS in the file's unit of length → LPS mm.
@@ -77,7 +92,7 @@ Result<std::array<glm::dvec3, 8>> sourceCorners(
         }
         return corners;
     }
-    const NiftiPointer source = open(volume.sourcePath, false);
+    const NiftiPointer source = openSource(volume);
     if (source == nullptr)
         return failure(ErrorCode::FileUnreadable, volume.sourcePath);
     if (source->nx != size.x || source->ny != size.y || source->nz != size.z)

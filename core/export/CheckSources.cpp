@@ -106,7 +106,7 @@ glm::dvec3 sliceOrigin(const VolumeGeometry& geometry, int k)
 Result<std::vector<SourceHeader>> checkedSourceHeaders(
     const QString& file, const Volume& volume, const Progress& progress)
 {
-    auto headers = readSourceHeaders(volume.sources, progress);
+    auto headers = readSourceHeaders(volume.sources, volume.keptHeaders.get(), progress);
     if (!headers)
         return headers;
     for (std::size_t k = 0; k < headers->size(); ++k) {

@@ -124,6 +124,9 @@ Result<ExportReport> exportMask(
     if (!checked)
         return tl::unexpected(renamed(checked.error(), *staged, request.file));
     report.checked = *checked;
+    if (volume.keptHeaders)
+        report.cautions += QStringLiteral("The study's own files were not at hand; the export was "
+                                          "checked against the headers that the session holds.");
     for (const QString& name : selection->empty)
         report.cautions += QStringLiteral("Segment '%1' is empty and was left out.").arg(name);
     for (const VolumeProblem& problem : volume.problems) {

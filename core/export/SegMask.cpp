@@ -37,6 +37,7 @@ Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
     SegContent content;
     content.identity = volume.identity;
     content.sources = volume.sources;
+    content.keptHeaders = volume.keptHeaders;
     content.columns = geometry.size.x;
     content.rows = geometry.size.y;
     if (geometry.slicePositions.empty() && geometry.size.z > 1) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -261,6 +262,16 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
         },
         hasWindow);
     return loaded;
+}
+
+QByteArray niftiHeaderBytes(const QString& path)
+{
+    nifti_set_debug_level(0);
+    const std::unique_ptr<nifti_1_header, decltype(&std::free)> header(
+        nifti_read_header(QFile::encodeName(path).constData(), nullptr, 1), &std::free);
+    if (!header)
+        return {};
+    return {reinterpret_cast<const char*>(header.get()), qsizetype(sizeof(nifti_1_header))};
 }
 
 } // namespace core

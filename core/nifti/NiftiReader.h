@@ -19,4 +19,7 @@ namespace core {
 /// The volume with its voxels; scl_slope and scl_inter applied. FileTruncated, OutOfMemory.
 [[nodiscard]] Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress);
 
+/// The 348 bytes of a file's header, in this machine's byte order; empty if it cannot be read.
+[[nodiscard]] QByteArray niftiHeaderBytes(const QString& path);
+
 } // namespace core

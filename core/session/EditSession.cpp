@@ -31,9 +31,13 @@ Result<std::unique_ptr<EditSession>> EditSession::create(
     if (!options.file.isEmpty()) {
         Result<std::unique_ptr<SessionFile>> created = SessionFile::create(
             options.file, SessionSource::of(volume.volume), options.replaceExisting);
-        if (!created)
+        const bool waits = !created && options.beginWithoutFile
+            && created.error().code == ErrorCode::FileUnwritable;
+        if (!created && !waits)
             return tl::unexpected(created.error());
-        file = *std::move(created);
+        file = created
+            ? *std::move(created)
+            : SessionFile::waiting(options.file, SessionSource::of(volume.volume), created.error());
     }
     return std::unique_ptr<EditSession>(new EditSession(std::make_unique<OperationQueue>(
         engine, std::move(volume.volume), std::move(file), std::move(options.wakeUp))));
@@ -110,6 +114,18 @@ QString EditSession::file() const
     return state.file ? state.file->path() : QString();
 }
 
+std::optional<Error> EditSession::whyNoFile() const
+{
+    const SessionState& state = m_queue->state();
+    return state.file ? state.file->whyNoFile() : std::nullopt;
+}
+
+bool EditSession::holdsImages() const
+{
+    const SessionState& state = m_queue->state();
+    return state.file && state.file->holdsImages();
+}
+
 QString EditSession::whyReadOnly() const
 {
     const SessionState& state = m_queue->state();
@@ -124,12 +140,12 @@ Result<void> EditSession::mayEdit() const
     return failure(ErrorCode::SessionReadOnly, file(), why);
 }
 
-void EditSession::saveAs(
-    const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done)
+void EditSession::saveAs(const QString& target, bool replaceExisting,
+    std::function<void(const Result<void>&)> done, SavedImages images)
 {
     m_queue->closeGrowth();
     if (SessionFile* file = m_queue->state().file.get())
-        file->saveAs(target, replaceExisting, std::move(done));
+        file->saveAs(target, replaceExisting, std::move(done), std::move(images));
     else
         done(failure(ErrorCode::FileUnwritable, target,
             QStringLiteral("this session is kept in memory only")));
@@ -272,6 +288,11 @@ bool EditSession::idle() const
 Result<void> EditSession::settle()
 {
     return m_queue->settle();
+}
+
+void EditSession::setRecentBytes(std::size_t bytes)
+{
+    m_queue->state().setRecentBytes(bytes);
 }
 
 std::optional<Error> EditSession::diskTrouble() const

@@ -6,6 +6,7 @@
 #include "core/edits/Edits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
+#include "core/session/SavedImages.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -32,6 +33,8 @@ public:
     struct Options {
         QString file; ///< session file; empty: history in memory only
         bool replaceExisting = false;
+        /// Where the file cannot be made the session begins all the same, in memory (whyNoFile()).
+        bool beginWithoutFile = false;
         /// Called on another thread whenever poll() has something to take in; the engine's wake-up
         /// is set to it.
         std::function<void()> wakeUp{};
@@ -64,12 +67,17 @@ public:
 
     /// The session file; empty: history in memory only.
     [[nodiscard]] QString file() const;
+    /// Why there is no file there (Options::beginWithoutFile): every step waits in memory until
+    /// saveAs() gives it one. None: there is one, or none was asked for.
+    [[nodiscard]] std::optional<Error> whyNoFile() const;
+    /// The study's images are in the session file (SessionImages.h).
+    [[nodiscard]] bool holdsImages() const;
     /// Why edits are refused; empty: they are not.
     [[nodiscard]] QString whyReadOnly() const;
     /// Goes on in a copy of the session file (SessionFile::saveAs()). Never waits; @p done is
     /// called on another thread, and may be called after the session is gone.
-    void saveAs(
-        const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done);
+    void saveAs(const QString& target, bool replaceExisting,
+        std::function<void(const Result<void>&)> done, SavedImages images = {});
 
     /// A whole edit. Errors are told before anything changes. Its row follows once the engine is
     /// done.
@@ -110,6 +118,10 @@ public:
     [[nodiscard]] bool idle() const;
     /// Wait until every command is carried out and on disk. The only member that waits.
     Result<void> settle();
+
+    /// Differences of the last steps are kept up to here, uncompressed, so that undo needs no disk;
+    /// at first 256 MiB. Heard at once.
+    void setRecentBytes(std::size_t bytes);
 
     /// Why steps wait in memory instead of standing on disk (a full disk, say); none: they do not.
     /// A change is told as DocumentChange::What::Disk.

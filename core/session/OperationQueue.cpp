@@ -124,7 +124,8 @@ void OperationQueue::noticeTrouble()
     if (trouble.has_value() == m_troubled)
         return;
     m_troubled = trouble.has_value();
-    if (trouble)
+    // Who began without a file was told so.
+    if (trouble && !m_state.file->whyNoFile())
         m_state.errors.push_back({ErrorCode::SessionUnwritten, trouble->arguments});
     m_state.tell(DocumentChange::What::Disk);
 }

@@ -42,6 +42,7 @@ struct SessionContents {
     std::vector<int> hiddenSegments;
     std::vector<Keyframe> keyframes; ///< by row; without their pictures
     QString chainEnd; ///< hex; it covers the source and every row
+    bool holdsImages = false; ///< of the study (SessionImages.h)
     QJsonObject display; ///< as the window put it together; empty: none kept
     std::optional<SessionDamage> damage; ///< then rows and position are those before it
     /// Rows that lack a sound difference while their edit and their hash are sound: they can be

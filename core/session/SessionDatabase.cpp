@@ -17,7 +17,8 @@ namespace core {
 namespace {
 
 const char* const tables[]{
-    "CREATE TABLE source (id INTEGER PRIMARY KEY CHECK (id = 1), json TEXT NOT NULL)",
+    R"(CREATE TABLE source (id INTEGER PRIMARY KEY CHECK (id = 1), json TEXT NOT NULL,
+        images TEXT, imagesSha256 TEXT, headers BLOB))",
     R"(CREATE TABLE row (id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, name TEXT NOT NULL,
         edit TEXT NOT NULL, statistics TEXT NOT NULL, growthGeneration INTEGER NOT NULL,
         chain TEXT NOT NULL, stateHash TEXT, deltaSha256 TEXT, seal TEXT,
@@ -27,14 +28,42 @@ const char* const tables[]{
     "CREATE TABLE visited (parent INTEGER PRIMARY KEY, child INTEGER NOT NULL)",
     "CREATE TABLE state (key TEXT PRIMARY KEY, value TEXT NOT NULL)",
     "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
+    "CREATE TABLE pixels (piece INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, bytes BLOB NOT NULL)",
 };
 
-/// What version 2 added. (Version 3 knows a further form of differences.)
-const char* const sinceVersion1[]{
-    "ALTER TABLE row ADD COLUMN at TEXT",
-    "ALTER TABLE row ADD COLUMN author TEXT",
-    "ALTER TABLE row ADD COLUMN program TEXT",
-    "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
+/// What a version has that the one before it had not.
+struct Addition {
+    int version;
+    const char* statement;
+};
+const Addition additions[]{
+    {2, "ALTER TABLE row ADD COLUMN at TEXT"},
+    {2, "ALTER TABLE row ADD COLUMN author TEXT"},
+    {2, "ALTER TABLE row ADD COLUMN program TEXT"},
+    {2, "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)"},
+    {3, "ALTER TABLE source ADD COLUMN images TEXT"},
+    {3, "ALTER TABLE source ADD COLUMN imagesSha256 TEXT"},
+    {3, "ALTER TABLE source ADD COLUMN headers BLOB"},
+    {3,
+        "CREATE TABLE pixels (piece INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, bytes BLOB NOT"
+        " NULL)"},
+};
+static_assert(SessionDatabase::schemaVersion == 3);
+
+/// What is copied into another session, and since which version it is there.
+struct CopiedTable {
+    int since;
+    const char* name;
+    const char* columns;
+};
+const CopiedTable copiedTables[]{
+    {1, "row",
+        "id, parent, name, edit, statistics, growthGeneration, chain, stateHash, deltaSha256, "
+        "seal"},
+    {1, "delta", "row, piece, bytes"},
+    {1, "visited", "parent, child"},
+    {1, "state", "key, value"},
+    {2, "keyframe", "row, at, png"},
 };
 
 QString newConnectionName()
@@ -250,8 +279,8 @@ bool SessionDatabase::upgrade()
 {
     if (m_version >= schemaVersion)
         return true;
-    for (const char* statement : sinceVersion1) {
-        if (m_version == 1 && !run(QLatin1String(statement)))
+    for (const Addition& addition : additions) {
+        if (addition.version > m_version && !run(QLatin1String(addition.statement)))
             return false;
     }
     if (!run(QStringLiteral("PRAGMA user_version=%1").arg(int(schemaVersion))))
@@ -279,6 +308,30 @@ bool SessionDatabase::transaction(const std::function<bool()>& work)
 bool SessionDatabase::copyInto(const QString& path)
 {
     return run(QStringLiteral("VACUUM INTO ?"), {path});
+}
+
+bool SessionDatabase::copyHistoryInto(const QString& path)
+{
+    if (!run(QStringLiteral("ATTACH ? AS target"), {path}))
+        return false;
+    const bool copied = transaction([this] {
+        for (const CopiedTable& table : copiedTables) {
+            if (table.since > m_version)
+                continue;
+            QString columns = QLatin1String(table.columns);
+            if (m_version >= 2 && qstrcmp(table.name, "row") == 0)
+                columns += QStringLiteral(", at, author, program");
+            if (!run(QStringLiteral("INSERT INTO target.%1 (%2) SELECT %2 FROM main.%1")
+                         .arg(QLatin1String(table.name), columns)))
+                return false;
+        }
+        return run(QStringLiteral("UPDATE target.source SET json=(SELECT json FROM main.source)"));
+    });
+    const QString reason = m_reason;
+    const bool left = run(QStringLiteral("DETACH target"));
+    if (!copied)
+        m_reason = reason;
+    return copied && left;
 }
 
 tl::unexpected<Error> SessionDatabase::failed() const

@@ -40,6 +40,9 @@ public:
     bool transaction(const std::function<bool()>& work);
     /// Everything into another file, which is empty or not there yet.
     bool copyInto(const QString& path);
+    /// Every table but the images into a session file that holds no row. The source's JSON is
+    /// copied as it stands, for the chain hangs on it.
+    bool copyHistoryInto(const QString& path);
 
     /// The schema that the tables have now: an older file keeps its own until it is written to.
     [[nodiscard]] int version() const { return m_version; }

@@ -68,6 +68,16 @@ Result<std::unique_ptr<SessionFile>> SessionFile::create(
     return file;
 }
 
+std::unique_ptr<SessionFile> SessionFile::waiting(
+    const QString& path, const SessionSource& source, const Error& why)
+{
+    std::unique_ptr<SessionFile> file(new SessionFile(path));
+    file->m_contents.source = source;
+    file->m_whyNoFile = why;
+    file->m_writer.run([&file] { file->m_tables.reset(); });
+    return file;
+}
+
 Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Access access)
 {
     const QFileInfo info(path);
@@ -89,6 +99,7 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
     if (!contents)
         return tl::unexpected(contents.error());
     file->m_contents = *std::move(contents);
+    file->m_holdsImages = file->m_contents.holdsImages;
     file->m_isPrivateCopy = access == Access::PrivateCopy;
     return file;
 }
@@ -110,7 +121,8 @@ bool SessionFile::isNamedAt(const QString& path)
 void SessionFile::addRow(const HistoryRow& row)
 {
     post({.carryOut = [text = RowText::of(row)](
-                          SessionTables& tables) { return tables.addRow(text); }});
+                          SessionTables& tables) { return tables.addRow(text); },
+        .isStep = true});
 }
 
 void SessionFile::completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta)
@@ -136,17 +148,31 @@ void SessionFile::setHiddenSegments(const std::vector<int>& labels)
 
 void SessionFile::addKeyframe(const Keyframe& keyframe)
 {
-    post({.carryOut = [keyframe](SessionTables& tables) { return tables.addKeyframe(keyframe); }});
+    post({.carryOut = [keyframe](SessionTables& tables) { return tables.addKeyframe(keyframe); },
+        .row = keyframe.row,
+        .picture = keyframe.png});
 }
 
 void SessionFile::fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take)
 {
-    m_writer.post([this, row, take = std::move(take)] { take(m_tables->readKeyframe(row)); });
+    m_writer.post([this, row, take = std::move(take)] {
+        const auto waits = std::find_if(m_waiting.rbegin(), m_waiting.rend(),
+            [row](const Write& write) { return !write.picture.isEmpty() && write.row == row; });
+        if (waits != m_waiting.rend())
+            take(waits->picture);
+        else
+            take(m_tables ? m_tables->readKeyframe(row) : QByteArray());
+    });
 }
 
 void SessionFile::audit(std::function<void(const Result<AuditReport>&)> take)
 {
-    m_writer.post([this, take = std::move(take)] { take(auditReport(*m_tables, m_path)); });
+    m_writer.post([this, take = std::move(take)] {
+        if (m_tables)
+            take(auditReport(*m_tables, m_path));
+        else
+            take(tl::unexpected(*m_whyNoFile));
+    });
 }
 
 void SessionFile::setDisplay(const QJsonObject& display)
@@ -174,17 +200,59 @@ bool SessionFile::isPrivateCopy() const
     return m_isPrivateCopy;
 }
 
-void SessionFile::saveAs(
-    const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done)
+bool SessionFile::holdsImages() const
 {
-    m_writer.post([this, target, replaceExisting, done = std::move(done)] {
+    const std::lock_guard lock(m_mutex);
+    return m_holdsImages;
+}
+
+std::optional<Error> SessionFile::whyNoFile() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_whyNoFile;
+}
+
+void SessionFile::saveAs(const QString& target, bool replaceExisting,
+    std::function<void(const Result<void>&)> done, SavedImages images)
+{
+    m_writer.post([this, target, replaceExisting, images, done = std::move(done)]() mutable {
         writeWaiting();
-        done(moveTo(target, replaceExisting));
+        const Result<void> moved = moveTo(target, replaceExisting, images);
+        images = {}; // what was staged and is not used is gone before anybody is told
+        done(moved);
     });
 }
 
+/// Into a staged file that is empty, or holds images and nothing else; with what waits.
+Result<void> SessionFile::copyInto(const QString& path, const SavedImages& images)
+{
+    const bool leavesOut = m_tables && m_tables->holdsImages() && !images.kept;
+    const bool begun = images.staged || leavesOut || !m_tables;
+    if (begun && !images.staged) {
+        SessionTables empty(path);
+        if (const Result<void> made = empty.create(m_contents.source); !made)
+            return made;
+    }
+    if (m_tables) {
+        const Result<void> copied =
+            begun ? m_tables->copyHistoryInto(path) : m_tables->copyInto(path);
+        if (!copied)
+            return copied;
+    }
+    // Opened as any session is: rows and chain are there.
+    SessionTables copy(path);
+    if (const Result<SessionContents> read = copy.open(Access::ReadWrite); !read)
+        return tl::unexpected(read.error());
+    for (const Write& write : m_waiting) {
+        if (const Result<void> written = write.carryOut(copy); !written)
+            return written;
+    }
+    return {};
+}
+
 /// On the writer's thread.
-Result<void> SessionFile::moveTo(const QString& target, bool replaceExisting)
+Result<void> SessionFile::moveTo(
+    const QString& target, bool replaceExisting, const SavedImages& images)
 {
     if (QFileInfo::exists(target) && isSessionInUse(target))
         return failure(ErrorCode::FileUnwritable, target, inUse);
@@ -192,21 +260,16 @@ Result<void> SessionFile::moveTo(const QString& target, bool replaceExisting)
     if (isSessionUnfinished(target))
         return failure(ErrorCode::FileUnwritable, target,
             QStringLiteral("it was not closed properly; open it once, or take another name"));
-    Result<StagedFile> staged = StagedFile::create(target, replaceExisting);
-    if (!staged)
-        return tl::unexpected(staged.error());
-    const QString path = staged->path();
-    QFile::setPermissions(path, QFileDevice::ReadOwner | QFileDevice::WriteOwner);
-    Result<void> whole = m_tables->copyInto(path);
-    if (whole) {
-        // Opened as any session is: rows and chain are there.
-        SessionTables copy(path);
-        if (const Result<SessionContents> read = copy.open(Access::ReadWrite); !read)
-            whole = tl::unexpected(read.error());
-        for (auto write = m_waiting.begin(); whole && write != m_waiting.end(); ++write)
-            whole = write->carryOut(copy);
+    std::shared_ptr<StagedFile> staged = images.staged;
+    if (!staged) {
+        Result<StagedFile> made = StagedFile::create(target, replaceExisting);
+        if (!made)
+            return tl::unexpected(made.error());
+        staged = std::make_shared<StagedFile>(*std::move(made));
+        QFile::setPermissions(staged->path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner);
     }
-    if (!whole) {
+    const QString path = staged->path();
+    if (const Result<void> whole = copyInto(path, images); !whole) {
         removeSession(path);
         return failure(whole.error().code, target, whole.error().arguments.value(1));
     }
@@ -221,6 +284,8 @@ Result<void> SessionFile::moveTo(const QString& target, bool replaceExisting)
         const std::lock_guard lock(m_mutex);
         m_path = target;
         m_isPrivateCopy = false;
+        m_whyNoFile.reset();
+        m_holdsImages = m_tables->holdsImages();
     }
     setTrouble({});
     return {};
@@ -234,6 +299,11 @@ void SessionFile::retry()
 void SessionFile::writeWaiting()
 {
     std::optional<Error> trouble;
+    if (!m_tables) {
+        const bool anyStep = std::any_of(
+            m_waiting.begin(), m_waiting.end(), [](const Write& write) { return write.isStep; });
+        return setTrouble(anyStep ? m_whyNoFile : std::nullopt);
+    }
     while (!m_waiting.empty() && !trouble) {
         if (const Result<void> written = m_waiting.front().carryOut(*m_tables); written)
             m_waiting.pop_front();
@@ -272,7 +342,12 @@ Result<BrickDelta> SessionFile::readDelta(RowId row)
     m_writer.run([&] {
         const auto waits = std::find_if(m_waiting.begin(), m_waiting.end(),
             [row](const Write& write) { return write.delta && write.row == row; });
-        result = waits == m_waiting.end() ? m_tables->readDelta(row) : *waits->delta;
+        if (waits != m_waiting.end())
+            result = *waits->delta;
+        else if (m_tables)
+            result = m_tables->readDelta(row);
+        else
+            result = tl::unexpected(*m_whyNoFile);
     });
     return result;
 }

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskThread.h"
 #include "core/brick/BrickDelta.h"
+#include "core/session/SavedImages.h"
 #include "core/session/SessionContents.h"
 
 #include <QString>
@@ -30,6 +31,10 @@ public:
     /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
     static Result<std::unique_ptr<SessionFile>> create(
         const QString& path, const SessionSource& source, bool replaceExisting);
+    /// Where create() fails with @p why and work is to begin all the same: everything waits in
+    /// memory until saveAs() gives it a place.
+    static std::unique_ptr<SessionFile> waiting(
+        const QString& path, const SessionSource& source, const Error& why);
 
     using Access = SessionAccess;
     /// Checks the chain of all rows; read-only media are fine with all but Access::ReadWrite.
@@ -49,6 +54,10 @@ public:
     [[nodiscard]] QString path() const;
     /// It is a copy of what lies at path(), until saveAs() gives it a place of its own.
     [[nodiscard]] bool isPrivateCopy() const;
+    /// The study's images are in it.
+    [[nodiscard]] bool holdsImages() const;
+    /// Why there is no file at path() (waiting()); none: there is one.
+    [[nodiscard]] std::optional<Error> whyNoFile() const;
 
     /// First half of a row: it becomes the position, and the child that redo goes to.
     void addRow(const HistoryRow& row);
@@ -76,12 +85,12 @@ public:
     /// only once it is whole and on disk; then goes on there, in line with what is written. The
     /// file before stays, closed. On failure nothing has changed. @p done: on the writer's thread.
     /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
-    void saveAs(
-        const QString& target, bool replaceExisting, std::function<void(const Result<void>&)> done);
+    void saveAs(const QString& target, bool replaceExisting,
+        std::function<void(const Result<void>&)> done, SavedImages images = {});
 
     /// Tries again what waits in memory. Never waits.
     void retry();
-    /// Why something waits in memory; none: everything is on disk or on its way there.
+    /// Why something waits in memory (without a file: a step); none: all is on disk or on its way.
     [[nodiscard]] std::optional<Error> trouble() const;
     /// Called on the writer's thread when writing begins to fail, and when all is written again.
     /// Set it before the first write.
@@ -94,11 +103,15 @@ private:
         std::function<Result<void>(SessionTables&)> carryOut; ///< may be done over
         RowId row = 0; ///< whose second half it is; 0: another write
         std::shared_ptr<const BrickDelta> delta; ///< of that row
+        QByteArray picture{}; ///< of that row
+        bool isStep = false; ///< what the user would miss
     };
     void post(Write write);
     void writeWaiting();
     void setTrouble(const std::optional<Error>& trouble);
-    [[nodiscard]] Result<void> moveTo(const QString& target, bool replaceExisting);
+    [[nodiscard]] Result<void> moveTo(
+        const QString& target, bool replaceExisting, const SavedImages& images);
+    [[nodiscard]] Result<void> copyInto(const QString& path, const SavedImages& images);
 
     SessionContents m_contents;
     std::function<void()> m_troubleListener;
@@ -107,8 +120,10 @@ private:
     QString m_path;
     bool m_isPrivateCopy = false;
     std::optional<Error> m_trouble;
+    std::optional<Error> m_whyNoFile;
+    bool m_holdsImages = false;
     // The writer's thread only:
-    std::unique_ptr<SessionTables> m_tables;
+    std::unique_ptr<SessionTables> m_tables; ///< null: there is no file
     std::deque<Write> m_waiting;
 
     TaskThread m_writer; ///< last: it uses all of the above

@@ -3,6 +3,7 @@
 
 #include "core/base/StagedFile.h"
 #include "core/session/SessionFile.h"
+#include "core/session/SessionImages.h"
 
 #include <algorithm>
 #include <future>
@@ -94,6 +95,12 @@ Result<void> salvageSession(
         if (!to)
             return tl::unexpected(to.error());
         if (const Result<void> copied = copyRows(**from, sound, **to); !copied)
+            return copied;
+    }
+    // Images that are damaged are left behind; whoever has the study does not miss them.
+    if (sound.holdsImages) {
+        const Result<void> copied = copySessionImages(damaged, staged->path());
+        if (!copied && copied.error().code != ErrorCode::SessionDamaged)
             return copied;
     }
     return staged->commit();

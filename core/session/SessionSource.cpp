@@ -36,7 +36,8 @@ SessionSource SessionSource::of(const Volume& volume)
         .studyDate = volume.identity.studyDate,
         .size = volume.geometry.size,
         .indexToWorld = volume.geometry.indexToWorld,
-        .voxelsSha256 = volume.voxelsSha256};
+        .voxelsSha256 = volume.voxelsSha256,
+        .codesSha256 = volume.codesSha256};
 }
 
 QJsonObject SessionSource::toJson() const
@@ -46,7 +47,7 @@ QJsonObject SessionSource::toJson() const
         for (int row = 0; row < 4; ++row)
             matrix.append(indexToWorld[column][row]);
     }
-    return {
+    QJsonObject json{
         {QStringLiteral("path"), path},
         {QStringLiteral("format"), format},
         {QStringLiteral("studyUid"), studyUid},
@@ -58,6 +59,9 @@ QJsonObject SessionSource::toJson() const
         {QStringLiteral("indexToWorld"), matrix},
         {QStringLiteral("voxelsSha256"), QString::fromLatin1(voxelsSha256)},
     };
+    if (!codesSha256.isEmpty())
+        json[QStringLiteral("codesSha256")] = QString::fromLatin1(codesSha256);
+    return json;
 }
 
 std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
@@ -75,6 +79,7 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
     source.modality = json.value(QStringLiteral("modality")).toString();
     source.studyDate = json.value(QStringLiteral("studyDate")).toString();
     source.voxelsSha256 = json.value(QStringLiteral("voxelsSha256")).toString().toLatin1();
+    source.codesSha256 = json.value(QStringLiteral("codesSha256")).toString().toLatin1();
     for (int axis = 0; axis < 3; ++axis)
         source.size[axis] = sizes[axis].toInt();
     for (int i = 0; i < 16; ++i)

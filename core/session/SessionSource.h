@@ -22,6 +22,7 @@ struct SessionSource {
     glm::ivec3 size{0};
     glm::dmat4 indexToWorld{1.0};
     QByteArray voxelsSha256; ///< hex; empty if the loader did not tell
+    QByteArray codesSha256; ///< hex; only where the values do not follow from the codes
 
     [[nodiscard]] static SessionSource of(const Volume& volume);
     [[nodiscard]] QJsonObject toJson() const;

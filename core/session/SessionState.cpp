@@ -111,7 +111,18 @@ void SessionState::remember(RowId row, const Changes& changes)
 {
     m_recentBytes += bytesOf(*changes);
     m_recent[row] = changes;
-    while (m_recentBytes > maxRecentBytes && !m_recent.empty()) {
+    forgetOldest();
+}
+
+void SessionState::setRecentBytes(std::size_t bytes)
+{
+    m_maxRecentBytes = bytes;
+    forgetOldest();
+}
+
+void SessionState::forgetOldest()
+{
+    while (m_recentBytes > m_maxRecentBytes && !m_recent.empty()) {
         m_recentBytes -= bytesOf(*m_recent.begin()->second);
         m_recent.erase(m_recent.begin());
     }

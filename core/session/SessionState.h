@@ -43,6 +43,9 @@ public:
 
     /// What a row changed, if it is still at hand.
     [[nodiscard]] Changes recent(RowId row) const;
+    /// How much of that is kept at most.
+    void setRecentBytes(std::size_t bytes);
+    [[nodiscard]] std::size_t recentBytes() const { return m_recentBytes; }
 
     void setVisible(int label, bool visible);
     void hide(const std::vector<int>& labels);
@@ -72,17 +75,16 @@ public:
     std::optional<Error> firstError; ///< since settle() was called last
 
 private:
-    /// Differences of the last edits are kept up to here, so that undo needs no disk.
-    static constexpr std::size_t maxRecentBytes = std::size_t(256) << 20;
-
     void takeIn(const std::vector<BrickChange>& changes);
     void remember(RowId row, const Changes& changes);
+    void forgetOldest();
     void placeDocument();
     void placeSegments();
     void muteLayers();
 
     std::map<RowId, Changes> m_recent;
     std::size_t m_recentBytes = 0;
+    std::size_t m_maxRecentBytes = std::size_t(256) << 20;
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
     std::bitset<256> m_muted; ///< layers, as the engine was told

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionStudy.h"
 
+#include "core/session/SessionImages.h"
 #include "core/study/StudyLoader.h"
 
 #include <QDir>
@@ -73,6 +74,28 @@ Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
     return mismatch(difference);
 }
 
+/// What the session holds itself. @param why its study cannot be read
+Result<LoadedVolume> imagesInstead(const QString& sessionFile, Error why, const Progress& progress)
+{
+    Result<LoadedVolume> images = loadSessionImages(sessionFile, progress);
+    if (images) {
+        images->notFromStudy = why;
+        return images;
+    }
+    if (images.error().code == ErrorCode::Cancelled)
+        return images;
+    if (images.error().code == ErrorCode::NoImages)
+        return tl::unexpected(why);
+    const QString reason = images.error().arguments.value(1);
+    if (why.code == ErrorCode::StudyMissing)
+        why.arguments.append(reason);
+    else
+        why.arguments = {why.arguments.value(0),
+            QStringLiteral("%1; nor can its own images be used: %2")
+                .arg(why.arguments.value(1), reason)};
+    return tl::unexpected(why);
+}
+
 } // namespace
 
 QStringList studyPlaces(const QString& sessionFile, const SessionSource& source)
@@ -103,9 +126,10 @@ Result<LoadedVolume> loadSessionStudy(const QString& sessionFile, const SessionS
         if (!first)
             first = loaded.error();
     }
-    if (first)
-        return tl::unexpected(*first);
-    return failure(ErrorCode::StudyMissing, sessionFile, source.path);
+    const Error why = first ? *first : Error{ErrorCode::StudyMissing, {sessionFile, source.path}};
+    if (!place.isEmpty() || !series.isEmpty())
+        return tl::unexpected(why);
+    return imagesInstead(sessionFile, why, progress);
 }
 
 } // namespace core

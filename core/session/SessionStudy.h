@@ -17,12 +17,14 @@ namespace core {
 [[nodiscard]] QStringList studyPlaces(const QString& sessionFile, const SessionSource& source);
 
 /// Loads the volume that a session was made on and checks that it is the one: size, affine, voxels
-/// and series UID. Blocks.
+/// and series UID. Where it is not found, the images that the session holds take its place
+/// (LoadedVolume::notFromStudy says why). Blocks.
 ///
-/// @param place where to look; empty: studyPlaces()
+/// @param place where to look, and nowhere else; empty: studyPlaces()
 /// @param series only this one; empty: the session's own
-/// @return errors: StudyMissing where nothing is left to look at; SessionMismatch, with what
-/// differs, where something else is there; the loader's own
+/// @return errors: StudyMissing where nothing is left to look at (argument 2: why the session's own
+/// images are of no use, where it has any); SessionMismatch, with what differs, where something
+/// else is there; the loader's own
 [[nodiscard]] Result<LoadedVolume> loadSessionStudy(const QString& sessionFile,
     const SessionSource& source, const QString& place = QString(),
     const QString& series = QString(), const Progress& progress = Progress());

@@ -53,7 +53,8 @@ Result<void> SessionTables::create(const SessionSource& source)
     const QString json = compact(source.toJson());
     m_chains = {firstChain(json)};
     return write([&] {
-        return m_database->run(QStringLiteral("INSERT INTO source VALUES (1, ?)"), {json});
+        return m_database->run(
+            QStringLiteral("INSERT INTO source (id, json) VALUES (1, ?)"), {json});
     });
 }
 
@@ -90,6 +91,7 @@ Result<SessionContents> SessionTables::read()
     contents.chainEnd = m_chains.back();
     readState(contents);
     readKeyframes(contents);
+    contents.holdsImages = holdsImages();
     return contents;
 }
 
@@ -98,6 +100,26 @@ Result<void> SessionTables::copyInto(const QString& path)
     if (m_database->copyInto(path))
         return {};
     return failure(ErrorCode::FileUnwritable, path, m_database->reason());
+}
+
+Result<void> SessionTables::copyHistoryInto(const QString& path)
+{
+    if (m_database->copyHistoryInto(path))
+        return {};
+    return failure(ErrorCode::FileUnwritable, path, m_database->reason());
+}
+
+bool SessionTables::holdsImages()
+{
+    bool any = false;
+    if (m_database->version() >= 3) {
+        m_database->query(QStringLiteral("SELECT images IS NOT NULL FROM source"), {},
+            [&any](const QSqlQuery& answer) {
+                any = answer.value(0).toBool();
+                return true;
+            });
+    }
+    return any;
 }
 
 // --- Writing -------------------------------------------------------------------------------------

@@ -25,6 +25,9 @@ public:
     [[nodiscard]] Result<SessionContents> readAgain();
     /// All of it into a file that is empty or not there yet.
     [[nodiscard]] Result<void> copyInto(const QString& path);
+    /// All but the images into a session that holds no row.
+    [[nodiscard]] Result<void> copyHistoryInto(const QString& path);
+    [[nodiscard]] bool holdsImages();
 
     // One transaction each; one that fails (FileUnwritable) leaves the file as it was and may be
     // tried again. A row must not be written before the one ahead of it stands.

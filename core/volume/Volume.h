@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Error.h"
 #include "core/volume/VolumeGeometry.h"
 #include "core/volume/VoxelEncoding.h"
 
@@ -9,7 +10,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -47,6 +50,10 @@ struct SourceSlice {
     int frame = 0;          ///< 0-based
     int instanceNumber = 0;
 };
+
+/// Headers of source files by the files' names, for a volume whose files may be missing: of DICOM a
+/// data set in explicit VR little endian (core/dicom/KeptHeaders.h), of NIfTI the header's bytes.
+using KeptHeaders = std::map<QString, QByteArray>;
 
 /// Something about the source that a reader must know before trusting a measurement.
 struct VolumeProblem {
@@ -89,6 +96,11 @@ struct Volume {
     QString sourcePath;               ///< folder or file that was opened
     QString sourceFormat;             ///< "DICOM", "NIfTI"
     QByteArray voxelsSha256; ///< hex; float32 little-endian modality values, x fastest
+    /// Hex, of the codes, little-endian; only where the values do not follow from the codes.
+    QByteArray codesSha256;
+    /// Of a volume that came out of a session file: what stands for its source files, which are not
+    /// read then. Null: the files are.
+    std::shared_ptr<const KeptHeaders> keptHeaders;
     std::vector<VolumeProblem> problems;
 
     [[nodiscard]] bool needsCaution() const;
@@ -98,6 +110,8 @@ struct Volume {
 struct LoadedVolume {
     Volume volume;
     std::vector<std::uint16_t> codes;
+    /// Why they came out of a session file; none: they came from the study's own files.
+    std::optional<Error> notFromStudy{};
 };
 
 } // namespace core

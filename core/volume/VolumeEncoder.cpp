@@ -6,7 +6,9 @@
 #include <QCryptographicHash>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <future>
 #include <limits>
 #include <mutex>
@@ -88,8 +90,16 @@ void addFloats(QCryptographicHash& hash, const std::vector<float>& values)
         reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(float))));
 }
 
+std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
+{
+    std::vector<float> values(codeCount);
+    for (int code = 0; code < codeCount; ++code)
+        values[std::size_t(code)] = float(encoding.value(code));
+    return values;
+}
+
 /// Checksum of values that follow from codes by table.
-QByteArray hashCodes(const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
+QByteArray hashValues(const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     const std::size_t size = sliceSize(loaded.volume);
@@ -107,12 +117,10 @@ QByteArray hashCodes(const LoadedVolume& loaded, const std::vector<float>& value
 void describeExact(LoadedVolume& loaded, bool hasWindow)
 {
     Volume& volume = loaded.volume;
-    std::vector<float> valueOfCode(codeCount);
-    for (int code = 0; code < codeCount; ++code)
-        valueOfCode[std::size_t(code)] = float(volume.encoding.value(code));
+    const std::vector<float> valueOfCode = valuesOfCodes(volume.encoding);
     // The checksum is a chain and takes one core; the rest is done beside it.
     std::future<QByteArray> checksum =
-        std::async(std::launch::async, [&] { return hashCodes(loaded, valueOfCode); });
+        std::async(std::launch::async, [&] { return hashValues(loaded, valueOfCode); });
     const CodeCounts counts = countCodes(loaded);
     int lowest = codeCount - 1;
     int highest = 0;
@@ -264,14 +272,38 @@ void encodeValues(LoadedVolume& loaded,
     QCryptographicHash hash(QCryptographicHash::Sha256);
     std::vector<double> values(size);
     std::vector<float> floats(size);
+    const std::vector<float> valueOfCode = valuesOfCodes(volume.encoding);
+    bool followFromCodes = true;
     for (int k = 0; k < slices; ++k) {
         slice(k, values);
         std::transform(values.begin(), values.end(), floats.begin(),
             [](double value) { return float(value); });
         addFloats(hash, floats);
+        const std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
+        // By their bytes, as the checksum has them.
+        followFromCodes = followFromCodes
+            && std::equal(floats.begin(), floats.end(), code, [&](float value, std::uint16_t of) {
+                   return std::memcmp(&value, &valueOfCode[of], sizeof value) == 0;
+               });
     }
     volume.voxelsSha256 = hash.result().toHex();
+    if (!followFromCodes)
+        volume.codesSha256 = sha256OfCodes(loaded);
     describe(volume, countCodes(loaded), hasWindow);
+}
+
+QByteArray sha256OfValues(const LoadedVolume& loaded)
+{
+    return hashValues(loaded, valuesOfCodes(loaded.volume.encoding));
+}
+
+QByteArray sha256OfCodes(const LoadedVolume& loaded)
+{
+    static_assert(std::endian::native == std::endian::little);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QByteArrayView(reinterpret_cast<const char*>(loaded.codes.data()),
+        qsizetype(loaded.codes.size() * sizeof(std::uint16_t))));
+    return hash.result().toHex();
 }
 
 } // namespace core

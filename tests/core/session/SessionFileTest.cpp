@@ -2,6 +2,7 @@
 #include "core/session/SessionFile.h"
 #include "core/session/EditSession.h"
 #include "core/session/HistoryListing.h"
+#include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/FileSizeLimit.h"
@@ -53,6 +54,9 @@ const QString version1 =
     QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin");
 const QString version2 =
     QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version2.burin");
+/// On the small series.
+const QString version2OfSeries =
+    QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version2series.burin");
 
 /// The study such a session was made on.
 LoadedVolume studyOf(const QString& path)
@@ -454,6 +458,42 @@ private Q_SLOTS:
         const auto session = EditSession::open(engine, study, m_path);
         QVERIFY(session);
         QCOMPARE((*session)->history().rows().size(), std::size_t(14));
+    }
+
+    void version2GetsRoomForImages()
+    {
+        QVERIFY(QFile::copy(version2OfSeries, m_path));
+        QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
+        test::writeSmallSeries(m_folder->filePath(QStringLiteral("ct")), "2.25.1");
+        const LoadedVolume study = *loadVolume(m_folder->filePath(QStringLiteral("ct")));
+        const QByteArray before = contentOf(m_path);
+        {
+            const auto file = SessionFile::open(m_path, SessionFile::Access::ReadOnly);
+            QVERIFY(file);
+            const SessionContents& contents = (*file)->contents();
+            QCOMPARE(contents.rows.size(), test::manyEdits().size());
+            QCOMPARE(contents.rows.front().origin.author, QStringLiteral("Somebody"));
+            QCOMPARE(contents.keyframes.size(), std::size_t(1));
+            QVERIFY(!contents.holdsImages);
+        }
+        QCOMPARE(contentOf(m_path), before);
+        reference::ReferenceEngine engine;
+        {
+            const auto session = EditSession::open(engine, study, m_path);
+            QVERIFY(session);
+            QVERIFY((*session)->apply(test::drillAt(4)));
+            QVERIFY((*session)->settle());
+        }
+        QCOMPARE(schemaOf(m_path), 3);
+        const auto session = EditSession::open(engine, study, m_path);
+        QVERIFY(session);
+        const History& history = (*session)->history();
+        QCOMPARE(history.rows().size(), test::manyEdits().size() + 1);
+        for (RowId row = RowId(history.rows().size()); row > 0; --row) {
+            QVERIFY((*session)->goTo(row));
+            QVERIFY((*session)->settle());
+            QCOMPARE((*session)->stateHash(), history.row(row).stateHash);
+        }
     }
 
     void keyframesAreKept()

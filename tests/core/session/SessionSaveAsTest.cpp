@@ -193,6 +193,64 @@ private Q_SLOTS:
         QCOMPARE(after->stateHash(), hash);
     }
 
+    /// Where no file can be made work begins all the same, and nothing of it is lost.
+    void withoutAFileEverythingWaits()
+    {
+        const QString nowhere = m_folder->filePath(QStringLiteral("no/such/a.burin"));
+        reference::ReferenceEngine engine;
+        QByteArray hash;
+        {
+            const auto session = *EditSession::create(
+                engine, test::smallStudy(), {.file = nowhere, .beginWithoutFile = true});
+            std::vector<Error> told;
+            session->setErrorListener([&told](const Error& error) { told.push_back(error); });
+            QVERIFY(session->whyNoFile());
+            QCOMPARE(session->whyNoFile()->code, ErrorCode::FileUnwritable);
+            QCOMPARE(session->file(), nowhere);
+            // How it looks is nothing to lose.
+            session->setDisplay({{QStringLiteral("tool"), QStringLiteral("drill")}});
+            QVERIFY(session->settle());
+            QVERIFY(!session->diskTrouble());
+            for (const Edit& edit : test::manyEdits()) {
+                QVERIFY(session->apply(edit));
+                QCOMPARE(session->settle().error().code, ErrorCode::FileUnwritable);
+            }
+            QVERIFY(session->diskTrouble());
+            session->addKeyframe(2, QByteArrayLiteral("picture"));
+            std::promise<QByteArray> png;
+            session->fetchKeyframe(2, [&png](const QByteArray& got) { png.set_value(got); });
+            QCOMPARE(png.get_future().get(), QByteArrayLiteral("picture"));
+            session->setRecentBytes(0);
+            hash = session->stateHash();
+            QVERIFY(session->goTo(0));
+            static_cast<void>(session->settle());
+            QCOMPARE(session->history().position(), RowId(0));
+            QVERIFY(session->goTo(RowId(test::manyEdits().size())));
+            static_cast<void>(session->settle());
+            QCOMPARE(session->stateHash(), hash);
+
+            const Result<void> refused =
+                saveAs(*session, m_folder->filePath(QStringLiteral("nor/such/b.burin")));
+            QCOMPARE(refused.error().code, ErrorCode::FileUnwritable);
+            QVERIFY(session->whyNoFile());
+            QVERIFY(saveAs(*session, m_target));
+            QVERIFY(!session->whyNoFile());
+            QVERIFY(!session->diskTrouble());
+            QCOMPARE(session->file(), m_target);
+            QVERIFY(session->apply(test::drillAt(7)));
+            QVERIFY(session->settle());
+            hash = session->stateHash();
+            QVERIFY(told.empty());
+        }
+        reference::ReferenceEngine other;
+        const auto after = open(other, m_target);
+        QCOMPARE(after->history().rows().size(), test::manyEdits().size() + 1);
+        QCOMPARE(after->stateHash(), hash);
+        QCOMPARE(after->keyframes(), std::vector<RowId>{2});
+        QCOMPARE(
+            after->display().value(QStringLiteral("tool")).toString(), QStringLiteral("drill"));
+    }
+
     void aViewRefusesEditsAndLeavesTheFile_data()
     {
         QTest::addColumn<bool>("unfinished");
