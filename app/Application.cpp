@@ -167,13 +167,20 @@ core::Result<void> Application::makeRoom()
 core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& newFile)
 {
     m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
-    auto session = core::EditSession::create(
-        m_engine->edits(), std::move(loaded), {.file = newFile, .wakeUp = [this] { wake(); }});
+    // A study opens, even where no step of it can be written.
+    auto session = core::EditSession::create(m_engine->edits(), std::move(loaded),
+        {.file = newFile, .beginWithoutFile = true, .wakeUp = [this] { wake(); }});
     if (!session)
         return tl::unexpected(session.error());
+    const std::optional<core::Error> whyNoFile = (*session)->whyNoFile();
     m_sessionFile = newFile;
-    m_rowsAtFirst = 0;
+    m_rowsAtFirst = whyNoFile ? std::nullopt : std::optional<std::size_t>(0);
     m_workspace->setSession(std::move(*session));
+    if (whyNoFile)
+        m_window->messages().show(ui::MessageBar::Kind::Caution,
+            QStringLiteral("Steps stay in memory only, until you save the session elsewhere: %1.")
+                .arg(ui::noFileText(*whyNoFile)),
+            QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
     return {};
 }
 
@@ -201,6 +208,7 @@ core::Result<void> Application::goOn(
     const auto plan = planFor(file, contents, !m_notRedone.contains(file));
     if (!plan)
         return tl::unexpected(plan.error());
+    const std::optional<core::Error> notFromStudy = loaded.notFromStudy;
     auto session = opened(std::move(loaded), *plan);
     if (!session && !plan->redo.empty()) {
         withdraw(*plan, file);
@@ -224,11 +232,24 @@ core::Result<void> Application::goOn(
             QStringLiteral("%1 is %2. Here it can be looked at, not edited.")
                 .arg(QFileInfo(file).fileName(), plan->whyReadOnly),
             QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
+    } else if (notFromStudy) {
+        tellWhereImagesAre(*notFromStudy, file);
     } else if (steps > 0) {
         m_workspace->say(
             QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
     }
     return {};
+}
+
+void Application::tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file)
+{
+    const QString name = QFileInfo(file).fileName();
+    const QString why = whyNotFromStudy.code == core::ErrorCode::StudyMissing
+        ? QStringLiteral("The study is no longer at %1").arg(whyNotFromStudy.arguments.value(1))
+        : ui::errorText(whyNotFromStudy);
+    m_window->messages().show(ui::MessageBar::Kind::Notice,
+        QStringLiteral("%1. Its images are taken from %2 and agree with the session.")
+            .arg(why, name));
 }
 
 void Application::tell(const core::Error& error)

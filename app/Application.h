@@ -59,6 +59,8 @@ private:
     /// Cancelled (it holds steps that are on no disk, and the user stays with them).
     core::Result<void> makeRoom();
     void tell(const core::Error& error);
+    /// That the images come out of the session file.
+    void tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file);
     void tellWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// A session that was opened and closed without an edit leaves no file.

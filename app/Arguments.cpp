@@ -46,6 +46,17 @@ int tellFailure(const core::Error& error, const QString& about)
     return 1;
 }
 
+void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile)
+{
+    if (!why)
+        return;
+    const QString reason = why->code == core::ErrorCode::StudyMissing
+        ? QStringLiteral("its study is no longer at %1").arg(why->arguments.value(1))
+        : ui::errorText(*why);
+    std::fprintf(stderr, "%s: %s; the images that the session holds are used\n",
+        qUtf8Printable(sessionFile), qUtf8Printable(reason));
+}
+
 int tellUsage(const char* command, const QString& problem)
 {
     std::fprintf(stderr, "burin %s: %s (burin --help)\n", command, qUtf8Printable(problem));

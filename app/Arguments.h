@@ -7,6 +7,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 namespace app {
 
 /// The words after a verb: options with and without a value, and the rest.
@@ -29,6 +31,9 @@ private:
 
 /// Tells a failure in one line on stderr. @return the exit status of a command that failed
 int tellFailure(const core::Error& error, const QString& about = {});
+/// Tells on stderr, where it is so, that the study's images came out of a session file.
+/// @param why LoadedVolume::notFromStudy
+void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile);
 /// Tells how a command is used. @return the exit status of wrong arguments
 int tellUsage(const char* command, const QString& problem);
 

@@ -50,9 +50,10 @@ std::span<const Command> commands()
             false, runReplay},
         {"run",
             "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force | --append]"
-            " [--apply-elsewhere] [--author NAME]",
-            "carries out a recipe without a window (burin edits: what it can hold)", false,
-            runRecipe},
+            " [--with-images] [--apply-elsewhere] [--author NAME]",
+            "carries out a recipe without a window (burin edits: what it can hold); --with-images"
+            " puts the study's images, and with them who the patient is, into the session",
+            false, runRecipe},
     };
     return table;
 }

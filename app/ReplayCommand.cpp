@@ -168,6 +168,7 @@ int runReplay(const QStringList& words)
         (*file)->contents().source, arguments.value("study"), arguments.value("series"));
     if (!volume)
         return tellFailure(volume.error());
+    tellNotFromStudy(volume->notFromStudy, (*file)->path());
     return replayRows(**file, *std::move(volume), task);
 }
 

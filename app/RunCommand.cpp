@@ -4,12 +4,15 @@
 #include "app/Arguments.h"
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
+#include "app/RunKeyframes.h"
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
+#include "core/session/SessionImages.h"
 #include "core/session/SessionStudy.h"
+#include "core/session/SessionUse.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/GpuEngine.h"
 
@@ -96,7 +99,8 @@ Result<void> walk(const core::HistoryMove& move, core::EditSession& session)
     return {};
 }
 
-Result<void> carryOut(const std::vector<core::RecipeStep>& steps, core::EditSession& session)
+Result<void> carryOut(
+    const std::vector<core::RecipeStep>& steps, core::EditSession& session, RunKeyframes& keyframes)
 {
     for (const core::RecipeStep& step : steps) {
         const std::size_t rowsBefore = session.history().rows().size();
@@ -112,7 +116,9 @@ Result<void> carryOut(const std::vector<core::RecipeStep>& steps, core::EditSess
             printEdit(*edit, session, session.history().rows().size() > rowsBefore);
         else
             printMove(step, session);
+        keyframes.follow();
     }
+    keyframes.close();
     return {};
 }
 
@@ -178,6 +184,30 @@ Result<core::LoadedVolume> load(const Arguments& arguments)
         arguments.value("study"), arguments.value("series"));
 }
 
+/// A new session, or one that goes on.
+Result<std::unique_ptr<core::EditSession>> begin(
+    core::EditEngine& engine, core::LoadedVolume loaded, const Arguments& arguments)
+{
+    const QString file = arguments.value("session");
+    const bool force = arguments.has("force");
+    if (arguments.has("append"))
+        return core::EditSession::open(engine, std::move(loaded), file);
+    if (!arguments.has("with-images"))
+        return core::EditSession::create(
+            engine, std::move(loaded), {.file = file, .replaceExisting = force});
+    if (core::isSessionInUse(file))
+        return core::failure(
+            core::ErrorCode::FileUnwritable, file, QStringLiteral("it is open in another window"));
+    Result<core::StagedFile> staged = core::stageImages(file, force, loaded);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    if (force)
+        core::removeSession(file); // with what may lie beside it
+    if (const Result<void> placed = staged->commit(); !placed)
+        return tl::unexpected(placed.error());
+    return core::EditSession::open(engine, std::move(loaded), file);
+}
+
 int run(core::Recipe recipe, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
@@ -186,6 +216,7 @@ int run(core::Recipe recipe, const Arguments& arguments)
     Result<core::LoadedVolume> loaded = load(arguments);
     if (!loaded)
         return tellFailure(loaded.error());
+    tellNotFromStudy(loaded->notFromStudy, file);
     auto steps = stepsFor(recipe, loaded->volume, arguments.has("apply-elsewhere"));
     if (!steps)
         return 1;
@@ -201,10 +232,9 @@ int run(core::Recipe recipe, const Arguments& arguments)
     const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
     if (!engine)
         return tellFailure(engine.error());
-    Result<std::unique_ptr<core::EditSession>> session = append
-        ? core::EditSession::open((*engine)->edits(), *std::move(loaded), file)
-        : core::EditSession::create(
-            (*engine)->edits(), *std::move(loaded), {.file = file, .replaceExisting = force});
+    (*engine)->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
+    Result<std::unique_ptr<core::EditSession>> session =
+        begin((*engine)->edits(), *std::move(loaded), arguments);
     if (!session)
         return tellFailure(session.error());
     (*session)->setOrigin(
@@ -213,7 +243,11 @@ int run(core::Recipe recipe, const Arguments& arguments)
         if (const Result<void> fit = fits((*session)->document()); !fit)
             return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
     }
-    if (const Result<void> done = carryOut(recipe.steps, **session); !done) {
+    std::optional<RunKeyframes> keyframes;
+    keyframes.emplace((*engine)->frames(), **session);
+    const Result<void> done = carryOut(recipe.steps, **session, *keyframes);
+    keyframes.reset();
+    if (!done) {
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
         // A line that was printed is a promise: what it tells of stays.
         const bool promised = !(*session)->history().rows().empty();
@@ -235,7 +269,8 @@ int runRecipe(const QStringList& words)
     const Arguments arguments(words,
         {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("session"),
             QStringLiteral("author")},
-        {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere")});
+        {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere"),
+            QStringLiteral("with-images")});
     if (!arguments.problem().isEmpty())
         return tellUsage("run", arguments.problem());
     if (arguments.rest().size() != 1)
@@ -243,6 +278,10 @@ int runRecipe(const QStringList& words)
     const bool append = arguments.has("append");
     if (append && arguments.has("force"))
         return tellUsage("run", QStringLiteral("--append and --force exclude each other"));
+    if (append && arguments.has("with-images"))
+        return tellUsage("run",
+            QStringLiteral("--with-images is for a new session; one that goes on keeps what it "
+                           "holds"));
     for (const char* needed : {"study", "session"}) {
         const bool spared = append && qstrcmp(needed, "study") == 0;
         if (!arguments.has(needed) && !spared)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/ErrorText.h"
 
+#include <QFileInfo>
+
 namespace ui {
 
 QString errorText(const core::Error& error)
@@ -68,8 +70,12 @@ QString errorText(const core::Error& error)
                               "that can be edited")
             .arg(first, reason);
     case ErrorCode::StudyMissing:
-        return QStringLiteral("%1: its study is no longer at %2; name it with --study")
-            .arg(first, second);
+        return QStringLiteral("%1: its study is no longer at %2%3; name it with --study")
+            .arg(first, second,
+                error.arguments.size() > 2
+                    ? QStringLiteral(", and its own images cannot be used (%1)")
+                          .arg(error.arguments[2])
+                    : QString());
     case ErrorCode::GraphicsUnavailable:
         return QStringLiteral("no OpenGL 4.5 available: %1").arg(first);
     case ErrorCode::OutOfMemory:
@@ -80,6 +86,15 @@ QString errorText(const core::Error& error)
         return QStringLiteral("internal error: %1%2").arg(first, reason);
     }
     return {};
+}
+
+QString noFileText(const core::Error& why)
+{
+    // The file's own name says nothing to anybody.
+    const QString folder = QFileInfo(why.arguments.value(0)).absolutePath();
+    const QString reason =
+        QFileInfo::exists(folder) ? why.arguments.value(1) : QStringLiteral("it cannot be made");
+    return QStringLiteral("sessions cannot be written to %1 (%2)").arg(folder, reason);
 }
 
 } // namespace ui

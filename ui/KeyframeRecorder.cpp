@@ -4,32 +4,7 @@
 #include "ui/Workspace.h"
 #include "ui/views/ImageView.h"
 
-#include <QBuffer>
-
-#include <chrono>
-
 namespace ui {
-
-namespace {
-
-qint64 steadyMilliseconds()
-{
-    using namespace std::chrono;
-    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-}
-
-QByteArray keyframePng(const QImage& picture)
-{
-    const QImage small = picture.scaled(
-        KeyframeRecorder::pictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    small.convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG");
-    return png;
-}
-
-} // namespace
 
 KeyframeRecorder::KeyframeRecorder(Workspace& workspace, ImageView& view)
     : QObject(&view)
@@ -51,10 +26,7 @@ void KeyframeRecorder::begin()
     core::EditSession* session = m_workspace.session();
     m_rows = session ? session->history().rows().size() : 0;
     m_position = session ? session->history().position() : 0;
-    m_any = session && !session->keyframes().empty();
-    m_rowsAtLast = m_rows;
-    m_timeAtLast = m_clock();
-    m_lastKept = m_position; // closed at once, it needs no picture
+    m_rule.begin(m_rows, m_position, session && !session->keyframes().empty(), m_clock());
     m_due = false;
     m_outdated = 0;
 }
@@ -75,10 +47,7 @@ void KeyframeRecorder::follow(const core::DocumentChange& change)
     const bool sameVoxels = committed && history.rows().back().statistics.bricks == 0;
     if (!sameVoxels)
         m_outdated = m_view.picture().cacheKey();
-    m_due = m_due
-        || (committed
-            && (!m_any || m_rows - m_rowsAtLast >= std::size_t(stepsBetween)
-                || m_clock() - m_timeAtLast >= millisecondsBetween));
+    m_due = m_due || (committed && m_rule.dueAfterStep(m_rows, m_clock()));
     look();
 }
 
@@ -99,10 +68,7 @@ void KeyframeRecorder::look()
 void KeyframeRecorder::keep(core::RowId row, const QImage& picture)
 {
     m_due = false;
-    m_any = true;
-    m_rowsAtLast = m_rows;
-    m_timeAtLast = m_clock();
-    m_lastKept = row;
+    m_rule.kept(row, m_rows, m_clock());
     m_encoder.post([this, row, picture] {
         QByteArray png = keyframePng(picture);
         {
@@ -128,7 +94,7 @@ void KeyframeRecorder::deliver()
 
 void KeyframeRecorder::close()
 {
-    if (m_position != m_lastKept && m_position != 0 && showsPresentState())
+    if (m_rule.dueAtEnd(m_position) && showsPresentState())
         keep(m_position, m_view.picture());
     m_encoder.finish();
     deliver();

@@ -3,6 +3,7 @@
 
 #include "core/base/TaskThread.h"
 #include "core/history/History.h"
+#include "ui/KeyframeRule.h"
 
 #include <QByteArray>
 #include <QImage>
@@ -22,18 +23,13 @@ namespace ui {
 class ImageView;
 class Workspace;
 
-/// Keeps pictures of the work in its session file: of what a view shows after the first step, then
-/// after every ten, or the first one after a minute, and when the session is closed. It takes
-/// finished frames as they are; nothing is drawn for it, and scaling and PNG are a worker's.
+/// Keeps pictures of the work in its session file: of what a view shows, when KeyframeRule wants
+/// one. It takes finished frames as they are; nothing is drawn for it, and scaling and PNG are a
+/// worker's.
 class KeyframeRecorder : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int stepsBetween = 10;
-    static constexpr qint64 millisecondsBetween = 60'000;
-    /// Pictures fit into it.
-    static constexpr QSize pictureSize{256, 192};
-
     KeyframeRecorder(Workspace& workspace, ImageView& view);
     ~KeyframeRecorder() override;
 
@@ -55,10 +51,7 @@ private:
     std::function<qint64()> m_clock;
     std::size_t m_rows = 0; ///< of the history, as last seen
     core::RowId m_position = 0; ///< as last seen
-    std::size_t m_rowsAtLast = 0; ///< when a picture was last kept
-    qint64 m_timeAtLast = 0;
-    core::RowId m_lastKept = -1;
-    bool m_any = false; ///< the session has a picture
+    KeyframeRule m_rule;
     bool m_due = false;
     qint64 m_outdated = 0; ///< the picture that was shown when voxels last changed
 

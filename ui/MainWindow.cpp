@@ -128,7 +128,8 @@ void MainWindow::buildMenus()
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
             "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
     m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
-    m_actions.fill(*m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author"}));
+    m_actions.fill(
+        *m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author", "edit.historyMemory"}));
 
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
     m_actions.fill(*view,
@@ -242,6 +243,12 @@ void MainWindow::connectOpener()
     connect(&m_opener, &StudyOpener::choiceNeeded, this, &MainWindow::choose, Qt::QueuedConnection);
     connect(&m_opener, &StudyOpener::sessionStudyNeeded, this, &MainWindow::askForStudyOf);
     connect(m_loading, &LoadingBar::aborted, &m_opener, &StudyOpener::cancel);
+    connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
+        m_loading->begin(QStringLiteral("Saving %1").arg(QFileInfo(target).fileName()));
+    });
+    connect(m_saver, &SessionSaver::imagesProgressed, m_loading, &LoadingBar::progress);
+    connect(m_saver, &SessionSaver::imagesEnded, m_loading, &LoadingBar::end);
+    connect(m_loading, &LoadingBar::aborted, m_saver, &SessionSaver::cancel);
 }
 
 void MainWindow::addTool(Tool& tool, QMenu& menu, const QKeySequence& key)
@@ -387,7 +394,12 @@ void MainWindow::askForStudyOf(
 {
     const QString name = QFileInfo(sessionFile).fileName();
     const QString problem = why.code == core::ErrorCode::StudyMissing
-        ? QStringLiteral("%1: its study is no longer at %2.").arg(name, why.arguments.value(1))
+        ? QStringLiteral("%1: its study is no longer at %2%3.")
+              .arg(name, why.arguments.value(1),
+                  why.arguments.size() > 2
+                      ? QStringLiteral(", and its own images cannot be used (%1)")
+                            .arg(why.arguments[2])
+                      : QString())
         : errorText(why) + QLatin1Char('.');
     m_messages->show(MessageBar::Kind::Error,
         problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),

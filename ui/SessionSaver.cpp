@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/SessionSaver.h"
 
-#include "ui/SessionOffers.h"
+#include "core/session/SessionImages.h"
+#include "core/session/SessionStudy.h"
+#include "ui/ErrorText.h"
 #include "ui/Workspace.h"
+#include "ui/dialogs/SaveSessionDialog.h"
 
 #include <QDir>
 #include <QEventLoop>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPointer>
 #include <QSettings>
 
-#include <optional>
 #include <utility>
 
 namespace ui {
@@ -32,6 +33,24 @@ QString suggestedName(const core::Volume& volume)
         + QStringLiteral(".burin");
 }
 
+/// The study is read once more: nobody keeps its voxels but the graphics card.
+core::Result<std::shared_ptr<core::StagedFile>> stageFromStudy(
+    const QString& target, const core::SessionSource& source, const core::Progress& progress)
+{
+    const auto study = core::loadSessionStudy(target, source, source.path, QString(), progress);
+    if (!study && study.error().code == core::ErrorCode::Cancelled)
+        return tl::unexpected(study.error());
+    if (!study)
+        return core::failure(core::ErrorCode::FileUnwritable, target,
+            QStringLiteral("the study's images cannot be read (%1); the session can be saved "
+                           "without them")
+                .arg(errorText(study.error())));
+    auto staged = core::stageImages(target, true, *study, progress);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    return std::make_shared<core::StagedFile>(*std::move(staged));
+}
+
 } // namespace
 
 SessionSaver::SessionSaver(Workspace& workspace, QWidget& window)
@@ -39,23 +58,29 @@ SessionSaver::SessionSaver(Workspace& workspace, QWidget& window)
     , m_workspace(workspace)
     , m_window(window)
 {
+    connect(&workspace, &Workspace::sessionClosing, this, &SessionSaver::cancel);
+}
+
+SessionSaver::~SessionSaver()
+{
+    if (m_progress)
+        m_progress->cancel();
 }
 
 void SessionSaver::ask()
 {
-    const QString target = chooseTarget();
-    if (!target.isEmpty())
-        save(target);
+    if (const std::optional<Choice> choice = choose(true))
+        save(*choice);
 }
 
 bool SessionSaver::askAndWait()
 {
-    const QString target = chooseTarget();
-    if (target.isEmpty())
+    const std::optional<Choice> choice = choose(false);
+    if (!choice)
         return false;
     QEventLoop loop;
     std::optional<bool> result;
-    save(target, [&loop, &result](bool saved) {
+    save(*choice, [&loop, &result](bool saved) {
         result = saved;
         loop.quit();
     });
@@ -64,38 +89,98 @@ bool SessionSaver::askAndWait()
     return result.value_or(false);
 }
 
-QString SessionSaver::chooseTarget()
+std::optional<SessionSaver::Choice> SessionSaver::choose(bool offerImages)
 {
     const core::Volume* volume = m_workspace.volume();
     if (!volume)
         return {};
+    const bool holdsImages = m_workspace.session()->holdsImages();
     const QString folder = QSettings().value(folderKey, QDir::homePath()).toString();
-    QFileDialog dialog(
-        &m_window, tr("Save session as"), folder, tr("Sessions of Burin (*.burin);;All files (*)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("burin"));
-    dialog.selectFile(suggestedName(*volume));
+    SaveSessionDialog dialog(folder, suggestedName(*volume), &m_window);
+    if (offerImages)
+        dialog.offerImages(holdsImages, volume->keptHeaders == nullptr);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
         return {};
     const QString target = dialog.selectedFiles().constFirst();
     QSettings().setValue(folderKey, QFileInfo(target).absolutePath());
-    return target;
+    return Choice{.target = target, .images = offerImages ? dialog.wantsImages() : holdsImages};
 }
 
-void SessionSaver::save(const QString& target, std::function<void(bool)> done)
+void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    const QString before = session->file();
-    const bool wasReadOnly = !session->whyReadOnly().isEmpty();
+    if (choice.images && !session->holdsImages())
+        stage(choice, done);
+    else
+        goOnIn(choice, nullptr, std::move(done));
+}
+
+void SessionSaver::cancel()
+{
+    if (!m_progress)
+        return;
+    m_progress->cancel();
+    m_progress.reset();
+    m_workspace.say(tr("Saving was cancelled; the session goes on where it was"));
+    Q_EMIT imagesEnded();
+}
+
+void SessionSaver::stage(const Choice& choice, const std::function<void(bool)>& done)
+{
+    cancel();
+    // Reports of what was cancelled meanwhile are dropped on this side of the queue.
+    const auto listener = std::make_shared<core::Progress*>(nullptr);
+    m_progress = std::make_shared<core::Progress>(
+        [this, listener](const QString& step, int piece, int pieces) {
+            const core::Progress* mine = *listener;
+            QMetaObject::invokeMethod(this, [this, mine, step, piece, pieces] {
+                if (m_progress.get() == mine)
+                    Q_EMIT imagesProgressed(step, piece, pieces);
+            });
+        });
+    *listener = m_progress.get();
+    Q_EMIT imagesBegun(choice.target);
+    const core::SessionSource source = core::SessionSource::of(*m_workspace.volume());
+    m_worker.post([this, progress = m_progress, choice, source, done] {
+        const Staged staged = stageFromStudy(choice.target, source, *progress);
+        QMetaObject::invokeMethod(this,
+            [this, progress, choice, staged, done] { takeStaged(progress, choice, staged, done); });
+    });
+}
+
+void SessionSaver::takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
+    const Staged& staged, const std::function<void(bool)>& done)
+{
+    const bool wanted = m_progress == progress;
+    if (wanted) {
+        m_progress.reset();
+        Q_EMIT imagesEnded();
+    }
+    if (wanted && staged)
+        return goOnIn(choice, *staged, done);
+    if (wanted)
+        m_workspace.fail(staged.error());
+    if (done)
+        done(false);
+}
+
+void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::StagedFile>& staged,
+    std::function<void(bool)> done)
+{
+    core::EditSession* session = m_workspace.session();
+    const QString target = choice.target;
+    // Without a file there is none to leave.
+    const bool leavesFile = session->whyReadOnly().isEmpty() && !session->whyNoFile();
+    const QString before = leavesFile ? session->file() : QString();
     m_workspace.say(tr("Saving the session …"));
     // It may outlive whoever asked.
     const QPointer<Workspace> workspace(&m_workspace);
-    const auto tell = [workspace, before, wasReadOnly, target, done = std::move(done)](
+    const auto tell = [workspace, before, target, done = std::move(done)](
                           const core::Result<void>& saved) {
         if (workspace && saved) {
-            workspace->tellSaved(wasReadOnly ? QString() : before, target);
+            workspace->tellSaved(before, target);
             workspace->say(tr("The session is saved and goes on in %1").arg(target));
         } else if (workspace) {
             workspace->fail(saved.error());
@@ -104,10 +189,12 @@ void SessionSaver::save(const QString& target, std::function<void(bool)> done)
             done(saved.has_value());
     };
     QObject* receiver = &m_workspace;
-    session->saveAs(target, true, [receiver, tell](const core::Result<void>& saved) {
-        QMetaObject::invokeMethod(
-            receiver, [tell, saved] { tell(saved); }, Qt::QueuedConnection);
-    });
+    session->saveAs(target, true,
+        [receiver, tell](const core::Result<void>& saved) {
+            QMetaObject::invokeMethod(
+                receiver, [tell, saved] { tell(saved); }, Qt::QueuedConnection);
+        },
+        {.kept = choice.images, .staged = staged});
 }
 
 } // namespace ui

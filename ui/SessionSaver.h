@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/base/TaskThread.h"
+
 #include <QObject>
 #include <QString>
 
 #include <functional>
+#include <memory>
+#include <optional>
 
 class QWidget;
+
+namespace core {
+class StagedFile;
+}
 
 namespace ui {
 
@@ -18,20 +28,45 @@ class SessionSaver : public QObject {
     Q_OBJECT
 
 public:
+    /// Where to, and whether the study's images go with the session.
+    struct Choice {
+        QString target;
+        bool images = false;
+    };
+
     SessionSaver(Workspace& workspace, QWidget& window);
+    ~SessionSaver() override; ///< cancels and waits
 
     /// Asks where, asks before a file is replaced, and saves.
     void ask();
-    /// The same, and waits until it is done. @return whether it is saved
+    /// The same, and waits until it is done; steps are what matters then, so that images are not
+    /// asked about. @return whether it is saved
     bool askAndWait();
-    /// Replaces a file that is there.
-    void save(const QString& target, std::function<void(bool saved)> done = {});
+    /// Replaces a file that is there. Images that the session's file does not hold are read from
+    /// the study once more, beside the GUI thread.
+    void save(const Choice& choice, std::function<void(bool saved)> done = {});
+    /// Nothing is saved and nothing is left; too late once the images are written.
+    void cancel();
+
+Q_SIGNALS:
+    void imagesBegun(const QString& target);
+    void imagesProgressed(const QString& step, int done, int total);
+    void imagesEnded(); ///< written, failed or cancelled
 
 private:
-    [[nodiscard]] QString chooseTarget();
+    using Staged = core::Result<std::shared_ptr<core::StagedFile>>;
+
+    [[nodiscard]] std::optional<Choice> choose(bool offerImages);
+    void stage(const Choice& choice, const std::function<void(bool saved)>& done);
+    void takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
+        const Staged& staged, const std::function<void(bool saved)>& done);
+    void goOnIn(const Choice& choice, const std::shared_ptr<core::StagedFile>& staged,
+        std::function<void(bool saved)> done);
 
     Workspace& m_workspace;
     QWidget& m_window;
+    std::shared_ptr<core::Progress> m_progress; ///< of images that are being written
+    core::TaskThread m_worker; ///< last: it uses all of the above
 };
 
 } // namespace ui

@@ -9,6 +9,7 @@
 #include "ui/MessageBar.h"
 #include "ui/SegmentActions.h"
 #include "ui/dialogs/AuthorDialog.h"
+#include "ui/dialogs/HistoryMemoryDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
 #include "ui/tools/Tool.h"
@@ -90,7 +91,7 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Save session as …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+S"))},
         .tip = QStringLiteral("Every step is on disk already; this moves the session to a file of "
-                              "your own"),
+                              "your own, with the study's images if you like"),
         .run = [&window] { window.saveSessionAs(); },
         .possible =
             [&workspace] {
@@ -157,6 +158,9 @@ void addEditActions(MainWindow& window)
     actions.add({.id = QStringLiteral("edit.author"),
         .text = QStringLiteral("Name in the audit trail …"),
         .run = [&window] { AuthorDialog(&window).exec(); }});
+    actions.add({.id = QStringLiteral("edit.historyMemory"),
+        .text = QStringLiteral("Memory for history …"),
+        .run = [&window] { HistoryMemoryDialog(window.workspace(), &window).exec(); }});
 }
 
 void addToolActions(MainWindow& window)

@@ -2,7 +2,9 @@
 #include "ui/Workspace.h"
 
 #include "ui/AuthorName.h"
+#include "ui/HistoryMemory.h"
 #include "ui/InitialDisplay.h"
+#include "ui/OpeningView.h"
 #include "ui/tools/Tool.h"
 
 #include <chrono>
@@ -51,6 +53,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         });
         m_session->setErrorListener([this](const core::Error& error) { fail(error); });
         m_session->setOrigin([] { return core::presentOrigin(authorName()); });
+        applyHistoryMemory();
     }
     m_cautionAccepted = false;
     m_pointedLps.reset();
@@ -75,16 +78,22 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT activeSegmentChanged();
     Q_EMIT activeLayerChanged();
     Q_EMIT cautionAcceptedChanged();
-    if (m_session && m_session->diskTrouble()) {
+    if (m_session && m_session->diskTrouble() && !m_session->whyNoFile()) {
         fail({core::ErrorCode::SessionUnwritten, m_session->diskTrouble()->arguments});
         followDisk();
     }
 }
 
+void Workspace::applyHistoryMemory()
+{
+    if (m_session)
+        m_session->setRecentBytes(std::size_t(historyMebibytes()) << 20);
+}
+
 void Workspace::followDisk()
 {
     const bool troubled = m_session->diskTrouble().has_value();
-    if (!troubled && m_retry.isActive())
+    if (!troubled && m_retry.isActive() && !m_session->whyNoFile())
         say(tr("Everything is on disk again."));
     if (troubled)
         m_retry.start();
@@ -157,14 +166,8 @@ void Workspace::setVolumeDisplay(const VolumeDisplay& display)
 
 gpu::SegmentDisplay Workspace::segmentDisplay() const
 {
-    gpu::SegmentDisplay display;
-    if (!m_session)
-        return display;
-    for (const core::Segment& segment : m_session->document().segments) {
-        display.rgb[segment.label] = segment.rgb;
-        display.visible[segment.label] = segment.visible && m_viewOptions.showSegments;
-    }
-    return display;
+    return m_session ? ui::segmentDisplay(m_session->document(), m_viewOptions.showSegments)
+                     : gpu::SegmentDisplay();
 }
 
 void Workspace::setDrillSettings(const DrillSettings& settings)

@@ -73,6 +73,10 @@ public:
     /// it.
     void setSession(std::unique_ptr<core::EditSession> session);
 
+    /// The open session keeps as much of its history in memory as the user allows
+    /// (HistoryMemory.h).
+    void applyHistoryMemory();
+
     [[nodiscard]] glm::dvec3 crosshairLps() const { return m_crosshairLps; }
     void setCrosshairLps(const glm::dvec3& position);
     [[nodiscard]] core::WindowLevel windowLevel() const { return m_windowLevel; }

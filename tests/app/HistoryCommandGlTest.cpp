@@ -12,11 +12,14 @@
 
 #include <QDateTime>
 #include <QFile>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <future>
 
 using namespace core;
 using test::burin;
@@ -298,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(html.open(QIODevice::ReadOnly));
         const QString text = QString::fromUtf8(html.readAll());
         for (const char* words : {"Dr. &lt;A&gt;", "Undo only ", "old future, behind step 4",
-                 "This history is whole", "The session holds no picture."})
+                 "This history is whole", "<img "})
             QVERIFY2(text.contains(key(words)), words);
         QVERIFY(!text.contains(key("taken back"))); // what undid step 8 lies on the old future too
         const Outcome nowhere = report("no/such/folder.pdf");
@@ -310,6 +313,84 @@ private Q_SLOTS:
         QCOMPARE(noSession.status, 1);
         QVERIFY(noSession.complaint.contains(m_study));
         QVERIFY(!QFile::exists(path("c.pdf")) && !QFile::exists(path("b.pdf")));
+    }
+
+    /// By the window's rule: after the first step, after every ten, at the end.
+    void sessionsHavePictures()
+    {
+        std::vector<Edit> edits = test::manyEdits();
+        QVERIFY(edits.size() > 11);
+        edits.resize(11);
+        QJsonArray steps = json(edits);
+        steps.append(goTo(6));
+        QCOMPARE(run(recipe("r.json", {{key("edits"), steps}}), "a.burin").status, 0);
+        reference::ReferenceEngine oracle;
+        const auto session = EditSession::view(
+            oracle, *loadVolume(m_study), path("a.burin"), QStringLiteral("a test looks at it"));
+        QVERIFY(session);
+        QCOMPARE((*session)->keyframes(), (std::vector<RowId>{1, 6, 11}));
+        std::vector<QImage> pictures;
+        for (const RowId row : {1, 6, 11}) {
+            std::promise<QByteArray> png;
+            (*session)->fetchKeyframe(
+                row, [&png](const QByteArray& fetched) { png.set_value(fetched); });
+            pictures.push_back(QImage::fromData(png.get_future().get(), "PNG"));
+            QCOMPARE(pictures.back().size(), QSize(256, 192));
+            // The ball stands in the middle, and nothing in the corner.
+            QVERIFY(pictures.back().pixel(128, 96) != pictures.back().pixel(2, 2));
+        }
+        QVERIFY(pictures[0] != pictures[2]);
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (!folder.isEmpty())
+            QVERIFY(pictures[2].save(folder + QStringLiteral("/run-keyframe.png")));
+
+        // One that goes on has pictures already, and gets one at its end.
+        const QString more = recipe("s.json", {{key("edits"), json({test::drillAt(4)})}});
+        QCOMPARE(
+            burin({key("run"), more, key("--session"), path("a.burin"), key("--append")}).status,
+            0);
+        const auto file = SessionFile::open(path("a.burin"), SessionFile::Access::ReadOnly);
+        QCOMPARE((*file)->contents().keyframes.size(), std::size_t(4));
+        QCOMPARE((*file)->contents().keyframes.back().row, RowId(12));
+    }
+
+    void imagesTravelWithTheSession()
+    {
+        const QString study = path("case.nii.gz");
+        QVERIFY(QFile::copy(m_study, study));
+        const QString edits = recipe("r.json", {{key("edits"), json(test::manyEdits())}});
+        const QStringList words{key("run"), edits, key("--study"), study, key("--session"),
+            path("a.burin"), key("--with-images")};
+        const Outcome made = burin(words);
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        QCOMPARE(lastHash(made), lastHash(run(edits, "plain.burin")));
+        QCOMPARE(burin(words).status, 1); // it is there already
+        QCOMPARE(burin(words + QStringList{key("--force")}).status, 0);
+        QCOMPARE(burin({key("run"), edits, key("--session"), path("a.burin"), key("--append"),
+                           key("--with-images")})
+                     .status,
+            2);
+
+        QVERIFY(QFile::remove(study));
+        const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify"),
+            key("--export"), path("mask.nii.gz")});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
+        QVERIFY2(replayed.complaint.contains(
+                     QStringLiteral("no longer at %1; the images that the session holds are used")
+                         .arg(study)),
+            qPrintable(replayed.complaint));
+        QVERIFY(QFile::exists(path("mask.nii.gz")));
+        const Outcome seg = burin({key("replay"), path("a.burin"), key("--export"), path("m.dcm")});
+        QCOMPARE(seg.status, 1);
+        QVERIFY2(seg.complaint.contains(QStringLiteral("not read from DICOM images")),
+            qPrintable(seg.complaint));
+        const Outcome appended =
+            burin({key("run"), recipe("s.json", {{key("edits"), json({test::drillAt(4)})}}),
+                key("--session"), path("a.burin"), key("--append")});
+        QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
+        const Outcome plain = burin({key("replay"), path("plain.burin"), key("--verify")});
+        QCOMPARE(plain.status, 0);
+        QVERIFY(!plain.complaint.contains(QStringLiteral("images that")));
     }
 
     void appendGoesOn()

@@ -27,12 +27,16 @@ bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window)
         const std::optional<core::Error> trouble = session ? session->diskTrouble() : std::nullopt;
         if (!trouble)
             return true;
+        const bool inMemory = session->whyNoFile().has_value();
         QMessageBox box(QMessageBox::Warning, tr("Not on disk yet"),
-            tr("The last steps could not be written.\n%1").arg(errorText(*trouble)),
+            inMemory ? tr("Your steps are in memory only: %1.").arg(noFileText(*trouble))
+                     : tr("The last steps could not be written.\n%1").arg(errorText(*trouble)),
             QMessageBox::NoButton, &window);
-        box.setInformativeText(
-            tr("They are lost if you go on. Once there is room on the disk they are written within "
-               "seconds; or save the session in another place."));
+        box.setInformativeText(inMemory
+                ? tr("They are lost if you go on. Save the session in a place that can be written "
+                     "to keep them.")
+                : tr("They are lost if you go on. Once there is room on the disk they are written "
+                     "within seconds; or save the session in another place."));
         const QPushButton* lose =
             box.addButton(tr("Go on and lose them"), QMessageBox::DestructiveRole);
         const QPushButton* save = box.addButton(tr("Save session as …"), QMessageBox::ActionRole);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/KeyframePopup.h"
 
-#include "ui/KeyframeRecorder.h"
+#include "ui/KeyframeRule.h"
 #include "ui/Theme.h"
 
 #include <QLabel>
@@ -30,13 +30,13 @@ KeyframePopup::KeyframePopup(QWidget* parent)
     layout->setSpacing(2);
     m_picture->setAlignment(Qt::AlignCenter);
     m_picture->setStyleSheet(QStringLiteral("background: %1").arg(theme::picture.name()));
-    m_picture->setFixedWidth(KeyframeRecorder::pictureSize.width());
+    m_picture->setFixedWidth(KeyframeRule::pictureSize.width());
     layout->addWidget(m_picture);
     layout->addSpacing(theme::smallPadding - 2);
     for (QLabel* label : {m_step, m_note}) {
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
-        label->setFixedWidth(KeyframeRecorder::pictureSize.width());
+        label->setFixedWidth(KeyframeRule::pictureSize.width());
         label->setContentsMargins(theme::smallPadding, 0, theme::smallPadding, 0);
         layout->addWidget(label);
     }

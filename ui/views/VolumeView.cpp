@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/VolumeView.h"
 
+#include "ui/OpeningView.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
@@ -53,12 +54,9 @@ void VolumeView::openVolume()
 
 void VolumeView::resetView()
 {
-    // From the front, a little from the patient's left and above: depth shows at once.
-    m_camera = {};
-    m_camera.orbit(-24.0, 12.0);
     m_fitted = true;
     if (const core::Volume* volume = workspace().volume()) {
-        m_camera.targetLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
+        m_camera = openingCamera(volume->geometry);
         fit();
     }
     requestFrame();
@@ -66,18 +64,8 @@ void VolumeView::resetView()
 
 void VolumeView::fit()
 {
-    const core::Volume* volume = workspace().volume();
-    if (!volume)
-        return;
-    // The mean extent rather than the box's corners: these are air in nearly every study.
-    glm::dvec2 half(0.0);
-    const glm::dvec3 middle = m_camera.targetLps;
-    for (const glm::dvec3& corner : volume->geometry.cornersLps()) {
-        half.x = std::max(half.x, std::abs(glm::dot(corner - middle, m_camera.right())));
-        half.y = std::max(half.y, std::abs(glm::dot(corner - middle, m_camera.up)));
-    }
-    const double aspect = double(std::max(width(), 1)) / std::max(height(), 1);
-    m_camera.heightMm = 2.0 * std::max(half.y, half.x / aspect);
+    if (const core::Volume* volume = workspace().volume())
+        m_camera.heightMm = fittingHeightMm(m_camera, volume->geometry, size());
 }
 
 void VolumeView::setCamera(const Camera& camera)
@@ -104,18 +92,7 @@ void VolumeView::lookFrom(const glm::dvec3& sideLps)
 
 gpu::Scene VolumeView::scene() const
 {
-    const Workspace::VolumeDisplay& display = workspace().volumeDisplay();
-    gpu::VolumeScene scene;
-    scene.eyeLps = m_camera.eyeLps();
-    scene.targetLps = m_camera.targetLps;
-    scene.up = m_camera.up;
-    scene.heightMm = m_camera.heightMm;
-    scene.mode = display.mode;
-    scene.surfaceThreshold = display.surfaceThreshold;
-    scene.transferFunction = display.transferFunction;
-    scene.mipWindow = display.mipWindow;
-    scene.xrayWindow = display.xrayWindow;
-    return scene;
+    return volumeScene(m_camera, workspace().volumeDisplay());
 }
 
 ImageView::Gesture VolumeView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const

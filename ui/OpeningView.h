@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/Workspace.h"
+#include "ui/views/Camera.h"
+
+namespace ui {
+
+/// What the 3D view shows of a study before anybody has moved it, as plain functions: the view uses
+/// them, and whoever draws a picture without a window.
+
+/// From the front, a little from the patient's left and above: depth shows at once.
+[[nodiscard]] Camera openingCamera(const core::VolumeGeometry& geometry);
+/// The height at which @p camera shows the whole volume in a picture of so many pixels.
+[[nodiscard]] double fittingHeightMm(
+    const Camera& camera, const core::VolumeGeometry& geometry, const QSize& picture);
+[[nodiscard]] gpu::VolumeScene volumeScene(
+    const Camera& camera, const Workspace::VolumeDisplay& display);
+/// @param shown false: none of the segments
+[[nodiscard]] gpu::SegmentDisplay segmentDisplay(const core::Document& document, bool shown = true);
+
+} // namespace ui

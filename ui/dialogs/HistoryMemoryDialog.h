@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+class QSpinBox;
+
+namespace ui {
+
+class Workspace;
+
+/// Asks how much memory the history may take; accepted, it is the setting, and the open session
+/// heeds it at once.
+class HistoryMemoryDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit HistoryMemoryDialog(Workspace& workspace, QWidget* parent = nullptr);
+
+    void accept() override;
+
+private:
+    Workspace& m_workspace;
+    QSpinBox* m_mebibytes = nullptr;
+};
+
+} // namespace ui
