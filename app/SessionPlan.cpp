@@ -3,6 +3,7 @@
 
 #include "app/SessionFiles.h"
 #include "core/session/SessionContents.h"
+#include "core/session/SessionFile.h"
 #include "core/session/SessionSalvage.h"
 #include "core/session/SessionUse.h"
 
@@ -41,12 +42,21 @@ QString freeNameIn(const QString& folder, const QString& name)
     return path;
 }
 
+bool holdsImages(const QString& file)
+{
+    const auto session = core::SessionFile::open(file, core::SessionFile::Access::ReadOnly);
+    return session && (*session)->contents().holdsImages;
+}
+
 /// What is told, besides which file is damaged.
-QString newsOf(const core::SessionContents& contents, const QString& target)
+QString newsOf(const core::SessionContents& contents, const QString& target, bool imagesLost)
 {
     const std::size_t left = contents.rows.size();
     const QString where =
-        QStringLiteral("open in %1; the damaged file keeps its bytes").arg(target);
+        QStringLiteral("open in %1; the damaged file keeps its bytes%2")
+            .arg(target,
+                imagesLost ? QStringLiteral(", and the study's images, which are damaged too")
+                           : QString());
     if (contents.damage && contents.damage->row > 0)
         return left == 1
             ? QStringLiteral("%1. The row before it is %2").arg(contents.damage->text(), where)
@@ -68,8 +78,9 @@ QString newsOf(const core::SessionContents& contents, const QString& target)
 core::Error told(
     const QString& damaged, const core::SessionContents& contents, const QString& target)
 {
-    return {
-        core::ErrorCode::SessionDamaged, {damaged, newsOf(contents, QFileInfo(target).fileName())}};
+    const bool imagesLost = contents.holdsImages && !holdsImages(target);
+    return {core::ErrorCode::SessionDamaged,
+        {damaged, newsOf(contents, QFileInfo(target).fileName(), imagesLost)}};
 }
 
 SessionPlan planAround(const QString& damaged, const core::SessionContents& contents,

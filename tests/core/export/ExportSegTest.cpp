@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/KeptHeaders.h"
 #include "core/dicom/SegReader.h"
 #include "core/export/ExportMask.h"
 #include "tests/support/FileSizeLimit.h"
@@ -13,10 +14,16 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <memory>
 #include <random>
+#include <sstream>
 
 namespace {
 
@@ -123,6 +130,8 @@ private Q_SLOTS:
     void othersSeeTheSame_data();
     void othersSeeTheSame();
     void framesOfOneFile();
+    void headersKeptInASessionWillDo_data();
+    void headersKeptInASessionWillDo();
     void planesOverlap();
     void emptySegmentIsLeftOutAndNamed();
     void nothingToExport();
@@ -226,6 +235,58 @@ void ExportSegTest::framesOfOneFile()
         const int k = (frame.referencedFrame + 2) % series.size.z;
         QCOMPARE(frame.plane.position.z, 5.0 + 1.5 * k);
     }
+}
+
+void ExportSegTest::headersKeptInASessionWillDo_data()
+{
+    QTest::addColumn<bool>("multiFrame");
+    QTest::addColumn<bool>("oddValues");
+    QTest::newRow("a file per slice") << false << false;
+    QTest::newRow("one file") << true << false;
+    QTest::newRow("values that are not valid") << false << true;
+}
+
+/// Without the files, the export is the same as with them.
+void ExportSegTest::headersKeptInASessionWillDo()
+{
+    QFETCH(bool, multiFrame);
+    QFETCH(bool, oddValues);
+    test::SmallSeries series = evenSeries();
+    if (oddValues)
+        series.sex = "male";
+    LabelledSeries on(
+        series, multiFrame ? &test::SmallSeries::writeMultiFrame : &test::SmallSeries::write);
+    // What is new each time does not count.
+    const auto textOf = [](const QString& file) {
+        DcmFileFormat format;
+        if (format.loadFile(QFile::encodeName(file).constData()).bad())
+            return QStringList{QStringLiteral("unreadable")};
+        std::ostringstream text;
+        format.getDataset()->print(text, DCMTypes::PF_shortenLongTagValues);
+        return QString::fromStdString(text.str())
+            .split(u'\n')
+            .filter(QRegularExpression(QStringLiteral("^(?!.*\\) (UI|DA|TM) ).*$")));
+    };
+    const auto fromFiles = on.exported(on.request());
+    QVERIFY2(fromFiles, qPrintable(fromFiles ? QString() : messageOf(fromFiles.error())));
+    const QStringList expected = textOf(on.file);
+    QVERIFY(expected.size() > 20);
+    const auto references = core::readSeg(on.file)->referencedSopUids;
+
+    const auto kept = core::keepHeaders(on.volume.sources, {});
+    QVERIFY(kept);
+    QCOMPARE(kept->size(), std::size_t(multiFrame ? 1 : series.size.z));
+    for (const auto& [file, header] : *kept)
+        QVERIFY2(header.size() < 4096, qPrintable(QString::number(header.size())));
+    on.volume.keptHeaders = std::make_shared<const core::KeptHeaders>(*kept);
+    QVERIFY(QDir(on.images).removeRecursively());
+    on.file = on.folder.filePath(QStringLiteral("again.dcm"));
+    const auto report = on.exported(on.request());
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    QCOMPARE(report->written, fromFiles->written);
+    QCOMPARE(report->checked, fromFiles->checked);
+    QCOMPARE(textOf(on.file), expected);
+    QCOMPARE(core::readSeg(on.file)->referencedSopUids, references);
 }
 
 void ExportSegTest::planesOverlap()
