@@ -348,6 +348,9 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     const core::Edit others = randomSeeds(document, 2, random);
     core::DrillStroke drill = randomDrill(document, random);
     drill.layer = 1;
+    drill.mask = {.radiusMm = drill.mask.radiusMm};
+    drill.mode = core::DrillMode::Limit;
+    drill.restore = false;
     const core::Edit lock =
         core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true};
     core::GrowSteps some{.lower = 0, .upper = 700, .steps = 5};

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/MaskFrame.h"
+#include "core/sculpt/MaskRaster.h"
+
+namespace core {
+
+/// Cuts out what lies under a closed curve along the view direction, on the plane of MaskFrame.h,
+/// whose rules 2 to 6 it goes on with.
+///
+/// 1. Elements with m = `mask`(a, b) > 0 are used; their columns have the weight
+///    (m·255 + 128) >> 8.
+/// 2. Through all of it (`fromSurface` is off): nothing is cast; the column is (zStart − 2r,
+///    zStart + sampleCount·zPerSample + 2r), carving and restoring alike.
+/// 3. From the surface: as a drill pressed to maxDepth (DrillCut.h, rule 1e): (zSurface − 2r,
+///    min(zSurface + maxDepth, zExit)), or restoring (zSurface − maxDepth, zSurface + 2r).
+///    The frame's throughGaps says whether the first layer of material is all that is cut.
+struct MaskScissors {
+    std::uint8_t layer = 0;
+    MaskFrame frame;
+    MaskRaster mask{}; ///< its origin is the corner of element (0, 0)
+    bool fromSurface = false;
+    Laying laying = Laying::Carve;
+};
+
+/// @param hit of rule 3; not looked at where nothing is cast
+/// @param weight m
+[[nodiscard]] MaskColumn scissorsColumn(
+    const MaskScissors& scissors, const SurfaceHit& hit, std::int32_t weight);
+
+} // namespace core
