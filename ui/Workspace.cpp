@@ -87,7 +87,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
 void Workspace::applyHistoryMemory()
 {
     if (m_session)
-        m_session->setRecentBytes(std::size_t(historyMebibytes()) << 20);
+        m_session->setStepMemory(std::size_t(historyMebibytes()) << 20);
 }
 
 void Workspace::followDisk()

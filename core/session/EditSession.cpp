@@ -290,11 +290,6 @@ Result<void> EditSession::settle()
     return m_queue->settle();
 }
 
-void EditSession::setRecentBytes(std::size_t bytes)
-{
-    m_queue->state().setRecentBytes(bytes);
-}
-
 std::optional<Error> EditSession::diskTrouble() const
 {
     const SessionState& state = m_queue->state();
@@ -316,6 +311,11 @@ QByteArray EditSession::stateHash() const
 Result<std::vector<std::uint8_t>> EditSession::labels(std::uint8_t plane)
 {
     return readLabels(*m_queue, plane);
+}
+
+void EditSession::setStepMemory(std::size_t bytes)
+{
+    m_queue->state().recent.setMostBytes(bytes);
 }
 
 void EditSession::setOrigin(std::function<RowOrigin()> origin)

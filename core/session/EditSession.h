@@ -11,6 +11,7 @@
 #include <QJsonObject>
 #include <QString>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,9 +46,9 @@ public:
     static Result<std::unique_ptr<EditSession>> create(
         EditEngine& engine, LoadedVolume volume, Options options);
     /// Continues a session file where it stopped; the volume is the one its references name.
-    /// Rows whose delta did not reach the disk are executed again; if it is full still, they wait in
-    /// memory (diskTrouble()). Errors: SessionDamaged, SessionMismatch (the volume is not the one
-    /// the session was made on).
+    /// Rows whose delta did not reach the disk are executed again; if it is full still, they wait
+    /// in memory (diskTrouble()). Errors: SessionDamaged, SessionMismatch (the volume is not the
+    /// one the session was made on).
     static Result<std::unique_ptr<EditSession>> open(EditEngine& engine, LoadedVolume volume,
         const QString& file, std::function<void()> wakeUp = {});
     /// The same for looking only, without touching the file or its folder: it is open in another
@@ -119,9 +120,6 @@ public:
     /// Wait until every command is carried out and on disk. The only member that waits.
     Result<void> settle();
 
-    /// Differences of the last steps are kept up to here, uncompressed, so that undo needs no disk;
-    /// at first 256 MiB. Heard at once.
-    void setRecentBytes(std::size_t bytes);
 
     /// Why steps wait in memory instead of standing on disk (a full disk, say); none: they do not.
     /// A change is told as DocumentChange::What::Disk.
@@ -135,6 +133,10 @@ public:
     /// Labels of a plane, x fastest, as they are after settle(): for export and checks. Waits; who
     /// must not asks a LabelReader's questions.
     [[nodiscard]] Result<std::vector<std::uint8_t>> labels(std::uint8_t plane);
+
+    /// How many bytes of memory the bricks of the steps that were used last may take, so that undo
+    /// and redo over them need no disk; RecentSteps::usualBytes until it is set.
+    void setStepMemory(std::size_t bytes);
 
     /// Asked whenever a row is made. Until it is set: presentOrigin(), without a name.
     void setOrigin(std::function<RowOrigin()> origin);

@@ -12,14 +12,6 @@ namespace core {
 
 namespace {
 
-std::size_t bytesOf(const std::vector<BrickChange>& changes)
-{
-    std::size_t sum = 0;
-    for (const BrickChange& change : changes)
-        sum += change.before.size() + change.after.size();
-    return sum;
-}
-
 void count(const std::vector<std::uint8_t>& labels, std::int64_t sign,
     std::array<std::int64_t, 256>& voxels)
 {
@@ -57,7 +49,7 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
         file->addRow(history.row(id));
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
     worker->commit(id, shared, documentJson());
-    remember(id, shared);
+    recent.keep(id, shared, false);
     if (const std::optional<DocumentChange::What> part = changedPart(edit))
         tell(*part);
     tell(DocumentChange::What::History);
@@ -72,18 +64,20 @@ void SessionState::complete(RowId row, std::vector<BrickChange> changes)
         file->setPosition(row);
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
     worker->commit(row, shared, documentJson());
-    remember(row, shared);
+    recent.keep(row, shared, false);
     tell(DocumentChange::What::History);
 }
 
-void SessionState::moveTo(RowId position, std::vector<BrickChange> changes)
+void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> changes)
 {
     takeIn(changes);
     history.moveTo(position);
     placeDocument();
     if (file)
         file->setPosition(position);
-    worker->move(std::make_shared<const std::vector<BrickChange>>(std::move(changes)));
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    worker->move(shared);
+    recent.keep(over, shared, position != over);
     tell(DocumentChange::What::Segments);
     tell(DocumentChange::What::Layers);
     tell(DocumentChange::What::Bookmarks);
@@ -99,33 +93,6 @@ void SessionState::begin(std::vector<BrickImage> bricks)
     }
     placeDocument();
     worker->start(std::move(bricks));
-}
-
-Changes SessionState::recent(RowId row) const
-{
-    const auto found = m_recent.find(row);
-    return found == m_recent.end() ? nullptr : found->second;
-}
-
-void SessionState::remember(RowId row, const Changes& changes)
-{
-    m_recentBytes += bytesOf(*changes);
-    m_recent[row] = changes;
-    forgetOldest();
-}
-
-void SessionState::setRecentBytes(std::size_t bytes)
-{
-    m_maxRecentBytes = bytes;
-    forgetOldest();
-}
-
-void SessionState::forgetOldest()
-{
-    while (m_recentBytes > m_maxRecentBytes && !m_recent.empty()) {
-        m_recentBytes -= bytesOf(*m_recent.begin()->second);
-        m_recent.erase(m_recent.begin());
-    }
 }
 
 /// Counts voxels of segments and tells where something is different.

@@ -5,12 +5,12 @@
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 #include "core/session/CommitWorker.h"
+#include "core/session/RecentSteps.h"
 #include "core/session/SessionFile.h"
 
 #include <array>
 #include <bitset>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -36,16 +36,10 @@ public:
         const EditStatistics& statistics, std::optional<std::uint32_t> generation);
     /// A row of an opened session was carried out again, because it lacked its second half.
     void complete(RowId row, std::vector<BrickChange> changes);
-    /// The voxels now are those of @p position.
-    void moveTo(RowId position, std::vector<BrickChange> changes);
+    /// The voxels now are those of @p position: a row was carried out again or taken back.
+    void moveTo(RowId position, RowId over, std::vector<BrickChange> changes);
     /// Takes in the bricks of an opened session.
     void begin(std::vector<BrickImage> bricks);
-
-    /// What a row changed, if it is still at hand.
-    [[nodiscard]] Changes recent(RowId row) const;
-    /// How much of that is kept at most.
-    void setRecentBytes(std::size_t bytes);
-    [[nodiscard]] std::size_t recentBytes() const { return m_recentBytes; }
 
     void setVisible(int label, bool visible);
     void hide(const std::vector<int>& labels);
@@ -68,6 +62,7 @@ public:
     std::function<RowOrigin()> origin; ///< of a row that is made now
     std::set<RowId> keyframes; ///< rows that have a picture in the file
 
+    RecentSteps recent;
     Revision lastRevision;
     std::vector<DocumentChange> news; ///< not told yet
     std::vector<Error> errors; ///< not told yet
@@ -76,15 +71,10 @@ public:
 
 private:
     void takeIn(const std::vector<BrickChange>& changes);
-    void remember(RowId row, const Changes& changes);
-    void forgetOldest();
     void placeDocument();
     void placeSegments();
     void muteLayers();
 
-    std::map<RowId, Changes> m_recent;
-    std::size_t m_recentBytes = 0;
-    std::size_t m_maxRecentBytes = std::size_t(256) << 20;
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
     std::bitset<256> m_muted; ///< layers, as the engine was told

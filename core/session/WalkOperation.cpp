@@ -45,18 +45,13 @@ void WalkOperation::step(SessionState& state)
         m_done = true;
         return;
     }
-    const Changes changes = state.recent(m_row);
-    if (!changes) {
+    std::optional<std::vector<BrickImage>> images = state.recent.images(m_row, !m_back);
+    if (!images)
         state.worker->load(m_row);
-    } else if (changes->empty()) {
+    else if (images->empty())
         arrive(state, {});
-    } else {
-        std::vector<BrickImage> images;
-        images.reserve(changes->size());
-        for (const BrickChange& change : *changes)
-            images.push_back({change.key, m_back ? change.before : change.after});
-        m_swap.put(state, std::move(images));
-    }
+    else
+        m_swap.put(state, *std::move(images));
 }
 
 void WalkOperation::takeDifferences(
@@ -83,7 +78,7 @@ void WalkOperation::takeResult(SessionState& state, EngineResult&& result)
 
 void WalkOperation::arrive(SessionState& state, std::vector<BrickChange> changes)
 {
-    state.moveTo(m_back ? state.history.row(m_row).parent : m_row, std::move(changes));
+    state.moveTo(m_back ? state.history.row(m_row).parent : m_row, m_row, std::move(changes));
     if (m_aim == Aim::Row)
         step(state);
     else

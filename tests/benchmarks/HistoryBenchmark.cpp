@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <numeric>
 
@@ -74,6 +75,18 @@ struct State {
     bool operator==(const State&) const = default;
 };
 
+/// A kind of step whose last one is weighed and timed. Another one needs a stroke in work() and a
+/// line in kinds().
+struct Kind {
+    const char* name;
+    core::RowId row = 0;
+    /// The field that it changes, and all there is after it, for the peers to keep; none: no peer.
+    const Voxels* before = nullptr;
+    const Voxels* after = nullptr;
+    const Voxels* labels = nullptr;
+    const Voxels* coverage = nullptr;
+};
+
 /// The scenario: a segment, a seed stroke, a liver, twenty drill strokes; then back and forth.
 class Scenario {
 public:
@@ -93,7 +106,7 @@ public:
         if (!m_driver)
             return QStringLiteral("no session");
         for (const auto step : {&Scenario::work, &Scenario::walkAndCompare, &Scenario::timeWalks,
-                 &Scenario::reopen, &Scenario::timeWalksFromFile, &Scenario::close}) {
+                 &Scenario::reopen, &Scenario::close}) {
             if (const QString why = (this->*step)(); !why.isEmpty())
                 return why;
         }
@@ -144,6 +157,23 @@ private:
         return session.problem();
     }
 
+    std::vector<Kind> kinds() const
+    {
+        return {{.name = "drill",
+                    .row = m_drillRow,
+                    .before = &m_beforeDrill.coverage,
+                    .after = &m_afterDrill.coverage,
+                    .labels = &m_afterDrill.labels,
+                    .coverage = &m_afterDrill.coverage},
+            {.name = "growth",
+                .row = m_growthRow,
+                .before = &m_beforeGrowth.labels,
+                .after = &m_afterDrill.labels,
+                .labels = &m_afterDrill.labels,
+                .coverage = &m_beforeGrowth.coverage},
+            {.name = "seeds", .row = m_seedRow}};
+    }
+
     /// Nothing is timed before this holds.
     QString walkAndCompare()
     {
@@ -171,47 +201,62 @@ private:
     QString timeWalks()
     {
         timePeers();
-        timeWalk("history.drill.undo", m_drillRow);
-        timeWalk("history.growth.undo", m_growthRow);
-        runTimed();
+        for (const Kind& kind : kinds()) {
+            for (const bool kept : {true, false})
+                timeWalk(kind, kept);
+        }
+        benchmark::RunSpecifiedBenchmarks(&m_report);
+        benchmark::ClearRegisteredBenchmarks();
+        for (const auto& [id, milliseconds] : m_walkHeldMs)
+            m_report.add({id, "Ms", milliseconds});
+        m_driver->keepSteps(true);
+        m_driver->goTo(m_drillRow);
+        if (state() != m_afterDrill)
+            return QStringLiteral("history: the timed walks lead elsewhere");
         return m_driver->problem();
     }
-    /// Opened anew: no difference is in memory.
+    /// Opened anew: what is on disk says the same.
     QString reopen()
     {
-        m_driver->goTo(m_drillRow);
         m_driver.reset();
         m_driver = SessionDriver::open(m_engine.edits(), m_volume, file());
         if (!m_driver)
             return QStringLiteral("history: the session does not open again");
-        if (m_driver->hash() != m_driver->history().row(m_drillRow).stateHash)
+        if (m_driver->hash() != m_driver->history().row(m_drillRow).stateHash
+            || state() != m_afterDrill)
             return QStringLiteral("history: the session opens with other voxels");
         return {};
     }
-    QString timeWalksFromFile()
-    {
-        timeWalk("history.drill.undo.file", m_drillRow);
-        timeWalk("history.growth.undo.file", m_growthRow);
-        runTimed();
-        m_driver->goTo(m_drillRow);
-        if (state() != m_afterDrill)
-            return QStringLiteral("history: the walks from the file lead elsewhere");
-        return m_driver->problem();
-    }
 
-    /// From the call until the voxels are in place, back and forth over one row.
-    void timeWalk(const char* id, core::RowId row)
+    /// From the call until the voxels are in place, back and forth over one row; what follows from
+    /// that on the worker (the hash) is done before the next.
+    void timeWalk(const Kind& kind, bool kept)
     {
-        benchmark::RegisterBenchmark((std::string(id) + "/" + PeerReport::ours).c_str(),
-            [this, row](benchmark::State& times) {
-                m_driver->goTo(row);
-                for (auto _ : times) {
-                    times.SetIterationTime(m_driver->undo() / 1000.0);
-                    m_driver->redo();
-                }
-            })
-            ->UseManualTime()
-            ->Iterations(5);
+        for (const bool back : {true, false}) {
+            const std::string id = std::string("history.") + kind.name + (back ? ".undo" : ".redo")
+                + (kept ? "" : ".file");
+            benchmark::RegisterBenchmark((id + "/" + PeerReport::ours).c_str(),
+                [this, id, row = kind.row, kept, back](benchmark::State& times) {
+                    m_driver->goTo(row);
+                    m_driver->keepSteps(kept);
+                    if (kept) { // is at hand from now on
+                        m_driver->undo();
+                        m_driver->redo();
+                    }
+                    for (auto _ : times) {
+                        m_driver->settle();
+                        const SessionDriver::Commit undo = m_driver->undo();
+                        m_driver->settle();
+                        const SessionDriver::Commit redo = m_driver->redo();
+                        const SessionDriver::Commit& timed = back ? undo : redo;
+                        times.SetIterationTime(timed.wallMs / 1000.0);
+                        double& held = m_walkHeldMs[id + ".held"];
+                        held = std::max(held, timed.longestCallMs());
+                    }
+                })
+                ->UseManualTime()
+                ->Iterations(5);
+        }
     }
     void timePeers()
     {
@@ -246,20 +291,11 @@ private:
             benchmark::ClobberMemory();
         });
     }
-    void runTimed()
-    {
-        benchmark::RunSpecifiedBenchmarks(&m_report);
-        benchmark::ClearRegisteredBenchmarks();
-    }
-
     QString close()
     {
         m_driver.reset();
-        addBytes("history.drill.bytes", m_drillRow, m_beforeDrill.coverage, m_afterDrill.coverage,
-            m_afterDrill);
-        addBytes("history.growth.bytes", m_growthRow, m_beforeGrowth.labels, m_afterDrill.labels,
-            {m_afterDrill.labels, m_beforeGrowth.coverage});
-        m_report.add({"history.seeds.bytes", "Bytes", double(bytesInFile(file(), m_seedRow))});
+        for (const Kind& kind : kinds())
+            addBytes(kind);
         const auto beginning = std::chrono::steady_clock::now();
         const State copy = m_afterDrill;
         const std::chrono::duration<double, std::milli> copied =
@@ -272,14 +308,18 @@ private:
         m_report.add({"history.drill.held", "Ms", m_heldMs, "whole-image RLE", encoded.count()});
         return {};
     }
-    void addBytes(const char* id, core::RowId row, const Voxels& before, const Voxels& after,
-        const State& whole)
+    void addBytes(const Kind& kind)
     {
-        const auto own = double(bytesInFile(file(), row));
-        const double full = double(whole.labels.size() + whole.coverage.size());
-        const peer::RunLengthImage labels(whole.labels, TorsoVolume::size.x);
-        const peer::RunLengthImage coverage(whole.coverage, TorsoVolume::size.x);
-        const peer::RunLengthDifference difference(before, after);
+        const std::string id = std::string("history.") + kind.name + ".bytes";
+        const auto own = double(bytesInFile(file(), kind.row));
+        if (!kind.before) {
+            m_report.add({id, "Bytes", own});
+            return;
+        }
+        const double full = double(kind.labels->size() + kind.coverage->size());
+        const peer::RunLengthImage labels(*kind.labels, TorsoVolume::size.x);
+        const peer::RunLengthImage coverage(*kind.coverage, TorsoVolume::size.x);
+        const peer::RunLengthDifference difference(*kind.before, *kind.after);
         m_report.add({id, "Bytes", own, "full copy", full});
         m_report.add(
             {id, "Bytes", own, "whole-image RLE", double(labels.bytes() + coverage.bytes())});
@@ -298,6 +338,7 @@ private:
     State m_beforeDrill; ///< before the last one
     State m_afterDrill;
     double m_heldMs = 0.0;
+    std::map<std::string, double> m_walkHeldMs; ///< by id
 };
 
 /// Ten thousand small strokes on a small block, as fast as they go.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SessionDriver.h"
 
+#include "core/session/RecentSteps.h"
 #include "ui/ErrorText.h"
 
 #include <QFile>
@@ -115,19 +116,24 @@ SessionDriver::Commit SessionDriver::stroke(const core::DrillStroke& stroke)
     return commit;
 }
 
-double SessionDriver::undo()
+SessionDriver::Commit SessionDriver::undo()
 {
-    return timed([this] { note(m_session->undo()); }).wallMs;
+    return timed([this] { note(m_session->undo()); });
 }
 
-double SessionDriver::redo()
+SessionDriver::Commit SessionDriver::redo()
 {
-    return timed([this] { note(m_session->redo()); }).wallMs;
+    return timed([this] { note(m_session->redo()); });
 }
 
-double SessionDriver::goTo(core::RowId row)
+SessionDriver::Commit SessionDriver::goTo(core::RowId row)
 {
-    return timed([this, row] { note(m_session->goTo(row)); }).wallMs;
+    return timed([this, row] { note(m_session->goTo(row)); });
+}
+
+void SessionDriver::keepSteps(bool kept)
+{
+    m_session->setStepMemory(kept ? core::RecentSteps::usualBytes : 0);
 }
 
 void SessionDriver::settle()

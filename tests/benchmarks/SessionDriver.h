@@ -21,17 +21,20 @@ public:
 
     struct Commit {
         double wallMs = 0.0; ///< from the first call until the voxels are in place
-        std::vector<double> callsMs; ///< end() or apply(), and each poll()
+        std::vector<double> callsMs; ///< end(), apply(), undo() …, and each poll()
         [[nodiscard]] double longestCallMs() const;
     };
     Commit apply(const core::Edit& edit);
     /// Under the pen: sample by sample; only what comes from pen-up on is timed.
     Commit stroke(const core::DrillStroke& stroke);
 
-    // Until the voxels are in place. @return milliseconds
-    double undo();
-    double redo();
-    double goTo(core::RowId row);
+    // Until the voxels are in place.
+    Commit undo();
+    Commit redo();
+    Commit goTo(core::RowId row);
+
+    /// Whether steps are kept in memory, so that undo and redo read no file.
+    void keepSteps(bool kept);
 
     void settle(); ///< all is on disk
     [[nodiscard]] QByteArray hash(); ///< settles

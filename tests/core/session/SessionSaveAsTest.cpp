@@ -220,7 +220,7 @@ private Q_SLOTS:
             std::promise<QByteArray> png;
             session->fetchKeyframe(2, [&png](const QByteArray& got) { png.set_value(got); });
             QCOMPARE(png.get_future().get(), QByteArrayLiteral("picture"));
-            session->setRecentBytes(0);
+            session->setStepMemory(0);
             hash = session->stateHash();
             QVERIFY(session->goTo(0));
             static_cast<void>(session->settle());
