@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/Application.h"
 #include "app/SessionFiles.h"
 #include "core/session/EditSession.h"
 #include "core/session/RowText.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionUse.h"
-#include "core/study/StudyLoader.h"
-#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/ApplicationFixture.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
-#include "ui/MainWindow.h"
-#include "ui/MessageBar.h"
 #include "ui/ReadOnlyMark.h"
 #include "ui/RecentStudies.h"
 #include "ui/SessionOffers.h"
 #include "ui/SessionSaver.h"
 
 #include <QApplication>
-#include <QCheckBox>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -28,69 +23,32 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QScopeGuard>
-#include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
-#include <optional>
-
-namespace {
-
-constexpr int patience = 120000; ///< ms; only a hang takes that long
-
-/// Calls @p answer with every modal dialog that shows while it lives.
-class Dialogs {
-public:
-    explicit Dialogs(std::function<void(QWidget&)> answer)
-    {
-        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [answer = std::move(answer)] {
-            if (QWidget* dialog = QApplication::activeModalWidget())
-                answer(*dialog);
-        });
-        m_timer.start(50);
-    }
-
-private:
-    QTimer m_timer;
-};
-
-void press(QWidget& dialog, const QString& text)
-{
-    for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
-        if (button->text().remove(u'&') == text)
-            return button->click();
-    }
-    qFatal("no button %s", qPrintable(text));
-}
-
-/// For people who want to look: the folder is named by BURIN_SCREENSHOTS.
-void look(const QPixmap& picture, const char* name)
-{
-    const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
-    if (!folder.isEmpty())
-        QVERIFY(picture.save(QDir(folder).filePath(QLatin1String(name))));
-}
-
-} // namespace
+using test::Dialogs;
+using test::look;
+using test::press;
+using test::writeSession;
 
 /// What happens to a session file between windows, crashes and disks, in the real window.
 class SessionLifeUiTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<app::Application> m_application;
+    static constexpr int patience = test::ApplicationFixture::patience;
+    std::unique_ptr<test::ApplicationFixture> m_fixture;
 
-    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
-    ui::MainWindow& window() { return m_application->window(); }
-    ui::Workspace& workspace() { return m_application->workspace(); }
-    core::EditSession& session() { return *workspace().session(); }
-    QString bar() { return window().messages().sentence(); }
+    QString path(const char* name) const { return m_fixture->path(name); }
+    ui::MainWindow& window() const { return m_fixture->window(); }
+    ui::Workspace& workspace() const { return m_fixture->workspace(); }
+    core::EditSession& session() const { return m_fixture->session(); }
+    QString bar() const { return m_fixture->bar(); }
+    void open(const QString& what) const { m_fixture->open(what); }
+    void edit(const core::Edit& edit) const { m_fixture->edit(edit); }
     QString mark() const
     {
-        const auto* label = m_application->window().findChild<ui::ReadOnlyMark*>();
+        const auto* label = window().findChild<ui::ReadOnlyMark*>();
         return label->isVisible() ? label->text() : QString();
     }
     QStringList filesIn(const QString& folder, const char* filter = "*") const
@@ -98,49 +56,10 @@ private:
         return QDir(folder).entryList({QLatin1String(filter)}, QDir::Files | QDir::Hidden);
     }
 
-    void start()
-    {
-        m_application.reset();
-        m_application = *app::Application::create();
-        window().resize(1280, 800);
-        window().show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window()));
-    }
-    void open(const QString& what)
-    {
-        window().opener().open(what);
-        QTRY_VERIFY_WITH_TIMEOUT(workspace().session(), patience);
-    }
-    void edit(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
-    /// Ten steps, closed. @return how many
-    static std::size_t writeSession(const QString& file, const QString& study)
-    {
-        reference::ReferenceEngine oracle;
-        const auto made =
-            *core::EditSession::create(oracle, *core::loadVolume(study), {.file = file});
-        for (const core::Edit& each : test::manyEdits()) {
-            static_cast<void>(made->apply(each));
-            static_cast<void>(made->settle());
-        }
-        return made->history().rows().size();
-    }
-
 private Q_SLOTS:
     void initTestCase() { QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); }
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, path(name).toUtf8());
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, path("settings"));
-        test::writeSmallSeries(path("case/ct"), "2.25.1", 0, "Head, bone 1.0");
-        start();
-    }
-    void cleanup() { m_application.reset(); }
+    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
+    void cleanup() { m_fixture.reset(); }
 
     void aDamagedSessionGoesOnBesideIt()
     {
@@ -280,7 +199,7 @@ private Q_SLOTS:
     {
         const QString file = path("case/s.burin");
         const std::size_t rows = writeSession(file, path("case/ct"));
-        QVERIFY(QFile::setPermissions(m_folder->path(), QFileDevice::Permissions(0x7555)));
+        QVERIFY(QFile::setPermissions(m_fixture->folder(), QFileDevice::Permissions(0x7555)));
         QVERIFY(QFile::setPermissions(path("case"), QFileDevice::Permissions(0x5555)));
         QVERIFY(QFile::setPermissions(file, QFileDevice::Permissions(0x4444)));
         const auto reset = qScopeGuard(
@@ -348,109 +267,6 @@ private Q_SLOTS:
         QCOMPARE(session().history().rows().size(), std::size_t(0));
     }
 
-    void imagesTravelWithTheSession()
-    {
-        open(path("case/ct"));
-        edit(test::drillAt(0));
-        const QByteArray hash = session().stateHash();
-        const QByteArray voxels = workspace().volume()->voxelsSha256;
-        bool include = true;
-        bool ticked = false;
-        QString hint;
-        QPixmap picture;
-        const Dialogs dialogs([&](QWidget& dialog) {
-            auto* choice = qobject_cast<QFileDialog*>(&dialog);
-            if (!choice)
-                return;
-            auto* images = choice->findChild<QCheckBox*>(QStringLiteral("includeImages"));
-            ticked = images->isChecked();
-            images->setChecked(include);
-            choice->findChild<QLineEdit*>()->setText(
-                include ? path("with.burin") : path("without.burin"));
-            hint.clear();
-            for (const QLabel* label : choice->findChildren<QLabel*>())
-                hint += label->text() + u'\n';
-            QApplication::processEvents();
-            picture = choice->grab();
-            QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
-        });
-        QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
-        window().saveSessionAs();
-        QVERIFY(saved.count() == 1 || saved.wait(patience));
-        QVERIFY(!ticked);
-        QVERIFY2(hint.contains(QStringLiteral("identifies the patient, travel with the file")),
-            qPrintable(hint));
-        look(picture, "save-with-images.png");
-        QCOMPARE(session().file(), path("with.burin"));
-        QVERIFY(session().holdsImages());
-        window().closeStudy();
-
-        QVERIFY(QDir().rename(path("case/ct"), path("case/gone")));
-        open(path("with.burin"));
-        QVERIFY(session().settle());
-        QCOMPARE(session().stateHash(), hash);
-        QCOMPARE(workspace().volume()->voxelsSha256, voxels);
-        QVERIFY2(bar().contains(QStringLiteral("The study is no longer at ")), qPrintable(bar()));
-        QVERIFY2(bar().contains(QStringLiteral("Its images are taken from with.burin")),
-            qPrintable(bar()));
-        QTest::qWait(2000);
-        look(window().grab(), "images-from-session.png");
-        edit(test::drillAt(3));
-
-        // Without them again, as the user likes.
-        include = false;
-        window().saveSessionAs();
-        QVERIFY(saved.count() == 2 || saved.wait(patience));
-        QVERIFY(ticked);
-        QVERIFY2(hint.contains(QStringLiteral("The study is not at hand")), qPrintable(hint));
-        look(picture, "save-without-images.png");
-        QVERIFY(!session().holdsImages());
-        window().closeStudy();
-        QSignalSpy needed(&window().opener(), &ui::StudyOpener::sessionStudyNeeded);
-        window().opener().open(path("without.burin"));
-        QVERIFY(needed.wait(patience));
-
-        // Where the images are damaged too, both are said, and the study can be named.
-        QVERIFY(test::runSql(path("with.burin"), QStringLiteral("UPDATE pixels SET bytes=X'00'")));
-        window().opener().open(path("with.burin"));
-        QVERIFY(needed.wait(patience));
-        QVERIFY2(bar().contains(QStringLiteral("piece 1 of 1 of its images was changed")),
-            qPrintable(bar()));
-        look(window().grab(), "images-damaged.png");
-        window().opener().openSession(path("with.burin"), path("case/gone"));
-        QTRY_VERIFY_WITH_TIMEOUT(workspace().session(), patience);
-        QCOMPARE(session().history().rows().size(), std::size_t(2));
-    }
-
-    void imagesOfAStudyThatIsGoneAreNotSaved()
-    {
-        open(path("case/ct"));
-        edit(test::drillAt(0));
-        const QString working = session().file();
-        QVERIFY(QDir().rename(path("case/ct"), path("case/gone")));
-        QSignalSpy failed(&workspace(), &ui::Workspace::failed);
-        ui::SessionSaver saver(workspace(), window());
-        saver.save({.target = path("mine.burin"), .images = true});
-        QVERIFY(failed.wait(patience));
-        QVERIFY2(bar().contains(QStringLiteral("can be saved without them")), qPrintable(bar()));
-        QCOMPARE(session().file(), working);
-        QVERIFY(!QFile::exists(path("mine.burin")));
-
-        // Cancelled, it leaves nothing either.
-        QVERIFY(QDir().rename(path("case/gone"), path("case/ct")));
-        std::optional<bool> saved;
-        saver.save(
-            {.target = path("mine.burin"), .images = true}, [&saved](bool done) { saved = done; });
-        saver.cancel();
-        QTRY_VERIFY_WITH_TIMEOUT(saved.has_value(), patience);
-        QVERIFY(!*saved);
-        QCOMPARE(session().file(), working);
-        QCOMPARE(QDir(m_folder->path())
-                     .entryList({QStringLiteral("*.burin"), QStringLiteral(".burin*")},
-                         QDir::Files | QDir::Hidden),
-            QStringList());
-    }
-
     void theOpenStudyOpensAgain()
     {
         open(path("case/ct"));
@@ -490,14 +306,14 @@ private Q_SLOTS:
                         {working + QLatin1String(suffix), left + QLatin1String(suffix)})
                 == 0);
         const QByteArray hash = session().stateHash();
-        m_application.reset();
+        m_fixture->close();
         for (const char* suffix : {"", "-wal"}) {
             QFile::remove(working + QLatin1String(suffix));
             QVERIFY(QFile::rename(left + QLatin1String(suffix), working + QLatin1String(suffix)));
         }
         const QByteArray before =
             test::fingerprint(working) + test::fingerprint(working + QStringLiteral("-wal"));
-        start();
+        m_fixture->start();
         auto* offers = window().findChild<ui::SessionOffers*>();
         QTRY_COMPARE_WITH_TIMEOUT(offers->count(), 1, patience);
         QCOMPARE(test::fingerprint(working) + test::fingerprint(working + QStringLiteral("-wal")),
@@ -568,123 +384,6 @@ private Q_SLOTS:
         look(picture, "unwritten.png");
         open(path("case/ct"));
         QCOMPARE(session().history().rows().size(), std::size_t(1));
-    }
-
-    /// The question's way out: the steps go to another place, and what was asked goes on.
-    void unwrittenStepsAreSavedElsewhere()
-    {
-        const QString file = path("case/s.burin");
-        writeSession(file, path("case/ct"));
-        open(file);
-        const std::size_t rows = session().history().rows().size();
-        int asked = 0;
-        const Dialogs dialogs([&](QWidget& dialog) {
-            if (auto* choice = qobject_cast<QFileDialog*>(&dialog)) {
-                choice->findChild<QLineEdit*>()->setText(path("elsewhere.burin"));
-                QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
-            } else if (qobject_cast<QMessageBox*>(&dialog)) {
-                ++asked;
-                press(dialog, QStringLiteral("Save session as …"));
-            }
-        });
-        // The file is larger than a copy of it has to be: what is not written fits there.
-        const QString beside = file + QStringLiteral("-wal");
-        for (int i = 0; QFileInfo(beside).size() < 2 * QFileInfo(file).size(); ++i) {
-            session().setSegmentVisible(1, i % 2 == 1);
-            QVERIFY(session().settle());
-        }
-        {
-            const test::FileSizeLimit limit(rlim_t(QFileInfo(beside).size()));
-            QVERIFY(session().apply(test::drillAt(3)));
-            QVERIFY(!session().settle());
-            window().closeStudy();
-        }
-        QCOMPARE(asked, 1);
-        QVERIFY(!workspace().session());
-        open(path("elsewhere.burin"));
-        QCOMPARE(session().history().rows().size(), rows + 1);
-        window().closeStudy();
-        open(file);
-        QCOMPARE(session().history().rows().size(), rows);
-    }
-
-    void aStudyOpensWhereNothingCanBeWritten_data()
-    {
-        QTest::addColumn<bool>("readOnly");
-        QTest::newRow("a file in the folder's place") << false;
-        QTest::newRow("a folder that nobody may write") << true;
-    }
-    void aStudyOpensWhereNothingCanBeWritten()
-    {
-        QFETCH(bool, readOnly);
-        const QString state = path("state");
-        qputenv("XDG_STATE_HOME", state.toUtf8());
-        if (readOnly) {
-            QVERIFY(QDir().mkpath(state + QStringLiteral("/burin/sessions")));
-            QVERIFY(QFile::setPermissions(
-                state + QStringLiteral("/burin/sessions"), QFileDevice::Permissions(0x5555)));
-            for (const QString& each : {m_folder->path(), path("case"), path("case/ct")})
-                QVERIFY(QFile::setPermissions(each, QFileDevice::Permissions(0x7777)));
-        } else {
-            QFile file(state);
-            QVERIFY(file.open(QIODevice::WriteOnly));
-        }
-        std::optional<test::Unprivileged> nobody;
-        if (readOnly)
-            nobody.emplace();
-        open(path("case/ct"));
-        QVERIFY2(bar().contains(QStringLiteral("Steps stay in memory only")), qPrintable(bar()));
-        QTest::qWait(1500);
-        if (!readOnly) // nobody may not write pictures either
-            look(window().grab(), "no-state-folder.png");
-        // Nothing done, nothing to ask.
-        window().closeStudy();
-        QVERIFY(!workspace().session());
-
-        open(path("case/ct"));
-        QVERIFY(session().apply(test::drillAt(0)));
-        QVERIFY(!session().settle());
-        QVERIFY2(bar().contains(QStringLiteral("Steps stay in memory only")), qPrintable(bar()));
-        QVERIFY(session().undo());
-        static_cast<void>(session().settle());
-        QCOMPARE(session().history().position(), core::RowId(0));
-        QVERIFY(session().redo());
-        static_cast<void>(session().settle());
-        const QByteArray hash = session().stateHash();
-        QString words;
-        QPixmap picture;
-        QString answer = QStringLiteral("Stay");
-        const Dialogs dialogs([&](QWidget& dialog) {
-            if (auto* choice = qobject_cast<QFileDialog*>(&dialog)) {
-                choice->findChild<QLineEdit*>()->setText(path("mine.burin"));
-                QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
-            } else if (auto* question = qobject_cast<QMessageBox*>(&dialog)) {
-                words = question->text() + question->informativeText();
-                picture = dialog.grab();
-                press(dialog, answer);
-            }
-        });
-        window().closeStudy();
-        QVERIFY(workspace().session());
-        QVERIFY2(words.contains(QStringLiteral("in memory only")), qPrintable(words));
-        QVERIFY2(!words.contains(QStringLiteral("within seconds")), qPrintable(words));
-        if (!readOnly)
-            look(picture, "in-memory.png");
-
-        QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
-        window().saveSessionAs();
-        QVERIFY(saved.count() == 1 || saved.wait(patience));
-        QCOMPARE(session().file(), path("mine.burin"));
-        QVERIFY(bar().isEmpty());
-        edit(test::drillAt(3));
-        words.clear();
-        window().closeStudy();
-        QCOMPARE(words, QString());
-        open(path("mine.burin"));
-        QCOMPARE(session().history().rows().size(), std::size_t(2));
-        QVERIFY(session().undo());
-        QVERIFY(session().settle());
-        QCOMPARE(session().stateHash(), hash);
     }
 };
 

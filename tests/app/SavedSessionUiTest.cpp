@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/EditSession.h"
+#include "tests/support/ApplicationFixture.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/SessionFiles.h"
+#include "tests/support/SmallStudy.h"
+#include "ui/SessionSaver.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <optional>
+
+using test::Dialogs;
+using test::look;
+using test::press;
+
+/// "Save session as …": with the study's images, for steps that are on no disk, and for sessions
+/// that could not get a file, in the real window.
+class SavedSessionUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    static constexpr int patience = test::ApplicationFixture::patience;
+    std::unique_ptr<test::ApplicationFixture> m_fixture;
+
+    QString path(const char* name) const { return m_fixture->path(name); }
+    ui::MainWindow& window() const { return m_fixture->window(); }
+    ui::Workspace& workspace() const { return m_fixture->workspace(); }
+    core::EditSession& session() const { return m_fixture->session(); }
+    QString bar() const { return m_fixture->bar(); }
+    void open(const QString& what) const { m_fixture->open(what); }
+    void edit(const core::Edit& edit) const { m_fixture->edit(edit); }
+
+private Q_SLOTS:
+    void initTestCase() { QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); }
+    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
+    void cleanup() { m_fixture.reset(); }
+
+    void imagesTravelWithTheSession()
+    {
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        const QByteArray hash = session().stateHash();
+        const QByteArray voxels = workspace().volume()->voxelsSha256;
+        bool include = true;
+        bool ticked = false;
+        QString hint;
+        QPixmap picture;
+        const Dialogs dialogs([&](QWidget& dialog) {
+            auto* choice = qobject_cast<QFileDialog*>(&dialog);
+            if (!choice)
+                return;
+            auto* images = choice->findChild<QCheckBox*>(QStringLiteral("includeImages"));
+            ticked = images->isChecked();
+            images->setChecked(include);
+            choice->findChild<QLineEdit*>()->setText(
+                include ? path("with.burin") : path("without.burin"));
+            hint.clear();
+            for (const QLabel* label : choice->findChildren<QLabel*>())
+                hint += label->text() + u'\n';
+            QApplication::processEvents();
+            picture = choice->grab();
+            QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
+        });
+        QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
+        window().saveSessionAs();
+        QVERIFY(saved.count() == 1 || saved.wait(patience));
+        QVERIFY(!ticked);
+        QVERIFY2(hint.contains(QStringLiteral("identifies the patient, travel with the file")),
+            qPrintable(hint));
+        look(picture, "save-with-images.png");
+        QCOMPARE(session().file(), path("with.burin"));
+        QVERIFY(session().holdsImages());
+        window().closeStudy();
+
+        QVERIFY(QDir().rename(path("case/ct"), path("case/gone")));
+        open(path("with.burin"));
+        QVERIFY(session().settle());
+        QCOMPARE(session().stateHash(), hash);
+        QCOMPARE(workspace().volume()->voxelsSha256, voxels);
+        QVERIFY2(bar().contains(QStringLiteral("The study is no longer at ")), qPrintable(bar()));
+        QVERIFY2(bar().contains(QStringLiteral("Its images are taken from with.burin")),
+            qPrintable(bar()));
+        QTest::qWait(2000);
+        look(window().grab(), "images-from-session.png");
+        edit(test::drillAt(3));
+
+        // Without them again, as the user likes.
+        include = false;
+        window().saveSessionAs();
+        QVERIFY(saved.count() == 2 || saved.wait(patience));
+        QVERIFY(ticked);
+        QVERIFY2(hint.contains(QStringLiteral("The study is not at hand")), qPrintable(hint));
+        look(picture, "save-without-images.png");
+        QVERIFY(!session().holdsImages());
+        window().closeStudy();
+        QSignalSpy needed(&window().opener(), &ui::StudyOpener::sessionStudyNeeded);
+        window().opener().open(path("without.burin"));
+        QVERIFY(needed.wait(patience));
+
+        // Where the images are damaged too, both are said, and the study can be named.
+        QVERIFY(test::runSql(path("with.burin"), QStringLiteral("UPDATE pixels SET bytes=X'00'")));
+        window().opener().open(path("with.burin"));
+        QVERIFY(needed.wait(patience));
+        QVERIFY2(bar().contains(QStringLiteral("piece 1 of 1 of its images was changed")),
+            qPrintable(bar()));
+        look(window().grab(), "images-damaged.png");
+        window().opener().openSession(path("with.burin"), path("case/gone"));
+        QTRY_VERIFY_WITH_TIMEOUT(workspace().session(), patience);
+        QCOMPARE(session().history().rows().size(), std::size_t(2));
+    }
+
+    void imagesOfAStudyThatIsGoneAreNotSaved()
+    {
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        const QString working = session().file();
+        QVERIFY(QDir().rename(path("case/ct"), path("case/gone")));
+        QSignalSpy failed(&workspace(), &ui::Workspace::failed);
+        ui::SessionSaver saver(workspace(), window());
+        saver.save({.target = path("mine.burin"), .images = true});
+        QVERIFY(failed.wait(patience));
+        QVERIFY2(bar().contains(QStringLiteral("can be saved without them")), qPrintable(bar()));
+        QCOMPARE(session().file(), working);
+        QVERIFY(!QFile::exists(path("mine.burin")));
+
+        // Cancelled, it leaves nothing either.
+        QVERIFY(QDir().rename(path("case/gone"), path("case/ct")));
+        std::optional<bool> saved;
+        saver.save(
+            {.target = path("mine.burin"), .images = true}, [&saved](bool done) { saved = done; });
+        saver.cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(saved.has_value(), patience);
+        QVERIFY(!*saved);
+        QCOMPARE(session().file(), working);
+        QCOMPARE(QDir(m_fixture->folder())
+                     .entryList({QStringLiteral("*.burin"), QStringLiteral(".burin*")},
+                         QDir::Files | QDir::Hidden),
+            QStringList());
+    }
+
+    /// The question's way out: the steps go to another place, and what was asked goes on.
+    void unwrittenStepsAreSavedElsewhere()
+    {
+        const QString file = path("case/s.burin");
+        test::writeSession(file, path("case/ct"));
+        open(file);
+        const std::size_t rows = session().history().rows().size();
+        int asked = 0;
+        const Dialogs dialogs([&](QWidget& dialog) {
+            if (auto* choice = qobject_cast<QFileDialog*>(&dialog)) {
+                choice->findChild<QLineEdit*>()->setText(path("elsewhere.burin"));
+                QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
+            } else if (qobject_cast<QMessageBox*>(&dialog)) {
+                ++asked;
+                press(dialog, QStringLiteral("Save session as …"));
+            }
+        });
+        // The file is larger than a copy of it has to be: what is not written fits there.
+        const QString beside = file + QStringLiteral("-wal");
+        for (int i = 0; QFileInfo(beside).size() < 2 * QFileInfo(file).size(); ++i) {
+            session().setSegmentVisible(1, i % 2 == 1);
+            QVERIFY(session().settle());
+        }
+        {
+            const test::FileSizeLimit limit(rlim_t(QFileInfo(beside).size()));
+            QVERIFY(session().apply(test::drillAt(3)));
+            QVERIFY(!session().settle());
+            window().closeStudy();
+        }
+        QCOMPARE(asked, 1);
+        QVERIFY(!workspace().session());
+        open(path("elsewhere.burin"));
+        QCOMPARE(session().history().rows().size(), rows + 1);
+        window().closeStudy();
+        open(file);
+        QCOMPARE(session().history().rows().size(), rows);
+    }
+
+    void aStudyOpensWhereNothingCanBeWritten_data()
+    {
+        QTest::addColumn<bool>("readOnly");
+        QTest::newRow("a file in the folder's place") << false;
+        QTest::newRow("a folder that nobody may write") << true;
+    }
+    void aStudyOpensWhereNothingCanBeWritten()
+    {
+        QFETCH(bool, readOnly);
+        const QString state = path("state");
+        qputenv("XDG_STATE_HOME", state.toUtf8());
+        if (readOnly) {
+            QVERIFY(QDir().mkpath(state + QStringLiteral("/burin/sessions")));
+            QVERIFY(QFile::setPermissions(
+                state + QStringLiteral("/burin/sessions"), QFileDevice::Permissions(0x5555)));
+            for (const QString& each : {m_fixture->folder(), path("case"), path("case/ct")})
+                QVERIFY(QFile::setPermissions(each, QFileDevice::Permissions(0x7777)));
+        } else {
+            QFile file(state);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        std::optional<test::Unprivileged> nobody;
+        if (readOnly)
+            nobody.emplace();
+        open(path("case/ct"));
+        QVERIFY2(bar().contains(QStringLiteral("Steps stay in memory only")), qPrintable(bar()));
+        QTest::qWait(1500);
+        if (!readOnly) // nobody may not write pictures either
+            look(window().grab(), "no-state-folder.png");
+        // Nothing done, nothing to ask.
+        window().closeStudy();
+        QVERIFY(!workspace().session());
+
+        open(path("case/ct"));
+        QVERIFY(session().apply(test::drillAt(0)));
+        QVERIFY(!session().settle());
+        QVERIFY2(bar().contains(QStringLiteral("Steps stay in memory only")), qPrintable(bar()));
+        QVERIFY(session().undo());
+        static_cast<void>(session().settle());
+        QCOMPARE(session().history().position(), core::RowId(0));
+        QVERIFY(session().redo());
+        static_cast<void>(session().settle());
+        const QByteArray hash = session().stateHash();
+        QString words;
+        QPixmap picture;
+        QString answer = QStringLiteral("Stay");
+        const Dialogs dialogs([&](QWidget& dialog) {
+            if (auto* choice = qobject_cast<QFileDialog*>(&dialog)) {
+                choice->findChild<QLineEdit*>()->setText(path("mine.burin"));
+                QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
+            } else if (auto* question = qobject_cast<QMessageBox*>(&dialog)) {
+                words = question->text() + question->informativeText();
+                picture = dialog.grab();
+                press(dialog, answer);
+            }
+        });
+        window().closeStudy();
+        QVERIFY(workspace().session());
+        QVERIFY2(words.contains(QStringLiteral("in memory only")), qPrintable(words));
+        QVERIFY2(!words.contains(QStringLiteral("within seconds")), qPrintable(words));
+        if (!readOnly)
+            look(picture, "in-memory.png");
+
+        QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
+        window().saveSessionAs();
+        QVERIFY(saved.count() == 1 || saved.wait(patience));
+        QCOMPARE(session().file(), path("mine.burin"));
+        QVERIFY(bar().isEmpty());
+        edit(test::drillAt(3));
+        words.clear();
+        window().closeStudy();
+        QCOMPARE(words, QString());
+        open(path("mine.burin"));
+        QCOMPARE(session().history().rows().size(), std::size_t(2));
+        QVERIFY(session().undo());
+        QVERIFY(session().settle());
+        QCOMPARE(session().stateHash(), hash);
+    }
+};
+
+QTEST_MAIN(SavedSessionUiTest)
+#include "SavedSessionUiTest.moc"
