@@ -120,7 +120,6 @@ public:
     /// Wait until every command is carried out and on disk. The only member that waits.
     Result<void> settle();
 
-
     /// Why steps wait in memory instead of standing on disk (a full disk, say); none: they do not.
     /// A change is told as DocumentChange::What::Disk.
     [[nodiscard]] std::optional<Error> diskTrouble() const;
