@@ -254,10 +254,12 @@ Result<void> SessionFile::copyInto(const QString& path, const SavedImages& image
 Result<void> SessionFile::moveTo(
     const QString& target, bool replaceExisting, const SavedImages& images)
 {
-    if (QFileInfo::exists(target) && isSessionInUse(target))
+    const bool ownPlace = m_tables && !m_isPrivateCopy && QFileInfo::exists(target)
+        && QFileInfo(target).canonicalFilePath() == QFileInfo(m_path).canonicalFilePath();
+    if (!ownPlace && QFileInfo::exists(target) && isSessionInUse(target))
         return failure(ErrorCode::FileUnwritable, target, inUse);
     // What its program could not write any more would be taken for the new file's.
-    if (isSessionUnfinished(target))
+    if (!ownPlace && isSessionUnfinished(target))
         return failure(ErrorCode::FileUnwritable, target,
             QStringLiteral("it was not closed properly; open it once, or take another name"));
     std::shared_ptr<StagedFile> staged = images.staged;
@@ -273,12 +275,15 @@ Result<void> SessionFile::moveTo(
         removeSession(path);
         return failure(whole.error().code, target, whole.error().arguments.value(1));
     }
-    if (const Result<void> placed = staged->commit(); !placed)
+    if (ownPlace)
+        m_tables.reset(); // nothing of the old file is to lie beside the new one
+    if (const Result<void> placed = staged->commit(); !placed) {
+        if (ownPlace)
+            static_cast<void>(reopen(m_path));
         return placed;
-    auto tables = std::make_unique<SessionTables>(target);
-    if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read)
-        return tl::unexpected(read.error());
-    m_tables = std::move(tables);
+    }
+    if (const Result<void> opened = reopen(target); !opened)
+        return opened;
     m_waiting.clear();
     {
         const std::lock_guard lock(m_mutex);
@@ -288,6 +293,21 @@ Result<void> SessionFile::moveTo(
         m_holdsImages = m_tables->holdsImages();
     }
     setTrouble({});
+    return {};
+}
+
+/// On the writer's thread. Where it fails and nothing is open, work goes on in memory.
+Result<void> SessionFile::reopen(const QString& path)
+{
+    auto tables = std::make_unique<SessionTables>(path);
+    if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read) {
+        if (!m_tables) {
+            const std::lock_guard lock(m_mutex);
+            m_whyNoFile = read.error();
+        }
+        return tl::unexpected(read.error());
+    }
+    m_tables = std::move(tables);
     return {};
 }
 

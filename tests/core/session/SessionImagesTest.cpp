@@ -280,6 +280,31 @@ private Q_SLOTS:
         }
     }
 
+    void theOpenFileTakesThemIn()
+    {
+        const LoadedVolume study = test::openVolume(path("ct"));
+        const QString file = path("a.burin");
+        reference::ReferenceEngine engine;
+        {
+            const auto session = *EditSession::create(engine, study, {.file = file});
+            QVERIFY(session->apply(test::drillAt(0)));
+            Result<StagedFile> staged = stageImages(file, true, study);
+            QVERIFY(staged);
+            QVERIFY(session->apply(test::drillAt(3))); // while they were written
+            QVERIFY(saveAs(
+                *session, file, {.staged = std::make_shared<StagedFile>(*std::move(staged))}));
+            QVERIFY(session->holdsImages());
+            QVERIFY(session->apply(test::drillAt(6)));
+            QVERIFY(session->settle());
+        }
+        QCOMPARE(files(), QStringList{QStringLiteral("a.burin")});
+        const Result<LoadedVolume> got = loadSessionImages(file);
+        QVERIFY(got);
+        const auto session = EditSession::open(engine, *got, file);
+        QVERIFY(session);
+        QCOMPARE((*session)->history().rows().size(), std::size_t(3));
+    }
+
     void theStudyComesFirst()
     {
         makeSession("s.burin");

@@ -117,7 +117,32 @@ private Q_SLOTS:
         QCOMPARE(session->file(), m_path);
         QVERIFY(saveAs(*session, m_target, true));
         QCOMPARE(session->file(), m_target);
-        QCOMPARE(saveAs(*session, m_target, true).error().code, ErrorCode::FileUnwritable);
+    }
+
+    /// Saved over itself: the file is made anew, and goes on.
+    void itsOwnFileMayBeReplaced()
+    {
+        reference::ReferenceEngine engine;
+        {
+            const auto session = open(engine, m_path);
+            QVERIFY(session->apply(test::drillAt(3)));
+            QCOMPARE(saveAs(*session, m_path).error().code, ErrorCode::FileExists);
+            QVERIFY(saveAs(*session, m_path, true));
+            QCOMPARE(session->file(), m_path);
+            QVERIFY(isSessionInUse(m_path));
+            QVERIFY(session->apply(test::drillAt(5)));
+            QVERIFY(session->settle());
+            {
+                const test::FileSizeLimit limit(20000);
+                QCOMPARE(saveAs(*session, m_path, true).error().code, ErrorCode::FileUnwritable);
+            }
+            QVERIFY(session->apply(test::drillAt(7)));
+            QVERIFY(session->settle());
+        }
+        QCOMPARE(filesIn(), QStringList{QStringLiteral("a.burin")});
+        const auto after = open(engine, m_path);
+        QCOMPARE(after->history().rows().size(), m_rows + 3);
+        QCOMPARE(after->stateHash(), after->history().rows().back().stateHash);
     }
 
     void aSessionOfAnotherWindowIsNotReplaced()
