@@ -71,10 +71,16 @@ private Q_SLOTS:
             picture = choice->grab();
             QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
         });
+        QPixmap saving;
+        const QObject whileSaving;
+        connect(window().findChild<ui::SessionSaver*>(), &ui::SessionSaver::imagesProgressed,
+            &whileSaving, [&] { saving = window().grab(); });
         QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
         window().saveSessionAs();
         QVERIFY(saved.count() == 1 || saved.wait(patience));
         QVERIFY(!ticked);
+        QVERIFY(!saving.isNull());
+        look(saving, "saving-images.png");
         QVERIFY2(hint.contains(QStringLiteral("identifies the patient, travel with the file")),
             qPrintable(hint));
         look(picture, "save-with-images.png");
