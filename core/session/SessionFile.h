@@ -83,8 +83,9 @@ public:
 
     /// Copies everything, also what waits in memory, into @p target, which appears under its name
     /// only once it is whole and on disk; then goes on there, in line with what is written. The
-    /// file before stays, closed, unless it is the one replaced. On failure nothing has changed. @p done: on the writer's thread.
-    /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
+    /// file before stays, closed, unless it is the one replaced. On failure nothing has changed. @p
+    /// done: on the writer's thread. Errors: FileExists (unless @p replaceExisting),
+    /// FileUnwritable.
     void saveAs(const QString& target, bool replaceExisting,
         std::function<void(const Result<void>&)> done, SavedImages images = {});
 
