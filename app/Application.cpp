@@ -20,7 +20,9 @@
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/VolumePanel.h"
+#include "ui/tools/CarveBrushTool.h"
 #include "ui/tools/DrillTool.h"
+#include "ui/tools/PaintTool.h"
 #include "ui/tools/SeedTool.h"
 #include "ui/tools/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
@@ -63,14 +65,18 @@ void Application::makeWindow()
 {
     ui::MainWindow& window = *m_window;
     auto* drill = new ui::DrillTool(*m_workspace, &window);
+    auto* carve = new ui::CarveBrushTool(*m_workspace, &window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
+    auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
+    window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
     window.actionTable().fill(window.sculptMenu(),
         {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
+    window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
 
@@ -83,7 +89,8 @@ void Application::makeWindow()
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
-    new ui::DisplayState(*m_workspace, window.views(), {drill, seed, undoHere}, &window);
+    new ui::DisplayState(
+        *m_workspace, window.views(), {drill, carve, seed, paint, undoHere}, &window);
 
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/DisplayState.h"
 
+#include "ui/tools/BrushTool.h"
 #include "ui/tools/DrillOptions.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr std::array<const char*, gpu::renderModes> modeNames{
     "surface", "dvr", "mip", "xray"}; ///< gpu::RenderMode
+constexpr std::array<std::pair<const char*, Workspace::Brush>, 2> brushes{
+    {{"paint", Workspace::Brush::Paint}, {"carve", Workspace::Brush::Carve}}};
 
 // --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
 
@@ -58,6 +61,26 @@ void read(const QJsonValue& json, core::WindowLevel& window)
     read(json[QLatin1String("centre")], window.centre);
     if (json[QLatin1String("width")].toDouble() > 0.0)
         read(json[QLatin1String("width")], window.width);
+}
+
+QJsonObject toJson(const Workspace::BrushSettings& brush)
+{
+    return {{QStringLiteral("radiusMm"), brush.radiusMm}, {QStringLiteral("disc"), brush.disc},
+        {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
+        {QStringLiteral("upper"), brush.upper},
+        {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked}};
+}
+
+void read(const QJsonValue& json, Workspace::BrushSettings& brush)
+{
+    read(json[QLatin1String("radiusMm")], brush.radiusMm);
+    read(json[QLatin1String("disc")], brush.disc);
+    read(json[QLatin1String("onlyBetween")], brush.onlyBetween);
+    read(json[QLatin1String("lower")], brush.lower);
+    read(json[QLatin1String("upper")], brush.upper);
+    read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
+    brush.radiusMm =
+        std::clamp(brush.radiusMm, BrushTool::minimumRadiusMm, BrushTool::maximumRadiusMm);
 }
 
 // --- The 3D view's look. -------------------------------------------------------------------------
@@ -240,6 +263,8 @@ QJsonObject DisplayState::composed() const
             QJsonObject{{QStringLiteral("radiusMm"), drill.radiusMm},
                 {QStringLiteral("depthMm"), drill.depthMm},
                 {QStringLiteral("throughGaps"), drill.throughGaps}}},
+        {QStringLiteral("paint"), toJson(m_workspace.brushSettings(Workspace::Brush::Paint))},
+        {QStringLiteral("carve"), toJson(m_workspace.brushSettings(Workspace::Brush::Carve))},
         {QStringLiteral("growth"),
             QJsonObject{{QStringLiteral("lower"), growth.lower},
                 {QStringLiteral("upper"), growth.upper},
@@ -303,6 +328,12 @@ void DisplayState::applyTools(const QJsonObject& state)
     drill.depthMm =
         std::clamp(drill.depthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
     m_workspace.setDrillSettings(drill);
+
+    for (const auto& [name, brush] : brushes) {
+        Workspace::BrushSettings settings = m_workspace.brushSettings(brush);
+        read(state[QLatin1String(name)], settings);
+        m_workspace.setBrushSettings(brush, settings);
+    }
 
     const QJsonValue growthJson = state[QLatin1String("growth")];
     Workspace::GrowSettings growth = m_workspace.growSettings();

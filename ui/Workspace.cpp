@@ -178,6 +178,20 @@ void Workspace::setDrillSettings(const DrillSettings& settings)
     Q_EMIT drillSettingsChanged();
 }
 
+const Workspace::BrushSettings& Workspace::brushSettings(Brush brush) const
+{
+    return brush == Brush::Paint ? m_paint : m_carve;
+}
+
+void Workspace::setBrushSettings(Brush brush, const BrushSettings& settings)
+{
+    BrushSettings& mine = brush == Brush::Paint ? m_paint : m_carve;
+    if (settings == mine)
+        return;
+    mine = settings;
+    Q_EMIT brushSettingsChanged();
+}
+
 void Workspace::setGrowSettings(const GrowSettings& settings)
 {
     if (settings == m_grow)

@@ -31,6 +31,17 @@ public:
         bool throughGaps = false;
         bool operator==(const DrillSettings&) const = default;
     };
+    /// Of paint and of the carve brush, each its own.
+    struct BrushSettings {
+        double radiusMm = 4.0;
+        bool disc = false; ///< on slices: of the shown slice only, not a ball
+        bool onlyBetween = false; ///< paint: only values from lower to upper
+        double lower = 0.0; ///< modality units
+        double upper = 0.0;
+        bool overwriteUnlocked = false;
+        bool operator==(const BrushSettings&) const = default;
+    };
+    enum class Brush { Paint, Carve };
     struct GrowSettings {
         double lower = 0.0; ///< modality units
         double upper = 0.0;
@@ -90,6 +101,8 @@ public:
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
+    [[nodiscard]] const BrushSettings& brushSettings(Brush brush) const;
+    void setBrushSettings(Brush brush, const BrushSettings& settings);
     [[nodiscard]] const GrowSettings& growSettings() const { return m_grow; }
     void setGrowSettings(const GrowSettings& settings);
 
@@ -136,6 +149,7 @@ Q_SIGNALS:
     void activeLayerChanged();
     void volumeDisplayChanged();
     void drillSettingsChanged();
+    void brushSettingsChanged();
     void growSettingsChanged();
     void viewOptionsChanged();
     void cautionAcceptedChanged();
@@ -158,6 +172,8 @@ private:
     int m_activeLayer = 0;
     VolumeDisplay m_volumeDisplay;
     DrillSettings m_drill;
+    BrushSettings m_paint{.disc = true};
+    BrushSettings m_carve;
     GrowSettings m_grow;
     ViewOptions m_viewOptions;
     bool m_cautionAccepted = false;

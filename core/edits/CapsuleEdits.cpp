@@ -198,6 +198,25 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
     return made;
 }
 
+std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry)
+{
+    std::vector<Capsule> made;
+    auto lift = path.lifts.begin();
+    for (std::size_t first = 0; first < path.pointsLps.size();) {
+        while (lift != path.lifts.end() && *lift <= std::int64_t(first))
+            ++lift;
+        const std::size_t last = lift == path.lifts.end()
+            ? path.pointsLps.size()
+            : std::min(std::size_t(*lift), path.pointsLps.size());
+        const std::vector<Capsule> part = capsules(path, geometry, nullptr,
+            {path.pointsLps.begin() + std::ptrdiff_t(first),
+                path.pointsLps.begin() + std::ptrdiff_t(last)});
+        made.insert(made.end(), part.begin(), part.end());
+        first = last;
+    }
+    return made;
+}
+
 Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document)
 {
     const Segment* segment = document.segment(stroke.segment);

@@ -461,6 +461,26 @@ QString RowList::check(const Value& value) const
     return {};
 }
 
+// --- PlaceList
+// --------------------------------------------------------------------
+
+QJsonValue PlaceList::write(const Value& value) const
+{
+    return RowList().write(value);
+}
+QString PlaceList::read(const QJsonValue& json, Value& value) const
+{
+    return RowList().read(json, value).isEmpty()
+        ? QString()
+        : QStringLiteral("must be a list of places, whole numbers from 1 on");
+}
+QString PlaceList::check(const Value& value) const
+{
+    if (value.empty())
+        return {};
+    return RowList().check(value).isEmpty() ? QString() : QStringLiteral("must ascend, from 1 on");
+}
+
 // --- StepCount
 // ---------------------------------------------------------------------------------------
 

@@ -217,6 +217,18 @@ struct RowList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// [place, …]: places in another list, from 1, each greater than the one before; may be empty.
+struct PlaceList {
+    using Value = std::vector<std::int64_t>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 /// A count of growth steps, or "toClosure".
 struct StepCount {
     using Value = std::optional<int>;

@@ -323,6 +323,8 @@ template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
         "of a disc: a direction across its plane, which holds the first point", "none, of a ball");
     visit.field("pointsLps", Presence::Required, path.pointsLps, PointList{positionLps},
         "the path, straight from point to point, patient coordinates (LPS)");
+    visit.field("lifts", Presence::Optional, path.lifts, PlaceList{},
+        "points that the path does not run to but begins anew at, counted from 0");
 }
 
 template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)

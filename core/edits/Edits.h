@@ -138,6 +138,8 @@ struct BrushPath {
     Shape shape = Shape::Ball;
     std::optional<glm::dvec3> normalLps{}; ///< of a disc's plane, which holds the first point
     std::vector<glm::dvec3> pointsLps{};
+    /// Places in pointsLps, ascending: the path does not run to these points but begins anew there.
+    std::vector<std::int64_t> lifts{};
 };
 
 /// Paints a segment, or erases it, along a path.

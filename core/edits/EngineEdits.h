@@ -41,9 +41,11 @@ namespace core {
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(
     const BrushPath& path, const VolumeGeometry& geometry, const QString& name);
 
-/// A brush's way through @p points, in pieces that the frame has room for; what cannot meet the
-/// volume is left out. A way may be converted in parts: `from` is the last point of the part before
-/// (none for the first).
+/// A brush's way, in pieces that the frame has room for; what cannot meet the volume is left out.
+[[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry);
+
+/// A part of it, through @p points: `from` is the last point of the part before (none for the
+/// first, and where the path begins anew).
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points);
 

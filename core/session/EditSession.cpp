@@ -194,10 +194,10 @@ void EditSession::extendDrill(const std::vector<PenSample>& samples)
         open->extendDrill(m_queue->state(), quantised(samples));
 }
 
-void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps)
+void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted)
 {
     if (VoxelOperation* open = m_queue->interactive())
-        open->extendPath(m_queue->state(), quantised(pointsLps));
+        open->extendPath(m_queue->state(), quantised(pointsLps), lifted);
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)

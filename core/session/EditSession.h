@@ -88,7 +88,8 @@ public:
     /// DrillStroke without samples, PaintStroke or BrushStroke with the first point, or GrowSteps
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
-    void extendPath(const std::vector<glm::dvec3>& pointsLps); ///< of a PaintStroke or BrushStroke
+    /// Of a PaintStroke or BrushStroke. @param lifted the path begins anew at the first of these
+    void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
     void extendGrowth(GrowAdvance advance);
     void pauseGrowth();
     void end(Ending ending);

@@ -106,8 +106,7 @@ Result<Ticket> PastCoverage::cut(SessionState& state, const StandingStroke& stan
         Result<CapsuleCut> cut = capsuleCut(brush, state.document);
         if (!cut)
             return tl::unexpected(cut.error());
-        CapsulePath path{capsules(
-            brush.path, state.document.volumes.front().geometry, nullptr, brush.path.pointsLps)};
+        CapsulePath path{capsules(brush.path, state.document.volumes.front().geometry)};
         return submitWhole(state.engine, *std::move(cut), {std::move(path)});
     }
     const DrillStroke& stroke = standing.stroke;

@@ -35,7 +35,7 @@ std::set<std::uint32_t> bricksUnder(
     const BrushPath& path, const CapsuleFrame& frame, const VolumeGeometry& geometry)
 {
     std::set<std::uint32_t> under;
-    for (const Capsule& capsule : capsules(path, geometry, nullptr, path.pointsLps)) {
+    for (const Capsule& capsule : capsules(path, geometry)) {
         const std::vector<std::uint32_t> near =
             bricksNear(frame, capsule, BrickGrid{geometry.size});
         under.insert(near.begin(), near.end());

@@ -121,8 +121,7 @@ void VoxelOperation::start(SessionState& state)
     if (drill && !drill->samples.empty())
         m_waiting.push_front(DrillPath{m_path->add(drill->samples)});
     if (const BrushPath* path = pathOf(m_edit))
-        m_waiting.push_front(CapsulePath{
-            capsules(*path, state.document.volumes.front().geometry, nullptr, path->pointsLps)});
+        m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
     if (grow && m_kind == Kind::Whole && grow->steps.value_or(1) > 0)
         m_waiting.push_back(GrowAdvance{.steps = grow->steps.value_or(GrowAdvance::toClosure)});
     if (m_kind == Kind::Whole)
@@ -146,16 +145,20 @@ void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSampl
     submitWaiting(state);
 }
 
-void VoxelOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps)
+void VoxelOperation::extendPath(
+    SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted)
 {
     BrushPath* path = pathOf(m_edit);
     if (!path || !open() || pointsLps.empty())
         return;
     if (m_begun) {
         const glm::dvec3 last = path->pointsLps.back();
-        m_waiting.push_back(CapsulePath{
-            capsules(*path, state.document.volumes.front().geometry, &last, pointsLps)});
+        const glm::dvec3* from = lifted ? nullptr : &last;
+        m_waiting.push_back(
+            CapsulePath{capsules(*path, state.document.volumes.front().geometry, from, pointsLps)});
     }
+    if (lifted)
+        path->lifts.push_back(std::int64_t(path->pointsLps.size()));
     path->pointsLps.insert(path->pointsLps.end(), pointsLps.begin(), pointsLps.end());
     submitWaiting(state);
 }

@@ -21,7 +21,7 @@ public:
 
     // Interactive ones only:
     void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
-    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps);
+    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted);
     void extendGrowth(SessionState& state, EngineExtension extension);
     void end(SessionState& state, Ending ending);
     [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }

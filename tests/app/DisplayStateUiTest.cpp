@@ -98,6 +98,14 @@ private:
         workspace.setActiveSegment(2);
         workspace.setActiveLayer(2);
         workspace.setDrillSettings({.radiusMm = 3.5, .depthMm = 12.5, .throughGaps = true});
+        workspace.setBrushSettings(ui::Workspace::Brush::Paint,
+            {.radiusMm = 6.5,
+                .disc = false,
+                .onlyBetween = true,
+                .lower = -7.0,
+                .upper = 80.5,
+                .overwriteUnlocked = true});
+        workspace.setBrushSettings(ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true});
         workspace.setGrowSettings({.lower = 15.0,
             .upper = 333.0,
             .overwriteUnlocked = true,
@@ -168,6 +176,16 @@ private Q_SLOTS:
         QCOMPARE(workspace.windowLevel(), (core::WindowLevel{210.0, 1800.0}));
         QCOMPARE(workspace.volumeDisplay().transferFunction.points[1].rgb, 0xC06040U);
         QCOMPARE(workspace.growSettings().generationsPerSecond, 20.0);
+        const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);
+        QVERIFY((paint
+            == ui::Workspace::BrushSettings{.radiusMm = 6.5,
+                .disc = false,
+                .onlyBetween = true,
+                .lower = -7.0,
+                .upper = 80.5,
+                .overwriteUnlocked = true}));
+        QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Carve).radiusMm, 2.5);
+        QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).disc);
         QCOMPARE(workspace.activeLayer(), 2);
         QCOMPARE(workspace.activeTool()->iconName(), QStringLiteral("seed"));
         QVERIFY(!workspace.session()->document().segment(1)->visible);

@@ -42,7 +42,7 @@ template <class T> T valueOf(core::Result<T> result)
 
 std::vector<Capsule> capsulesOf(const BrushPath& path, const core::Document& document)
 {
-    return core::capsules(path, document.volumes.front().geometry, nullptr, path.pointsLps);
+    return core::capsules(path, document.volumes.front().geometry);
 }
 
 template <class T> void shuffle(std::vector<T>& list, Random& random)
@@ -204,6 +204,10 @@ core::BrushPath randomPath(const core::Document& document, Random& random)
             break;
         case 1:
             path.pointsLps.push_back(randomPoint(geometry, random, 3.0));
+            break;
+        case 2:
+            path.lifts.push_back(std::int64_t(path.pointsLps.size()));
+            path.pointsLps.push_back(randomPoint(geometry, random, 0.1));
             break;
         default:
             path.pointsLps.push_back(randomPoint(geometry, random, 0.1));

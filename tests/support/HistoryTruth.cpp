@@ -186,9 +186,7 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return withoutLabel(before, remove->segment);
     if (const auto* paint = std::get_if<PaintStroke>(&edit))
         return after(before, *paintLabel(*paint, document),
-            {CapsulePath{
-                capsules(paint->path, m_study.volume.geometry, nullptr, paint->path.pointsLps)}},
-            nullptr);
+            {CapsulePath{capsules(paint->path, m_study.volume.geometry)}}, nullptr);
     const auto& grow = std::get<GrowSteps>(edit);
     const int steps = grow.steps.value_or(GrowAdvance::toClosure);
     std::vector<EngineExtension> extensions;
@@ -266,8 +264,7 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
         CapsuleCut alone = *capsuleCut(brush, before.document);
         alone.layer = truthLayer;
         alone.restore = false;
-        paths.push_back(CapsulePath{
-            capsules(brush.path, m_study.volume.geometry, nullptr, brush.path.pointsLps)});
+        paths.push_back(CapsulePath{capsules(brush.path, m_study.volume.geometry)});
         edit = alone;
     }
     Cut cut;

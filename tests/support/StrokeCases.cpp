@@ -64,15 +64,17 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
     } else if (std::holds_alternative<core::PaintStroke>(edit)
         || std::holds_alternative<core::BrushStroke>(edit)) {
         core::Edit first = edit;
-        const auto pathOf = [](core::Edit& each) -> core::BrushPath& {
-            auto* paint = std::get_if<core::PaintStroke>(&each);
-            return paint ? paint->path : std::get<core::BrushStroke>(each).path;
-        };
-        const std::vector<glm::dvec3> points = pathOf(first).pointsLps;
-        pathOf(first).pointsLps.resize(1);
+        auto* paint = std::get_if<core::PaintStroke>(&first);
+        core::BrushPath& path = paint ? paint->path : std::get<core::BrushStroke>(first).path;
+        const core::BrushPath whole = path;
+        const std::vector<glm::dvec3>& points = whole.pointsLps;
+        path.pointsLps.resize(1);
+        path.lifts.clear();
         require(session.begin(first), "begin");
         for (std::size_t next = 1; next < points.size(); ++next) {
-            session.extendPath({points[next]});
+            session.extendPath({points[next]},
+                std::find(whole.lifts.begin(), whole.lifts.end(), std::int64_t(next))
+                    != whole.lifts.end());
             session.poll();
         }
     } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
@@ -400,6 +402,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     paint.path.radiusMm = 5.0;
     paint.path.pointsLps = {geometry.toWorld({4.0, 9.0, 9.0}), geometry.toWorld({20.0, 16.0, 12.0}),
         geometry.toWorld({30.0, 30.0, 12.0})};
+    paint.path.lifts = {2}; // the last point is a dab of its own
     core::PaintStroke eraser = paint;
     eraser.erase = true;
     eraser.path.radiusMm = 7.0;

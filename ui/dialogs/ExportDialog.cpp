@@ -84,6 +84,10 @@ std::bitset<256> growingLabels(core::EditSession& session)
         if (const auto* seed = std::get_if<core::SeedStroke>(&edit)) {
             seeded.set(std::size_t(seed->segment));
             pending.set(std::size_t(seed->segment));
+        } else if (const auto* paint = std::get_if<core::PaintStroke>(&edit);
+                   paint && paint->seeds) {
+            seeded.set(std::size_t(paint->segment));
+            pending.set(std::size_t(paint->segment));
         } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
             pending.reset();
             // A row without a number of steps ran to closure; so did one that stopped early.

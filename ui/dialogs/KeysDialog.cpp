@@ -30,6 +30,8 @@ const Binding bindings[] = {
     {"Right drag", "zoom; grey scale with a tool", "zoom"},
     {"Wheel", "slices; Shift: five at a time", "zoom"},
     {"Ctrl + wheel", "zoom", "zoom"},
+    {"Ctrl held, with a brush", "paint erases, carve restores", "paint erases, carve restores"},
+    {"Pen's eraser end, with a brush", "the same as Ctrl", "the same as Ctrl"},
     {"Shift + wheel, with a tool", "radius", "radius"},
     {"Alt + wheel, with a tool", "depth", "depth"},
     {"Double click", "this view alone, or all four", "this view alone, or all four"},

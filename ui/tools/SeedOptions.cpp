@@ -13,18 +13,19 @@
 
 namespace ui {
 
-SeedOptions::SeedOptions(Workspace& workspace, QWidget* parent)
+SeedOptions::SeedOptions(Workspace& workspace, const QString& label, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_segments(new QComboBox(this))
 {
     m_segments->setObjectName(QStringLiteral("seedSegment"));
     m_segments->setFixedHeight(theme::controlHeight);
-    m_segments->setMinimumWidth(180);
+    m_segments->setMinimumWidth(120);
+    m_segments->setMaximumWidth(180);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(new QLabel(tr("Seeds for"), this));
+    layout->addWidget(new QLabel(label, this));
     layout->addWidget(m_segments);
 
     showSegments();

@@ -9,12 +9,12 @@ namespace ui {
 
 class Workspace;
 
-/// Which segment the seeds are for, in the option bar.
+/// Which segment a tool works for, in the option bar.
 class SeedOptions : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SeedOptions(Workspace& workspace, QWidget* parent = nullptr);
+    SeedOptions(Workspace& workspace, const QString& label, QWidget* parent = nullptr);
 
 private:
     void showSegments();

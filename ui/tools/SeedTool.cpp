@@ -99,7 +99,7 @@ QString SeedTool::keys() const
 
 QWidget* SeedTool::createOptions(QWidget* parent)
 {
-    return new SeedOptions(m_workspace, parent);
+    return new SeedOptions(m_workspace, tr("Seeds for"), parent);
 }
 
 bool SeedTool::worksIn(const ViewContext& view) const

@@ -57,13 +57,12 @@ struct Bench {
         const auto edit = paintLabel(stroke, document);
         if (!edit)
             qFatal("%s", qPrintable(edit.error().arguments.join(u' ')));
-        submitWhole(engine, *edit,
-            {CapsulePath{capsules(stroke.path, geometry(), nullptr, stroke.path.pointsLps)}});
+        submitWhole(engine, *edit, {CapsulePath{capsules(stroke.path, geometry())}});
     }
     void carve(const BrushStroke& stroke)
     {
         submitWhole(engine, *capsuleCut(stroke, document),
-            {CapsulePath{capsules(stroke.path, geometry(), nullptr, stroke.path.pointsLps)}});
+            {CapsulePath{capsules(stroke.path, geometry())}});
     }
     [[nodiscard]] std::vector<glm::ivec3> voxels(int label = 1) const
     {
@@ -106,6 +105,7 @@ private Q_SLOTS:
         Bench bench({28, 26, 14}, perVoxel);
         PaintStroke stroke{.segment = 1, .path = test::randomPath(bench.document, random)};
         stroke.path.shape = BrushPath::Shape::Ball;
+        stroke.path.lifts.clear();
         stroke.path.radiusMm = number % 7 == 0 ? 60.0 : 0.5 + 9.0 * test::randomUnit(random);
         bench.paint(stroke);
         reference::DenseFields fields = bench.engine.fields();
@@ -224,8 +224,9 @@ private Q_SLOTS:
         // To the bit where the points are the same.
         test::Random random(9);
         Bench bench({60, 40, 20}, oblique);
-        const BrushPath path = test::randomPath(bench.document, random);
-        const auto whole = capsules(path, bench.geometry(), nullptr, path.pointsLps);
+        BrushPath path = test::randomPath(bench.document, random);
+        path.lifts.clear();
+        const auto whole = capsules(path, bench.geometry());
         std::vector<Capsule> told = capsules(path, bench.geometry(), nullptr, {path.pointsLps[0]});
         for (std::size_t i = 1; i < path.pointsLps.size(); ++i) {
             const auto more =
@@ -238,14 +239,39 @@ private Q_SLOTS:
                 && told[i].length == whole[i].length);
     }
 
+    /// Where the pen is lifted nothing lies between.
+    void aLiftedPathIsTwo()
+    {
+        Bench bench({60, 40, 20}, straight);
+        PaintStroke stroke{.segment = 1};
+        stroke.path.radiusMm = 2.0;
+        const auto at = [&](int x) { return bench.geometry().toWorld({x, 20, 10}); };
+        stroke.path.pointsLps = {at(8), at(14), at(44), at(50)};
+        stroke.path.lifts = {2};
+        bench.paint(stroke);
+        bool before = false;
+        bool behind = false;
+        for (const glm::ivec3& voxel : bench.voxels()) {
+            QVERIFY(voxel.x < 18 || voxel.x > 40);
+            before = before || voxel.x == 11;
+            behind = behind || voxel.x == 47;
+        }
+        QVERIFY(before && behind);
+        // Places that are not there change nothing.
+        const std::size_t voxels = bench.voxels().size();
+        stroke.path.lifts = {2, 4, 900};
+        bench.paint(stroke);
+        QCOMPARE(bench.voxels().size(), voxels);
+    }
+
     void aLongWayCostsNoMoreThanTheVolumeHolds()
     {
         Bench bench({40, 36, 20}, straight);
         BrushPath path{.radiusMm = 0.01};
         path.pointsLps = {glm::dvec3(-99000, 99000, -99000), glm::dvec3(99000, -99000, 99000)};
-        QVERIFY(capsules(path, bench.geometry(), nullptr, path.pointsLps).size() < 100);
+        QVERIFY(capsules(path, bench.geometry()).size() < 100);
         path.pointsLps = {glm::dvec3(99000, 0, 0), glm::dvec3(99000, 5, 0)};
-        QVERIFY(capsules(path, bench.geometry(), nullptr, path.pointsLps).empty());
+        QVERIFY(capsules(path, bench.geometry()).empty());
     }
 
     void paintTakesOnlyWhatItMay()

@@ -113,6 +113,12 @@ private Q_SLOTS:
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cube'}"));
         QVERIFY(!cube);
         QCOMPARE(cube.error().arguments.value(0), QStringLiteral("brush.shape"));
+        const Result<Edit> lifted = editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0],[9,0,0]],'lifts':[1]}"));
+        QVERIFY(lifted);
+        QCOMPARE(std::get<BrushStroke>(*lifted).path.lifts, std::vector<std::int64_t>{1});
+        QVERIFY(!editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'lifts':[2,2]}")));
         QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':4,'pointsLps':[]}")));
         QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':0,'pointsLps':[[0,0,0]]}")));
     }

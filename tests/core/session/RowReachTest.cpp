@@ -138,9 +138,9 @@ private Q_SLOTS:
             QVERIFY(engine.openVolume(size, codes));
             const VolumeGeometry& geometry = document.volumes.front().geometry;
             submitWhole(engine, *paintLabel(paint, document),
-                {CapsulePath{capsules(paint.path, geometry, nullptr, paint.path.pointsLps)}});
+                {CapsulePath{capsules(paint.path, geometry)}});
             submitWhole(engine, *capsuleCut(brush, document),
-                {CapsulePath{capsules(brush.path, geometry, nullptr, brush.path.pointsLps)}});
+                {CapsulePath{capsules(brush.path, geometry)}});
             const std::vector<EngineResult> results = engine.collect();
             for (std::size_t which = 0; which < 2; ++which) {
                 const RowReach reach(which == 0 ? Edit(paint) : Edit(brush), document, {});
