@@ -5,6 +5,7 @@
 #include "tests/benchmarks/SessionDriver.h"
 #include "tests/benchmarks/TorsoVolume.h"
 #include "tests/benchmarks/WholeImageUndo.h"
+#include "tests/support/TypicalStrokes.h"
 #include "ui/ErrorText.h"
 
 #include <QTemporaryDir>
@@ -87,7 +88,8 @@ struct Kind {
     const Voxels* coverage = nullptr;
 };
 
-/// The scenario: a segment, a seed stroke, a liver, twenty drill strokes; then back and forth.
+/// The scenario: a segment, a seed stroke, a liver, a paint stroke, twenty drill strokes; then back
+/// and forth.
 class Scenario {
 public:
     Scenario(gpu::GpuEngine& engine, PeerReport& report)
@@ -137,6 +139,14 @@ private:
             return QStringLiteral("history: the liver has %1 L").arg(litres);
         m_report.add({"history.growth.held", "Ms", growth.longestCallMs()});
 
+        m_beforePaint = state();
+        session.apply(
+            core::AddSegment{.name = QStringLiteral("Lesion"), .rgb = 0x40B030, .code = {}});
+        session.apply(test::typicalPaintStroke(
+            2, glm::dvec3(-TorsoVolume::liverLps().x, 0.0, 60.0), core::BrushPath::Shape::Ball));
+        m_paintRow = session.lastRow();
+        m_afterPaint = state();
+
         std::vector<double> longest;
         std::vector<double> sums;
         for (int number = 0; number < strokeCount; ++number) {
@@ -148,7 +158,7 @@ private:
         }
         m_drillRow = session.lastRow();
         m_afterDrill = state();
-        if (session.history().rows().size() != strokeCount + 3)
+        if (session.history().rows().size() != strokeCount + 5)
             return QStringLiteral("history: a stroke changed nothing");
         m_heldMs = median(longest);
         m_report.add(
@@ -168,9 +178,15 @@ private:
             {.name = "growth",
                 .row = m_growthRow,
                 .before = &m_beforeGrowth.labels,
-                .after = &m_afterDrill.labels,
-                .labels = &m_afterDrill.labels,
+                .after = &m_beforePaint.labels,
+                .labels = &m_beforePaint.labels,
                 .coverage = &m_beforeGrowth.coverage},
+            {.name = "paint",
+                .row = m_paintRow,
+                .before = &m_beforePaint.labels,
+                .after = &m_afterPaint.labels,
+                .labels = &m_afterPaint.labels,
+                .coverage = &m_afterPaint.coverage},
             {.name = "seeds", .row = m_seedRow}};
     }
 
@@ -187,6 +203,10 @@ private:
         session.redo();
         if (!same(m_afterDrill) || session.hash() != hash)
             return QStringLiteral("history: redo of a stroke leads elsewhere");
+        session.goTo(m_paintRow);
+        session.undo();
+        if (!same(m_beforePaint))
+            return QStringLiteral("history: undo of paint leads elsewhere");
         session.goTo(m_growthRow);
         session.undo();
         if (!same(m_beforeGrowth)
@@ -333,8 +353,11 @@ private:
     std::unique_ptr<SessionDriver> m_driver;
     core::RowId m_seedRow = 0;
     core::RowId m_growthRow = 0;
+    core::RowId m_paintRow = 0;
     core::RowId m_drillRow = 0; ///< the last one
     State m_beforeGrowth;
+    State m_beforePaint;
+    State m_afterPaint;
     State m_beforeDrill; ///< before the last one
     State m_afterDrill;
     double m_heldMs = 0.0;
