@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/BrushOptions.h"
 
+#include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/tools/BrushTool.h"
 #include "ui/tools/SeedOptions.h"
@@ -10,11 +11,19 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidgetAction>
+
+#include <algorithm>
 
 namespace ui {
 
 namespace {
+
+constexpr int longestLimitsPixels = 120; ///< so that the bar fits into 1280 pixels
 
 QDoubleSpinBox* numberBox(QWidget* parent, const char* name)
 {
@@ -26,6 +35,18 @@ QDoubleSpinBox* numberBox(QWidget* parent, const char* name)
 }
 
 } // namespace
+
+QString intervalText(const Workspace& workspace)
+{
+    const Workspace::BrushSettings& settings = workspace.brushSettings(Workspace::Brush::Paint);
+    const core::Volume* volume = workspace.volume();
+    if (!settings.onlyBetween || !volume)
+        return {};
+    const double span = volume->maximum - volume->minimum;
+    return QObject::tr("only %1 … %2")
+        .arg(valueText(std::min(settings.lower, settings.upper), {}, span).trimmed(),
+            valueText(std::max(settings.lower, settings.upper), volume->unit, span));
+}
 
 BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget* parent)
     : QWidget(parent)
@@ -49,7 +70,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
     if (brush == Workspace::Brush::Paint)
-        layout->addWidget(new SeedOptions(workspace, tr("Segment"), this));
+        layout->addWidget(new SeedOptions(workspace, {}, this));
     layout->addWidget(new QLabel(tr("Radius"), this));
     layout->addWidget(m_radius);
     layout->addWidget(m_shape);
@@ -64,25 +85,44 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
 
 void BrushOptions::addPaintOptions(QHBoxLayout& layout)
 {
-    m_onlyBetween = new QCheckBox(tr("only values"), this);
+    // In a small window of its own: the bar has no room, but says what holds.
+    m_limits = new QToolButton(this);
+    m_limits->setObjectName(QStringLiteral("brushLimits"));
+    m_limits->setFixedHeight(theme::controlHeight);
+    m_limits->setPopupMode(QToolButton::InstantPopup);
+    m_limits->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    auto* menu = new QMenu(this);
+    auto* content = new QWidget(menu);
+    m_onlyBetween = new QCheckBox(tr("only values from"), content);
     m_onlyBetween->setObjectName(QStringLiteral("brushOnlyBetween"));
-    m_onlyBetween->setToolTip(tr("Only voxels whose value lies in an interval change"));
-    m_lower = numberBox(this, "brushLower");
-    m_upper = numberBox(this, "brushUpper");
-    m_overwrite = new QCheckBox(tr("over others"), this);
+    m_lower = numberBox(content, "brushLower");
+    m_upper = numberBox(content, "brushUpper");
+    m_overwrite = new QCheckBox(tr("over other segments that are not locked"), content);
     m_overwrite->setObjectName(QStringLiteral("brushOverwrite"));
-    m_overwrite->setToolTip(tr("Take voxels of other segments that are not locked"));
     for (QDoubleSpinBox* box : {m_lower, m_upper}) {
-        box->setDecimals(0);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setRange(-1e6, 1e6);
-        box->setFixedWidth(58);
+        box->setFixedWidth(96);
         connect(box, &QDoubleSpinBox::valueChanged, this, &BrushOptions::takeSettings);
     }
-    layout.addWidget(m_onlyBetween);
-    layout.addWidget(m_lower);
-    layout.addWidget(m_upper);
-    layout.addWidget(m_overwrite);
+    auto* interval = new QHBoxLayout;
+    interval->setSpacing(theme::smallPadding);
+    interval->addWidget(m_onlyBetween);
+    interval->addWidget(m_lower);
+    interval->addWidget(new QLabel(tr("to"), content));
+    interval->addWidget(m_upper);
+    interval->addStretch(1);
+    auto* rows = new QVBoxLayout(content);
+    rows->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    rows->setSpacing(theme::smallPadding);
+    rows->addLayout(interval);
+    rows->addWidget(m_overwrite);
+    auto* action = new QWidgetAction(menu);
+    action->setDefaultWidget(content);
+    menu->addAction(action);
+    m_limits->setMenu(menu);
+    layout.addWidget(m_limits);
     connect(m_onlyBetween, &QCheckBox::clicked, this, &BrushOptions::takeInterval);
     connect(m_overwrite, &QCheckBox::toggled, this, &BrushOptions::takeSettings);
 }
@@ -104,8 +144,18 @@ void BrushOptions::showSettings()
     for (QDoubleSpinBox* box : {m_lower, m_upper}) {
         // A volume of fractions needs them here too.
         box->setDecimals(volume && volume->maximum - volume->minimum < 50.0 ? 3 : 0);
-        box->setVisible(settings.onlyBetween);
+        box->setSuffix(volume ? QLatin1Char(' ') + volume->unit : QString());
+        box->setEnabled(settings.onlyBetween);
     }
+    QStringList limits;
+    if (settings.onlyBetween)
+        limits += intervalText(m_workspace);
+    if (settings.overwriteUnlocked)
+        limits += tr("over others");
+    const QString text = limits.isEmpty() ? tr("no limits") : limits.join(QStringLiteral(", "));
+    m_limits->setText(
+        m_limits->fontMetrics().elidedText(text, Qt::ElideRight, longestLimitsPixels));
+    m_limits->setToolTip(tr("Which voxels may change: %1").arg(text));
     m_lower->setValue(settings.lower);
     m_upper->setValue(settings.upper);
     m_overwrite->setChecked(settings.overwriteUnlocked);

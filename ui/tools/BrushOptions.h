@@ -9,8 +9,12 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QHBoxLayout;
+class QToolButton;
 
 namespace ui {
+
+/// "only 20 … 80 HU": the values that paint is limited to; empty: none.
+[[nodiscard]] QString intervalText(const Workspace& workspace);
 
 /// The settings of paint or the carve brush in the option bar; always in step with
 /// Workspace::brushSettings().
@@ -31,6 +35,7 @@ private:
     QDoubleSpinBox* m_radius = nullptr;
     QComboBox* m_shape = nullptr;
     // Paint only.
+    QToolButton* m_limits = nullptr;
     QCheckBox* m_onlyBetween = nullptr;
     QDoubleSpinBox* m_lower = nullptr;
     QDoubleSpinBox* m_upper = nullptr;

@@ -255,7 +255,10 @@ void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));
     if (view.isSlice())
         size += settings().disc ? tr(", this slice") : tr(", a ball");
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, {action(m_inverted), size});
+    QStringList lines{action(m_inverted), size};
+    if (const QString text = limits(); !text.isEmpty())
+        lines += text;
+    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
 }
 
 } // namespace ui

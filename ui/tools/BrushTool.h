@@ -42,6 +42,8 @@ protected:
     [[nodiscard]] const Workspace::BrushSettings& settings() const;
     /// "paints Liver", "erases Liver", or why it cannot.
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
+    /// Which voxels alone may change, in words; empty: any.
+    [[nodiscard]] virtual QString limits() const { return {}; }
     [[nodiscard]] virtual QColor colour() const = 0;
     /// What a stroke that begins now does along a path.
     [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(

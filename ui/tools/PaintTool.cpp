@@ -51,6 +51,11 @@ QString PaintTool::action(bool inverted) const
     return (inverted ? tr("erases %1") : tr("paints %1")).arg(segment->name);
 }
 
+QString PaintTool::limits() const
+{
+    return intervalText(workspace());
+}
+
 QColor PaintTool::colour() const
 {
     const core::EditSession* session = workspace().session();

@@ -22,6 +22,7 @@ public:
 
 protected:
     [[nodiscard]] QString action(bool inverted) const override;
+    [[nodiscard]] QString limits() const override;
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] core::Result<core::Edit> strokeAlong(
         const core::BrushPath& path, bool inverted) override;

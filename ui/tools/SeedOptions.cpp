@@ -20,12 +20,13 @@ SeedOptions::SeedOptions(Workspace& workspace, const QString& label, QWidget* pa
 {
     m_segments->setObjectName(QStringLiteral("seedSegment"));
     m_segments->setFixedHeight(theme::controlHeight);
-    m_segments->setMinimumWidth(120);
+    m_segments->setMinimumWidth(140);
     m_segments->setMaximumWidth(180);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(new QLabel(label, this));
+    if (!label.isEmpty())
+        layout->addWidget(new QLabel(label, this));
     layout->addWidget(m_segments);
 
     showSegments();

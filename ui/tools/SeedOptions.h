@@ -14,6 +14,7 @@ class SeedOptions : public QWidget {
     Q_OBJECT
 
 public:
+    /// @param label before the list; may be empty
     SeedOptions(Workspace& workspace, const QString& label, QWidget* parent = nullptr);
 
 private:

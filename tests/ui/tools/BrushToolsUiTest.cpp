@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
+#include <QToolButton>
 #include <QtTest>
 
 #include <cmath>
@@ -413,14 +414,19 @@ private Q_SLOTS:
         shape->setCurrentIndex(0);
         Q_EMIT shape->activated(0);
         QVERIFY(!settings().disc);
-        QVERIFY(!lower->isVisibleTo(lower->parentWidget()));
+        auto* limits = fixture.window.findChild<QToolButton*>(QStringLiteral("brushLimits"));
+        QVERIFY(limits);
+        QCOMPARE(limits->text(), QStringLiteral("no limits"));
+        QVERIFY(!lower->isEnabled());
         fixture.workspace.setGrowSettings({.lower = 0.0, .upper = 100.0});
         only->click();
         QVERIFY(settings().onlyBetween);
         QCOMPARE(settings().upper, 100.0);
-        QVERIFY(lower->isVisibleTo(lower->parentWidget()));
+        QVERIFY(lower->isEnabled());
         lower->setValue(20.0);
         over->click();
+        QVERIFY(limits->toolTip().endsWith(QStringLiteral(": only 20 … 100 HU, over others")));
+        QVERIFY(fixture.window.minimumSizeHint().width() <= 1280);
         QVERIFY(settings().overwriteUnlocked);
 
         test::Pen pen(fixture.slice);
