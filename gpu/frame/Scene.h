@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/ClipRegion.h"
 #include "core/volume/Volume.h"
 
 #include <glm/glm.hpp>
@@ -54,6 +55,10 @@ struct TransferFunction {
     bool operator==(const TransferFunction&) const = default;
 };
 
+/// How matter looks that lies open where something is carved away, clipped, or the scan ends:
+/// in the transfer function's colours, or grey as in a slice.
+enum class CutFaces : std::uint8_t { Material, GreyValues };
+
 /// The 3D view.
 struct VolumeScene {
     glm::dvec3 eyeLps{0.0, -500.0, 0.0};
@@ -66,6 +71,9 @@ struct VolumeScene {
     TransferFunction transferFunction;
     core::WindowLevel mipWindow;
     core::WindowLevel xrayWindow;
+    core::ClipRegion clip; ///< what it hides is not looked at, in any mode
+    CutFaces cutFaces = CutFaces::Material; ///< of surface and volume rendering
+    core::WindowLevel faceWindow; ///< of grey cut faces
     bool operator==(const VolumeScene&) const = default;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace gpu {
 
@@ -31,39 +32,49 @@ double stepMm(RenderMode mode, const core::VolumeGeometry& geometry)
     return finest;
 }
 
+/// Of cut faces where a scene names no colours: marrow to bone.
+TransferFunction materialColours(double from, double to)
+{
+    return {{{from, 0xB27059, 0.0}, {to, 0xF6E2C1, 1.0}}};
+}
+
 } // namespace
 
 RaycastPass::RaycastPass(const ShaderLibrary& library)
 {
     static constexpr std::array<const char*, renderModes> labels{
         "surface", "volume rendering", "MIP", "X-ray"};
-    for (std::size_t mode = 0; mode < labels.size(); ++mode) {
-        for (int sculpted = 0; sculpted < 2; ++sculpted) {
-            m_programs[2 * mode + std::size_t(sculpted)] = Program(library,
-                {.label = labels[mode],
-                    .fragmentPath = "render/raycast.frag",
-                    .defines = {{"MODE", int(mode)}, {"SCULPTED", sculpted}}});
-        }
+    for (std::size_t i = 0; i < m_programs.size(); ++i) {
+        const std::size_t mode = i / variants;
+        m_programs[i] = Program(library,
+            {.label = labels[mode],
+                .fragmentPath = "render/raycast.frag",
+                .defines = {
+                    {"MODE", int(mode)}, {"SCULPTED", int(i & 1)}, {"CLIPPED", int(i >> 1 & 1)}}});
     }
+}
+
+std::size_t RaycastPass::variantOf(const VolumeScene& scene, bool sculpted)
+{
+    return variants * std::size_t(scene.mode) + (sculpted ? 1 : 0) + (scene.clip.any() ? 2 : 0);
 }
 
 void RaycastPass::prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target)
 {
-    const auto mode = std::size_t(scene.mode);
-    const bool sculpted = volume.cells().isSculpted();
-    m_warm[mode] = m_warm[mode] || sculpted;
-    prepare(m_programs[2 * mode + (sculpted ? 1 : 0)], volume, scene, palette, target);
+    const std::size_t variant = variantOf(scene, volume.cells().isSculpted());
+    m_warm[variant] = true;
+    prepare(m_programs[variant], volume, scene, palette, target);
 }
 
 bool RaycastPass::prepareWarmUp(VolumeTextures& volume, const VolumeScene& scene,
     const Palette& palette, const PassTarget& target)
 {
-    const auto mode = std::size_t(scene.mode);
-    if (m_warm[mode])
+    const std::size_t variant = variantOf(scene, true);
+    if (m_warm[variant])
         return false;
-    m_warm[mode] = true;
-    prepare(m_programs[2 * mode + 1], volume, scene, palette, target);
+    m_warm[variant] = true;
+    prepare(m_programs[variant], volume, scene, palette, target);
     return true;
 }
 
@@ -71,6 +82,8 @@ void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeS
     const Palette& palette, const PassTarget& target)
 {
     setRays(active, volume, scene, ViewFrame::of(scene, target.frameSize), target);
+    if (scene.clip.any())
+        setClip(active, volume, scene.clip);
     const VisibleCodes visible = setMode(active, volume, scene);
     volume.intensity().bindUnit(0);
     volume.radiation().bindUnit(1);
@@ -146,6 +159,46 @@ void RaycastPass::setRays(Program& program, const VolumeTextures& volume, const 
         .set("aoTilt", target.sample == 0 ? 0.0f : 0.9f);
 }
 
+void RaycastPass::setClip(
+    Program& program, const VolumeTextures& volume, const core::ClipRegion& clip)
+{
+    const core::VolumeGeometry& geometry = volume.geometry();
+    const glm::dvec3 size(volume.size());
+    glm::dvec3 low(0.0);
+    glm::dvec3 high(1.0);
+    if (clip.box.on) {
+        low = glm::clamp((clip.box.minimum + 0.5) / size, 0.0, 1.0);
+        high = glm::clamp((clip.box.maximum + 0.5) / size, low, glm::dvec3(1.0));
+    }
+    std::array<glm::vec4, 3> planes;
+    std::array<glm::vec4, 3> normals;
+    static_assert(std::tuple_size_v<decltype(clip.planes)> == planes.size());
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        planes[i] = {0.0f, 0.0f, 0.0f, 1.0f}; // keeps all
+        normals[i] = glm::vec4(glm::vec3(clip.planes[i].normalLps), 0.0f);
+        core::ClipRegion alone;
+        alone.planes[i] = clip.planes[i];
+        for (const core::HalfSpace& half : core::halfSpaces(alone, geometry)) {
+            // texture = (index + 0.5) / size
+            planes[i] = glm::vec4(half.normal * size,
+                half.offset + 0.5 * (half.normal.x + half.normal.y + half.normal.z));
+        }
+    }
+    program.set("clipLow", glm::vec3(low))
+        .set("clipHigh", glm::vec3(high))
+        .set("clipPlanes", std::span<const glm::vec4>(planes))
+        .set("clipNormals", std::span<const glm::vec4>(normals));
+}
+
+/// What surface and volume rendering need for cut faces.
+void RaycastPass::setFaces(Program& program, const VolumeTextures& volume, const VolumeScene& scene)
+{
+    const core::VoxelEncoding& encoding = volume.encoding();
+    program.set("lookup", glm::vec2(m_transfer.entryOfTexel(encoding)))
+        .set("greyFaces", scene.cutFaces == CutFaces::GreyValues ? 1.0f : 0.0f)
+        .set("faceWindow", glm::vec2(greyOfTexel(encoding, scene.faceWindow)));
+}
+
 VisibleCodes RaycastPass::setMode(
     Program& program, VolumeTextures& volume, const VolumeScene& scene)
 {
@@ -158,13 +211,19 @@ VisibleCodes RaycastPass::setMode(
         program.set("threshold", float(code / 65535.0))
             .set("denseSpan", float(solid / 65535.0))
             .set("aoRadius", 14.0f);
+        m_transfer.set(scene.transferFunction.points.empty()
+                ? materialColours(scene.surfaceThreshold,
+                    scene.surfaceThreshold + solid * valueOfTexel(encoding).x / 65535.0)
+                : scene.transferFunction,
+            stepMm(scene.mode, volume.geometry()));
+        setFaces(program, volume, scene);
         return {{{code, lastCode}}};
     }
     case RenderMode::Dvr: {
         m_transfer.set(scene.transferFunction, stepMm(scene.mode, volume.geometry()));
+        setFaces(program, volume, scene);
         const glm::dvec2 value = valueOfTexel(encoding);
-        program.set("lookup", glm::vec2(m_transfer.entryOfTexel(encoding)))
-            .set("gradientFull", float(0.08 * m_transfer.span() / value.x));
+        program.set("gradientFull", float(0.08 * m_transfer.span() / value.x));
         return TransferLookup::visibleCodes(scene.transferFunction, encoding);
     }
     case RenderMode::Mip: {

@@ -37,11 +37,16 @@ private:
         const Palette& palette, const PassTarget& target);
     void setRays(Program& program, const VolumeTextures& volume, const VolumeScene& scene,
         const ViewFrame& view, const PassTarget& target);
+    void setClip(Program& program, const VolumeTextures& volume, const core::ClipRegion& clip);
+    void setFaces(Program& program, const VolumeTextures& volume, const VolumeScene& scene);
     /// @return codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
-    std::array<Program, 2 * renderModes> m_programs; ///< by mode, each plain and sculpted
-    std::array<bool, renderModes> m_warm{}; ///< by mode: the sculpted program has drawn
+    static constexpr std::size_t variants = 4; ///< plain or sculpted, plus twice clipped or not
+    [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, bool sculpted);
+
+    std::array<Program, variants * renderModes> m_programs;
+    std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
     TransferLookup m_transfer;
 };
 

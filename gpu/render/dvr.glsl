@@ -1,7 +1,6 @@
 // Direct volume rendering: front to back through a transfer function, lit by the gradient.
 
 /* Uniforms */
-uniform vec2 lookup;        // entry of the transfer function = code / 65535 · x + y
 uniform float gradientFull; // length of a per-voxel difference that is certainly a surface
 
 const float samplesPerGroup = 3.0;
@@ -13,17 +12,40 @@ struct Matter {
     bool inSegment;
 };
 
-Matter matterAt(vec3 at)
+/// How much of a cut face a place with this radiation is: the voxel or two behind the cut.
+float nearCarved(float carved)
+{
+    return smoothstep(0.06, 0.35, carved);
+}
+
+/// The same of the flat face of a clip plane, n samples behind where the ray begins.
+float nearFace(float n)
+{
+    return 1.0 - smoothstep(1.5, 3.0, n);
+}
+
+/// @param n samples behind where the ray begins
+Matter matterAt(vec3 at, float n)
 {
     Matter matter;
-    const float entry = texture(intensity, at).r * lookup.x + lookup.y;
-    const float lastEntry = float(textureSize(transferFunction, 0).x - 1);
-    matter.colour = texelFetch(transferFunction, ivec2(clamp(entry, 0.0, lastEntry), 0), 0);
+    const float code = texture(intensity, at).r;
+    matter.colour = transferAt(code);
     matter.inSegment = false;
+#if SCULPTED || CLIPPED
+    float face = 0.0;
+#endif
 #if SCULPTED
-    matter.colour.a *= 1.0 - smoothstep(0.45, 0.55, texture(radiation, at).r);
+    const float carved = texture(radiation, at).r;
+    face = nearCarved(carved);
+    matter.colour.a *= 1.0 - smoothstep(0.45, 0.55, carved);
     matter.inSegment = texture(segmentation, at).r >= 0.5;
     matter.colour.a = matter.inSegment ? 0.0 : matter.colour.a;
+#endif
+#if CLIPPED
+    face = max(face, nearFace(n));
+#endif
+#if SCULPTED || CLIPPED
+    matter.colour.rgb = mix(matter.colour.rgb, faceGrey(code), face * greyFaces);
 #endif
     return matter;
 }
@@ -33,6 +55,9 @@ vec3 seenAlong(Ray ray)
     const vec3 toViewer = -ray.world;
     const Samples samples = samplesOf(ray, cellSide);
     const float enough = 0.02;
+#if CLIPPED
+    const vec3 gateRise = normalize(transpose(textureToWorld) * -faceNormal(ray) * voxel);
+#endif
     float n = 1.0;
     vec3 seen = vec3(0.0);
     float through = 1.0;
@@ -56,7 +81,7 @@ vec3 seenAlong(Ray ray)
             }
             const float end = min(max(leaves(samples, cell, 0.0), n + 0.5), samples.last);
             do {
-                const Matter matter = matterAt(samples.origin + samples.step * n);
+                const Matter matter = matterAt(samples.origin + samples.step * n, n);
                 found = n < end && (matter.colour.a > 0.0 || matter.inSegment);
                 n += found ? 0.0 : 1.0;
             } while (n < end && !found);
@@ -74,7 +99,7 @@ vec3 seenAlong(Ray ray)
         float most = 1e-4;
         bool segmentSeen = false;
         do {
-            const Matter matter = matterAt(samples.origin + samples.step * n);
+            const Matter matter = matterAt(samples.origin + samples.step * n, n);
             const float opacity = found ? matter.colour.a : 0.0;
             const float share = groupThrough * opacity;
             glow += share * matter.colour.rgb;
@@ -88,8 +113,27 @@ vec3 seenAlong(Ray ray)
             segmentSeen = found && matter.inSegment;
             n += segmentSeen ? 0.0 : 1.0;
         } while (n < groupEnd && through * groupThrough > enough && !segmentSeen);
-        const vec3 at = samples.origin + samples.step * (changeAt / max(change, 1e-6));
-        const vec3 rise = tetrahedronDifferences(intensity, at);
+        const float changeN = changeAt / max(change, 1e-6);
+        const vec3 at = samples.origin + samples.step * changeN;
+        vec3 rise = tetrahedronDifferences(intensity, at);
+#if SCULPTED || CLIPPED
+        // Of a cut the field that cut it knows the normal; what was cut through need have none.
+        float face = 0.0;
+        vec3 faceRise = vec3(0.0);
+#endif
+#if SCULPTED
+        const vec3 carvedRise = centralDifferences(radiation, at, 1.0);
+        face = nearCarved(texture(radiation, at).r) * smoothstep(0.02, 0.10, length(carvedRise));
+        faceRise = -carvedRise / max(length(carvedRise), 1e-6);
+#endif
+#if CLIPPED
+        const float clipped = nearFace(changeN) * (change > 1e-6 ? 1.0 : 0.0);
+        faceRise = mix(faceRise, gateRise, clipped);
+        face = max(face, clipped);
+#endif
+#if SCULPTED || CLIPPED
+        rise = mix(rise, faceRise * gradientFull, face);
+#endif
         const vec3 slope = gradientToWorld * -rise;
         const vec3 normal = slope * inversesqrt(max(dot(slope, slope), 1e-16));
         // Translucent matter has no front: what faces away is lit from behind.

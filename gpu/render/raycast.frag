@@ -1,5 +1,8 @@
 // One pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity, 3 X-ray.
 #include "render/raycast.glsl"
+#if MODE <= 1
+#include "render/cutFace.glsl"
+#endif
 #if MODE == 0
 #include "render/surface.glsl"
 #elif MODE == 1

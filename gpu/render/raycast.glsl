@@ -6,7 +6,8 @@
 //
 // llvmpipe computes both sides of an `if` and every loop's body at least once, for all pixels of a
 // group: what is not needed at all must not be compiled. Hence the variants by SCULPTED (something
-// is carved away or a segment is shown) and loops that put much work behind few tests.
+// is carved away or a segment is shown) and CLIPPED (a clip box or plane is on), and loops that put
+// much work behind few tests.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity;    // code / 65535
@@ -39,6 +40,16 @@ uniform vec3 toLight;         // world, unit
 uniform vec3 viewUp;          // world, unit
 uniform float aoTilt;         // 0: straight along the normal
 
+#if CLIPPED // what is looked at is convex: a ray stays in it for one stretch
+uniform vec3 clipLow;  // texture
+uniform vec3 clipHigh;
+uniform vec4 clipPlanes[3];  // texture: kept where dot(xyz, at) ≤ w; what is off keeps all
+uniform vec4 clipNormals[3]; // world, unit, towards what is hidden
+#else
+const vec3 clipLow = vec3(0.0);
+const vec3 clipHigh = vec3(1.0);
+#endif
+
 /* Output */
 layout(location = 0) out vec4 colour;
 
@@ -56,6 +67,9 @@ struct Ray {
     float first;    // t of entry
     float last;     // t of exit
     float gridZero; // t of the sample grid's number 0; samples stand at gridZero + n · stepMm
+#if CLIPPED
+    vec3 gate; // world, unit: normal of the clip plane that it enters by; 0: of none
+#endif
 };
 
 uniform mat3 textureToWorld; // directions
@@ -78,12 +92,26 @@ Ray rayOf(vec2 fragment)
     const vec3 tiny = vec3(1e-12);
     const vec3 safe = mix(ray.direction, tiny, lessThan(abs(ray.direction), tiny));
     ray.inverse = 1.0 / safe;
-    const vec3 toLow = -ray.origin * ray.inverse;
-    const vec3 toHigh = (1.0 - ray.origin) * ray.inverse;
+    const vec3 toLow = (clipLow - ray.origin) * ray.inverse;
+    const vec3 toHigh = (clipHigh - ray.origin) * ray.inverse;
     const vec3 enter = min(toLow, toHigh);
     const vec3 leave = max(toLow, toHigh);
     ray.first = max(max(max(enter.x, enter.y), enter.z), nearest);
     ray.last = min(min(leave.x, leave.y), leave.z);
+#if CLIPPED
+    ray.gate = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        const vec4 plane = clipPlanes[i];
+        const float room = plane.w - dot(plane.xyz, ray.origin);
+        const float approach = dot(plane.xyz, ray.direction);
+        const float safe = abs(approach) < 1e-9 ? 1e-9 : approach;
+        const float t = room / safe;
+        const bool entering = safe < 0.0;
+        ray.gate = entering && t > ray.first ? clipNormals[i].xyz : ray.gate;
+        ray.first = entering ? max(ray.first, t) : ray.first;
+        ray.last = entering ? ray.last : min(ray.last, t);
+    }
+#endif
     ray.world = normalize(textureToWorld * ray.direction);
     const float jitter = fract(pixelNoise(fragment) + jitterPhase);
     ray.gridZero = ray.first - stepMm * jitter;
@@ -227,6 +255,22 @@ vec3 segmentColour(vec3 at)
         sum += vec4(entry.rgb, 1.0) * (entry.a * (share.x * share.y * share.z + 1e-4));
     }
     return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
+}
+
+/// Normal of the flat face that a ray enters by, world, towards the viewer: the end of the scan, or
+/// a clip plane.
+vec3 faceNormal(Ray ray)
+{
+    const vec3 at = ray.origin + ray.direction * ray.first;
+    const vec3 fromMiddle = (2.0 * at - clipLow - clipHigh) / (clipHigh - clipLow);
+    const vec3 far = abs(fromMiddle);
+    const float most = max(max(far.x, far.y), far.z);
+    const vec3 side = vec3(greaterThanEqual(far, vec3(most - 2e-4))) * sign(fromMiddle);
+    vec3 normal = normalize(gradientToWorld * side);
+#if CLIPPED
+    normal = dot(ray.gate, ray.gate) > 0.0 ? ray.gate : normal;
+#endif
+    return normal;
 }
 
 /// Soft headlight from above the viewer's shoulder, sky light, a little gloss: what an albedo is

@@ -6,7 +6,6 @@ uniform float denseSpan; // code / 65535 from the threshold to what is certainly
 uniform float aoRadius;  // mm
 
 const vec3 boneColour = vec3(0.965, 0.895, 0.775);
-const vec3 marrowColour = vec3(0.70, 0.44, 0.35);
 
 bool isDense(vec3 at)
 {
@@ -25,6 +24,16 @@ bool isSegment(vec3 at)
 }
 #endif
 
+#if CLIPPED
+bool isClipped(vec3 at)
+{
+    bool hidden = any(lessThan(at, clipLow)) || any(greaterThan(at, clipHigh));
+    for (int i = 0; i < 3; ++i)
+        hidden = hidden || dot(clipPlanes[i].xyz, at) > clipPlanes[i].w;
+    return hidden;
+}
+#endif
+
 /// How open the place is, by a few looks along a direction: one path with growing strides.
 float openness(vec3 at, vec3 directionWorld)
 {
@@ -39,6 +48,9 @@ float openness(vec3 at, vec3 directionWorld)
             texture(intensity, there).r);
 #if SCULPTED
         solid *= 1.0 - smoothstep(0.35, 0.65, texture(radiation, there).r);
+#endif
+#if CLIPPED
+        solid = isClipped(there) ? 0.0 : solid;
 #endif
         hidden += solid * (0.62 - 0.14 * float(look));
     }
@@ -97,18 +109,16 @@ vec3 seenAlong(Ray ray)
     }
     const vec3 at = ray.origin + ray.direction * t;
     const vec3 toViewer = -ray.world;
-    const float value = texture(intensity, at).r;
+    float value = texture(intensity, at).r;
     const vec3 slope = cubeDifferences(intensity, at, 0.6);
     vec3 normal = normalize(gradientToWorld * -slope + 1e-9 * toViewer);
     vec3 albedo = boneColour;
     float gloss = 0.10;
 
-    // The flat side of the scanned box: solid material is cut there by nature.
-    const vec3 fromCentre = abs(at - 0.5);
-    const float most = max(max(fromCentre.x, fromCentre.y), fromCentre.z);
-    vec3 cutNormal = normalize(gradientToWorld
-        * (vec3(greaterThanEqual(fromCentre, vec3(most - 1e-4))) * sign(at - 0.5)));
-    float cut = onBox ? 1.0 : 0.0;
+    // A flat face: solid material is cut there, by a clip plane or by the end of the scan.
+    const float flatFace = onBox ? 1.0 : 0.0;
+    vec3 cutNormal = faceNormal(ray);
+    float cut = flatFace;
 #if SCULPTED
     // Which of the two surfaces is nearer decides; in between they blend (distances in voxels).
     const vec3 rise = centralDifferences(radiation, at, 1.0);
@@ -117,14 +127,17 @@ vec3 seenAlong(Ray ray)
     const float nearCut = length(rise) > 1e-3 ? smoothstep(-0.4, 0.6, toIso - toCut) : 0.0;
     cutNormal = onBox ? cutNormal : normalize(gradientToWorld * rise + 1e-9 * toViewer);
     cut = max(cut, nearCut);
+    // What was cut through is what lies just behind the cut: at its rim the surface itself is grey
+    // with what was outside.
+    const vec3 behindCut = at - worldToTexture * (cutNormal * 0.5 * stepMm);
+    value = onBox ? value : max(value, texture(intensity, behindCut).r);
 #endif
-    const float solid = smoothstep(0.0, 1.0, (value - threshold) / denseSpan);
-    const vec3 cutColour = mix(marrowColour, boneColour * vec3(1.0, 0.99, 0.97), solid);
-    albedo = mix(albedo, cutColour, cut);
+    albedo = mix(albedo, mix(transferAt(value).rgb, faceGrey(value), greyFaces), cut);
     normal = normalize(mix(normal, cutNormal, cut) + 1e-6 * toViewer);
+    float grey = greyFaces * cut;
 #if SCULPTED
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
-    normal = segmentHit ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
+    normal = segmentHit && !onBox ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
     // Where a segment's surface and the tissue's are one surface but for a fraction of a voxel, the
     // segment's colour shows: without this the two would speckle.
     const vec3 behind = at + ray.direction * 2.0 * stepMm;
@@ -132,6 +145,7 @@ vec3 seenAlong(Ray ray)
     const float tinted = segmentHit ? 1.0 : smoothstep(0.25, 0.5, near);
     albedo = mix(albedo, segmentColour(segmentHit ? at : behind), tinted);
     gloss = segmentHit ? 0.22 : gloss;
+    grey *= 1.0 - tinted;
 #endif
     // A gradient that looks away is noise: bend it back into sight instead of a black speck.
     const float away = min(dot(normal, toViewer), 0.0);
@@ -142,6 +156,9 @@ vec3 seenAlong(Ray ray)
         = normalize(cross(normal, abs(normal.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0)));
     const vec3 tilted = normalize(
         normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
-    const vec3 seen = lit(albedo, lightOn(normal, toViewer, openness(at, tilted), gloss));
+    // Before a flat face there is nothing, whatever the scan holds there.
+    const float open = onBox ? 1.0 : openness(at, tilted);
+    const vec4 light = lightOnFace(lightOn(normal, toViewer, open, gloss), grey, flatFace);
+    const vec3 seen = lit(albedo, light);
     return hit ? seen : vec3(0.0);
 }

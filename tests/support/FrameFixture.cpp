@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameFixture.h"
 
+#include "tests/reference/Radiation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,6 +38,24 @@ void FrameFixture::fill(gpu::VolumeField field, const core::VoxelBox& box, std::
     gpu::Texture3D* textures[] = {&volume.labels(), &volume.radiation(), &volume.segmentation()};
     textures[int(field)]->clear(box.minimum, box.maximum - box.minimum, &value);
     volume.markDirty(field, box);
+}
+
+void FrameFixture::carve(const reference::DenseArray<std::uint8_t>& coverage)
+{
+    volume.radiation().upload<std::uint8_t>(reference::radiation(coverage).values);
+    volume.markDirty(gpu::VolumeField::Radiation, {glm::ivec3(0), coverage.size});
+}
+
+void FrameFixture::carveBox(const core::VoxelBox& box)
+{
+    reference::DenseArray<std::uint8_t> coverage{volume.size(), {}};
+    coverage.values.resize(
+        std::size_t(volume.size().x) * std::size_t(volume.size().y) * std::size_t(volume.size().z));
+    for (int z = box.minimum.z; z < box.maximum.z; ++z)
+        for (int y = box.minimum.y; y < box.maximum.y; ++y)
+            for (int x = box.minimum.x; x < box.maximum.x; ++x)
+                coverage.at({x, y, z}) = 255;
+    carve(coverage);
 }
 
 std::vector<gpu::Frame> FrameFixture::settle()

@@ -5,6 +5,7 @@
 #include "gpu/frame/FrameScheduler.h"
 #include "gpu/shaders/ShaderLibrary.h"
 #include "gpu/textures/VolumeTextures.h"
+#include "tests/reference/DenseFields.h"
 
 #include <QImage>
 
@@ -33,6 +34,9 @@ public:
         const core::VoxelEncoding& encoding = {});
     /// Fills a box of a field; 255 is carved away or inside a segment.
     void fill(gpu::VolumeField field, const core::VoxelBox& box, std::uint8_t value);
+    /// Carves a field of coverage, or a box, away as sculpting does: by its radiation.
+    void carve(const reference::DenseArray<std::uint8_t>& coverage);
+    void carveBox(const core::VoxelBox& box);
 
     /// Works until there is nothing left to do. @return frames handed out meanwhile
     std::vector<gpu::Frame> settle();

@@ -71,7 +71,7 @@ private Q_SLOTS:
             segments.rgb[1] = 0x4AA3FF;
             segments.rgb[2] = 0x59C07A;
             segments.visible[1] = segments.visible[2] = true;
-            fixture.fill(VolumeField::Radiation, {{36, 0, 34}, {60, 40, 64}}, 255);
+            fixture.carveBox({{36, 0, 34}, {60, 40, 64}});
             const core::VoxelBox first{{38, 22, 36}, {46, 32, 46}};
             const core::VoxelBox second{{46, 22, 36}, {54, 32, 42}};
             fixture.fill(VolumeField::Labels, first, 1);

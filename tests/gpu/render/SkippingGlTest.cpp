@@ -106,6 +106,25 @@ class SkippingGlTest : public test::GlTest {
         return scene;
     }
 
+    /// Some of it left, wherever it falls.
+    static core::ClipRegion randomClip(std::mt19937& random)
+    {
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        core::ClipRegion clip;
+        for (int axis = 0; axis < 3; ++axis) {
+            clip.box.minimum[axis] = 15.0 * unit(random);
+            clip.box.maximum[axis] = 25.0 + 20.0 * unit(random);
+        }
+        clip.box.on = unit(random) < 0.7;
+        for (core::ClipPlane& plane : clip.planes) {
+            const glm::dvec3 normal(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
+            plane.normalLps = glm::normalize(normal);
+            plane.pointLps = plane.normalLps * (12.0 * unit(random));
+            plane.on = unit(random) < 0.5;
+        }
+        return clip;
+    }
+
     static void sculpt(test::FrameFixture& fixture)
     {
         fixture.fill(VolumeField::Radiation, {{20, 5, 12}, {33, 40, 30}}, 255);
@@ -119,12 +138,17 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("mode");
         QTest::addColumn<bool>("sculpted");
-        for (const bool sculpted : {false, true}) {
-            const char* how = sculpted ? ", sculpted" : "";
-            QTest::addRow("surface%s", how) << int(RenderMode::Surface) << sculpted;
-            QTest::addRow("DVR%s", how) << int(RenderMode::Dvr) << sculpted;
-            QTest::addRow("MIP%s", how) << int(RenderMode::Mip) << sculpted;
-            QTest::addRow("X-ray%s", how) << int(RenderMode::Xray) << sculpted;
+        QTest::addColumn<bool>("clipped");
+        for (const bool clipped : {false, true}) {
+            for (const bool sculpted : {false, true}) {
+                const char* how = clipped ? (sculpted ? ", sculpted, clipped" : ", clipped")
+                    : sculpted            ? ", sculpted"
+                                          : "";
+                QTest::addRow("surface%s", how) << int(RenderMode::Surface) << sculpted << clipped;
+                QTest::addRow("DVR%s", how) << int(RenderMode::Dvr) << sculpted << clipped;
+                QTest::addRow("MIP%s", how) << int(RenderMode::Mip) << sculpted << clipped;
+                QTest::addRow("X-ray%s", how) << int(RenderMode::Xray) << sculpted << clipped;
+            }
         }
     }
 
@@ -132,6 +156,7 @@ private Q_SLOTS:
     {
         QFETCH(int, mode);
         QFETCH(bool, sculpted);
+        QFETCH(bool, clipped);
         const QTemporaryDir folder;
         test::FrameFixture quick;
         test::FrameFixture thorough(everySample(folder));
@@ -150,7 +175,9 @@ private Q_SLOTS:
                 if (sculpted)
                     sculpt(*fixture);
             }
-            const VolumeScene scene = randomScene(random, RenderMode(mode));
+            VolumeScene scene = randomScene(random, RenderMode(mode));
+            if (clipped)
+                scene.clip = randomClip(random);
             const Frame a = quick.draw(scene, size, segments);
             const Frame b = thorough.draw(scene, size, segments);
             int off = 0;
