@@ -15,12 +15,14 @@
 #include "ui/Theme.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
+#include "ui/panels/ClippingPanel.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/CarveBrushTool.h"
+#include "ui/tools/ClipTool.h"
 #include "ui/tools/DrillTool.h"
 #include "ui/tools/PaintTool.h"
 #include "ui/tools/SeedTool.h"
@@ -66,12 +68,14 @@ void Application::makeWindow()
     ui::MainWindow& window = *m_window;
     auto* drill = new ui::DrillTool(*m_workspace, &window);
     auto* carve = new ui::CarveBrushTool(*m_workspace, &window);
+    auto* clip = new ui::ClipTool(*m_workspace, &window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
     auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
     window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
+    window.addTool(*clip, window.sculptMenu(), QKeySequence(QStringLiteral("Shift+C")));
     window.actionTable().fill(window.sculptMenu(),
         {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute")});
     window.addToolGroup();
@@ -85,12 +89,13 @@ void Application::makeWindow()
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::LayersPanel(*m_workspace));
     window.addPanel(new ui::VolumePanel(*m_workspace));
+    window.addPanel(new ui::ClippingPanel(*m_workspace, window.views().volume()));
 
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     new ui::DisplayState(
-        *m_workspace, window.views(), {drill, carve, seed, paint, undoHere}, &window);
+        *m_workspace, window.views(), {drill, carve, clip, seed, paint, undoHere}, &window);
 
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);

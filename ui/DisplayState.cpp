@@ -24,6 +24,7 @@ constexpr std::array<const char*, gpu::renderModes> modeNames{
     "surface", "dvr", "mip", "xray"}; ///< gpu::RenderMode
 constexpr std::array<std::pair<const char*, Workspace::Brush>, 2> brushes{
     {{"paint", Workspace::Brush::Paint}, {"carve", Workspace::Brush::Carve}}};
+constexpr std::array<const char*, 2> faceNames{"material", "grey"}; ///< gpu::CutFaces
 
 // --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
 
@@ -120,7 +121,8 @@ QJsonObject toJson(const Workspace::VolumeDisplay& display)
         {QStringLiteral("surfaceThreshold"), display.surfaceThreshold},
         {QStringLiteral("transferFunction"), toJson(display.transferFunction)},
         {QStringLiteral("mipWindow"), toJson(display.mipWindow)},
-        {QStringLiteral("xrayWindow"), toJson(display.xrayWindow)}};
+        {QStringLiteral("xrayWindow"), toJson(display.xrayWindow)},
+        {QStringLiteral("cutFaces"), QLatin1String(faceNames[std::size_t(display.cutFaces)])}};
 }
 
 void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
@@ -134,6 +136,52 @@ void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
     read(json[QLatin1String("transferFunction")], display.transferFunction);
     read(json[QLatin1String("mipWindow")], display.mipWindow);
     read(json[QLatin1String("xrayWindow")], display.xrayWindow);
+    const QString faces = json[QLatin1String("cutFaces")].toString();
+    for (std::size_t i = 0; i < faceNames.size(); ++i) {
+        if (faces == QLatin1String(faceNames[i]))
+            display.cutFaces = gpu::CutFaces(i);
+    }
+}
+
+QJsonObject toJson(const core::ClipRegion& clip)
+{
+    QJsonArray planes;
+    for (const core::ClipPlane& plane : clip.planes)
+        planes.append(QJsonObject{{QStringLiteral("pointLps"), toJson(plane.pointLps)},
+            {QStringLiteral("normalLps"), toJson(plane.normalLps)},
+            {QStringLiteral("on"), plane.on}});
+    return {{QStringLiteral("box"),
+                QJsonObject{{QStringLiteral("minimum"), toJson(clip.box.minimum)},
+                    {QStringLiteral("maximum"), toJson(clip.box.maximum)},
+                    {QStringLiteral("on"), clip.box.on}}},
+        {QStringLiteral("planes"), planes}};
+}
+
+void read(const QJsonValue& json, core::ClipPlane& plane)
+{
+    core::ClipPlane read = plane;
+    ui::read(json[QLatin1String("pointLps")], read.pointLps);
+    ui::read(json[QLatin1String("normalLps")], read.normalLps);
+    ui::read(json[QLatin1String("on")], read.on);
+    if (std::abs(glm::length(read.normalLps) - 1.0) < 1e-6)
+        plane = read;
+}
+
+/// @param whole the greatest box
+void read(const QJsonValue& json, const core::ClipRegion& whole, core::ClipRegion& clip)
+{
+    const QJsonValue boxJson = json[QLatin1String("box")];
+    core::ClipRegion::Box box = clip.box;
+    read(boxJson[QLatin1String("minimum")], box.minimum);
+    read(boxJson[QLatin1String("maximum")], box.maximum);
+    read(boxJson[QLatin1String("on")], box.on);
+    box.minimum = glm::max(box.minimum, whole.box.minimum);
+    box.maximum = glm::min(box.maximum, whole.box.maximum);
+    if (glm::all(glm::lessThan(box.minimum, box.maximum)))
+        clip.box = box;
+    const QJsonArray planes = json[QLatin1String("planes")].toArray();
+    for (std::size_t i = 0; i < clip.planes.size() && qsizetype(i) < planes.size(); ++i)
+        read(planes[qsizetype(i)], clip.planes[i]);
 }
 
 // --- Where the views stand. ----------------------------------------------------------------------
@@ -255,6 +303,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("showPatient"), options.showPatient},
         {QStringLiteral("showSegments"), options.showSegments},
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
+        {QStringLiteral("clip"), toJson(m_workspace.clip())},
         {QStringLiteral("views"), composedViews()},
         {QStringLiteral("activeSegment"), m_workspace.activeSegment()},
         {QStringLiteral("activeLayer"), m_workspace.activeLayer()},
@@ -305,6 +354,9 @@ void DisplayState::apply(const QJsonObject& state)
     Workspace::VolumeDisplay volume = m_workspace.volumeDisplay();
     read(state[QLatin1String("volume")], volume);
     m_workspace.setVolumeDisplay(volume);
+    core::ClipRegion clip = m_workspace.clip();
+    read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
+    m_workspace.setClip(clip);
     applyTools(state);
     applyViews(state[QLatin1String("views")].toObject());
 }

@@ -42,6 +42,7 @@ gpu::VolumeScene volumeScene(const Camera& camera, const Workspace::VolumeDispla
     scene.transferFunction = display.transferFunction;
     scene.mipWindow = display.mipWindow;
     scene.xrayWindow = display.xrayWindow;
+    scene.cutFaces = display.cutFaces;
     return scene;
 }
 

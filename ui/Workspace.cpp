@@ -64,6 +64,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         m_crosshairLps = geometry.toWorld(glm::dvec3(geometry.size / 2));
         m_windowLevel = opened->defaultWindow;
         m_volumeDisplay = initialVolumeDisplay(*opened);
+        m_clip = core::wholeVolume(geometry);
         m_viewOptions.inverted = opened->displayInverted;
         if (!m_session->document().segments.empty())
             m_activeSegment = m_session->document().segments.front().label;
@@ -74,6 +75,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT crosshairChanged();
     Q_EMIT windowLevelChanged();
     Q_EMIT volumeDisplayChanged();
+    Q_EMIT clipChanged();
     Q_EMIT viewOptionsChanged();
     Q_EMIT activeSegmentChanged();
     Q_EMIT activeLayerChanged();
@@ -162,6 +164,14 @@ void Workspace::setVolumeDisplay(const VolumeDisplay& display)
         return;
     m_volumeDisplay = display;
     Q_EMIT volumeDisplayChanged();
+}
+
+void Workspace::setClip(const core::ClipRegion& clip)
+{
+    if (clip == m_clip)
+        return;
+    m_clip = clip;
+    Q_EMIT clipChanged();
 }
 
 gpu::SegmentDisplay Workspace::segmentDisplay() const

@@ -57,6 +57,7 @@ public:
         /// Its own: what shows soft tissue on a slice drowns every bone along a ray.
         core::WindowLevel mipWindow;
         core::WindowLevel xrayWindow; ///< of means, which air thins
+        gpu::CutFaces cutFaces = gpu::CutFaces::GreyValues;
         bool operator==(const VolumeDisplay&) const = default;
     };
 
@@ -98,6 +99,9 @@ public:
     void setActiveLayer(int id);
     [[nodiscard]] const VolumeDisplay& volumeDisplay() const { return m_volumeDisplay; }
     void setVolumeDisplay(const VolumeDisplay& display);
+    /// What of the volume the 3D view shows; no step of undo. A new session shows all.
+    [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
+    void setClip(const core::ClipRegion& clip);
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
@@ -148,6 +152,7 @@ Q_SIGNALS:
     void activeSegmentChanged();
     void activeLayerChanged();
     void volumeDisplayChanged();
+    void clipChanged();
     void drillSettingsChanged();
     void brushSettingsChanged();
     void growSettingsChanged();
@@ -171,6 +176,7 @@ private:
     int m_activeSegment = 0;
     int m_activeLayer = 0;
     VolumeDisplay m_volumeDisplay;
+    core::ClipRegion m_clip;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

@@ -94,7 +94,14 @@ private:
             {{-100.0, 0x204060, 0.0}, {35.0, 0xC06040, 0.02}, {900.5, 0xFFFFEE, 0.6}}};
         volume.mipWindow = {500.0, 700.0};
         volume.xrayWindow = {-400.0, 900.0};
+        volume.cutFaces = gpu::CutFaces::Material;
         workspace.setVolumeDisplay(volume);
+        core::ClipRegion clip = workspace.clip();
+        clip.box.minimum.x += 0.75;
+        clip.box.maximum.z -= 0.5;
+        clip.box.on = true;
+        clip.planes[1] = {{1.0, 2.0, 130.0}, glm::normalize(glm::dvec3(1.0, -2.0, 0.5)), true};
+        workspace.setClip(clip);
         workspace.setActiveSegment(2);
         workspace.setActiveLayer(2);
         workspace.setDrillSettings({.radiusMm = 3.5, .depthMm = 12.5, .throughGaps = true});
@@ -254,7 +261,9 @@ private Q_SLOTS:
                           "'growth':null}");
         QTest::newRow("out of range")
             << QByteArray("{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
-                          "'activeSegment':99,'tool':'chainsaw','volume':{'mode':'hologram',"
+                          "'activeSegment':99,'tool':'chainsaw','clip':{'box':{'minimum':[9,9,9],'"
+                          "maximum':[1,1,1],'on':true},"
+                          "'planes':[{'normalLps':[0,0,0],'on':true}]},'volume':{'mode':'hologram',"
                           "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
                           "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},'volume':"
                           "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"

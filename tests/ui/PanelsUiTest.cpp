@@ -2,6 +2,7 @@
 #include "tests/support/WindowFixture.h"
 #include "ui/PanelColumn.h"
 #include "ui/PanelSection.h"
+#include "ui/panels/ClippingPanel.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/LayersPanel.h"
@@ -32,7 +33,8 @@ struct PanelsFixture : test::WindowFixture {
     {
         for (ui::Panel* panel : std::initializer_list<ui::Panel*>{new ui::SegmentsPanel(workspace),
                  new ui::GrowthPanel(workspace), new ui::HistoryPanel(workspace),
-                 new ui::LayersPanel(workspace), new ui::VolumePanel(workspace)})
+                 new ui::LayersPanel(workspace), new ui::VolumePanel(workspace),
+                 new ui::ClippingPanel(workspace, window.views().volume())})
             window.addPanel(panel);
         window.showPanels(true);
         QTest::qWait(50);
@@ -182,8 +184,8 @@ private Q_SLOTS:
     void panelsLeaveAndComeBack()
     {
         PanelsFixture fixture(QSize(1200, 800));
-        const QStringList all =
-            ids({"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel", "VolumePanel"});
+        const QStringList all = ids({"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel",
+            "VolumePanel", "ClippingPanel"});
         QCOMPARE(fixture.docked(), all);
         fixture.clickPlace("GrowthPanel");
         ui::PanelSection& growth = fixture.section("GrowthPanel");
@@ -191,8 +193,8 @@ private Q_SLOTS:
         QVERIFY(growth.isVisible());
         QCOMPARE(growth.windowTitle(), QStringLiteral("Growth"));
         QVERIFY(fixture.window.findChild<QPushButton*>(QStringLiteral("growPlay"))->isVisible());
-        QCOMPARE(
-            fixture.docked(), ids({"SegmentsPanel", "HistoryPanel", "LayersPanel", "VolumePanel"}));
+        QCOMPARE(fixture.docked(),
+            ids({"SegmentsPanel", "HistoryPanel", "LayersPanel", "VolumePanel", "ClippingPanel"}));
         // Its own button, or closing its window.
         fixture.clickPlace("GrowthPanel");
         QVERIFY(!growth.isFloating());
@@ -226,8 +228,8 @@ private Q_SLOTS:
     {
         PanelsFixture fixture(QSize(1200, 800));
         const int narrow = fixture.window.views().width();
-        for (const char* id :
-            {"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel", "VolumePanel"})
+        for (const char* id : {"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel",
+                 "VolumePanel", "ClippingPanel"})
             fixture.clickPlace(id);
         QVERIFY(!fixture.column().isVisible());
         QVERIFY(fixture.window.views().width() >= narrow + ui::PanelSection::leastWidth);
@@ -238,7 +240,7 @@ private Q_SLOTS:
         fixture.trigger("view.panels");
         QVERIFY(growth.isVisible());
         fixture.trigger("view.resetPanels");
-        QCOMPARE(fixture.docked().size(), 5);
+        QCOMPARE(fixture.docked().size(), 6);
         QTRY_COMPARE(fixture.window.views().width(), narrow);
         fixture.clickPlace("GrowthPanel");
         fixture.window.closeStudy();
@@ -271,7 +273,7 @@ private Q_SLOTS:
         {
             PanelsFixture fixture(QSize(1200, 800));
             fixture.window.restoreLayout(); // nothing kept yet: all in the column
-            QCOMPARE(fixture.docked().size(), 5);
+            QCOMPARE(fixture.docked().size(), 6);
             fixture.clickPlace("HistoryPanel");
             fixture.section("HistoryPanel").resize(333, 222);
             fixture.section("GrowthPanel").setFolded(true);
@@ -284,7 +286,7 @@ private Q_SLOTS:
             fixture.window.close();
         }
         PanelsFixture fixture(QSize(1200, 800));
-        QCOMPARE(fixture.docked().size(), 5);
+        QCOMPARE(fixture.docked().size(), 6);
         fixture.window.restoreLayout();
         QTest::qWait(50);
         QCOMPARE(fixture.window.size(), QSize(1111, 777));
@@ -293,7 +295,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.section("HistoryPanel").size(), QSize(333, 222));
         QVERIFY(fixture.section("GrowthPanel").isFolded());
         QVERIFY(!fixture.section("LayersPanel").isFolded());
-        QCOMPARE(fixture.docked(), ids({"SegmentsPanel", "GrowthPanel", "LayersPanel"}));
+        QCOMPARE(fixture.docked(),
+            ids({"SegmentsPanel", "GrowthPanel", "LayersPanel", "ClippingPanel"}));
         QCOMPARE(fixture.column().width(), width);
     }
 };

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> opacityOfCodes(
 core::PickVoxels pickQuestion(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
     const core::Volume& volume)
 {
-    core::PickRays picked = core::pickRays(orthographicView(scene), planeMm, volume.geometry);
+    core::PickRays picked = core::pickRays(orthographicView(scene), planeMm, volume.geometry, scene.clip);
     core::PickVoxels question;
     question.rays = std::move(picked.rays);
     switch (scene.mode) {

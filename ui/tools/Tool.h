@@ -40,6 +40,12 @@ public:
     [[nodiscard]] virtual QWidget* createOptions(QWidget* /*parent*/) { return nullptr; }
     [[nodiscard]] virtual bool worksIn(const ViewContext& view) const = 0;
 
+    /// Whether a press here is the tool's, in a view that it works in; else the view navigates.
+    [[nodiscard]] virtual bool takes(const PointerSample&, const ViewContext&) const
+    {
+        return true;
+    }
+
     virtual void press(const PointerSample&, const ViewContext&) { }
     virtual void drag(const PointerSample&, const ViewContext&) { }
     virtual void release(const PointerSample&, const ViewContext&) { }

@@ -218,7 +218,8 @@ void ImageView::pointerPressed(const PointerReading& reading)
         Q_EMIT maximiseToggled();
         return;
     }
-    m_gesture = gestureFor(reading.button, toolWorksHere());
+    const bool tools = toolWorksHere() && m_tool->takes(reading.sample, context());
+    m_gesture = gestureFor(reading.button, tools);
     if (m_navigateKey && reading.button == Qt::LeftButton && m_gesture == Gesture::Window)
         m_gesture = Gesture::Pan;
     m_gestureButton = reading.button;

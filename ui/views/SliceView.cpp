@@ -5,6 +5,7 @@
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
+#include "ui/views/ClipOutline.h"
 #include "ui/views/OrientationLetters.h"
 
 #include <QKeyEvent>
@@ -43,6 +44,7 @@ SliceView::SliceView(
     , m_axes(sliceAxes(orientation))
 {
     connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
+    connect(&workspace, &Workspace::clipChanged, this, qOverload<>(&SliceView::update));
     openVolume();
 }
 
@@ -263,6 +265,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     const Workspace::ViewOptions& options = workspace().viewOptions();
     const auto& slice = std::get<gpu::SliceScene>(shown.scene);
 
+    paintClipSection(painter, shown, workspace().clip(), volume.geometry);
     if (options.showCrosshair) {
         const bool axial = m_orientation == SliceOrientation::Axial;
         const bool sagittal = m_orientation == SliceOrientation::Sagittal;

@@ -34,6 +34,11 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     : ImageView(workspace, view, parent)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
+    connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
+    connect(&workspace, &Workspace::windowLevelChanged, this, [this] {
+        if (std::get<gpu::VolumeScene>(scene()).faceWindow == this->workspace().windowLevel())
+            requestMovingFrame();
+    });
     openVolume();
 }
 
@@ -92,7 +97,14 @@ void VolumeView::lookFrom(const glm::dvec3& sideLps)
 
 gpu::Scene VolumeView::scene() const
 {
-    return volumeScene(m_camera, workspace().volumeDisplay());
+    gpu::VolumeScene scene = volumeScene(m_camera, workspace().volumeDisplay());
+    scene.clip = workspace().clip();
+    // Only where it shows: another grey scale of the slices is no other picture else.
+    const bool shaded =
+        scene.mode == gpu::RenderMode::Surface || scene.mode == gpu::RenderMode::Dvr;
+    if (shaded && scene.cutFaces == gpu::CutFaces::GreyValues)
+        scene.faceWindow = workspace().windowLevel();
+    return scene;
 }
 
 ImageView::Gesture VolumeView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/ClipRegion.h"
+#include "ui/panels/Panel.h"
+
+#include <array>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace ui {
+
+class RangeSlider;
+class VolumeView;
+class Workspace;
+
+/// What the 3D view shows of the volume without anything being carved: a box, up to three planes,
+/// and how cut faces look. Nothing here is a step of undo.
+class ClippingPanel : public Panel {
+    Q_OBJECT
+
+public:
+    /// @param view whose camera planes face
+    ClippingPanel(Workspace& workspace, VolumeView& view, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] bool foldedAtFirst() const override { return true; }
+
+private:
+    struct AxisRow {
+        QLabel* low = nullptr; ///< orientation letters of its ends
+        QLabel* high = nullptr;
+        RangeSlider* slider = nullptr; ///< mm from the volume's low side
+        QLabel* text = nullptr;
+    };
+    struct PlaneRow {
+        QCheckBox* on = nullptr;
+        QSlider* offset = nullptr; ///< tenths of a millimetre from the volume's middle
+        QLabel* text = nullptr;
+        QToolButton* place = nullptr;
+        QToolButton* flip = nullptr;
+        QToolButton* look = nullptr;
+    };
+
+    void build();
+    void showVolume();
+    void showClip();
+    void takeBox(bool on);
+    void takeAxis(int axis, double lower, double upper);
+    void takeOffset(std::size_t row, double offsetMm);
+    /// Through the crosshair, hiding what lies before it.
+    void place(std::size_t row);
+    void change(std::size_t row, const core::ClipPlane& plane);
+    void reset();
+    [[nodiscard]] double offsetOf(const core::ClipPlane& plane) const; ///< mm
+
+    Workspace& m_workspace;
+    VolumeView& m_view;
+    QCheckBox* m_box = nullptr;
+    QToolButton* m_reset = nullptr;
+    std::array<AxisRow, 3> m_axes;
+    std::array<PlaneRow, 3> m_planes;
+    QComboBox* m_faces = nullptr;
+};
+
+} // namespace ui
