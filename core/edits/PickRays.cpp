@@ -4,38 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace core {
 
 namespace {
 
-/// Distances along a line, in its own unit.
-struct Stretch {
-    double from = 0.0;
-    double to = 0.0;
-};
-
-/// Where @p origin + t · @p direction lies between 0 and size − 1 along every axis.
-std::optional<Stretch> insideVolume(
-    const glm::dvec3& origin, const glm::dvec3& direction, const glm::ivec3& size)
+/// Between 0 and size − 1 along every axis: where voxels' centres are.
+std::vector<HalfSpace> betweenCentres(const glm::ivec3& size)
 {
-    Stretch stretch{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-    for (int axis = 0; axis < 3; ++axis) {
-        const double last = size[axis] - 1;
-        if (std::abs(direction[axis]) < 1e-12) {
-            if (origin[axis] < 0.0 || origin[axis] > last)
-                return std::nullopt;
-            continue;
-        }
-        const double a = -origin[axis] / direction[axis];
-        const double b = (last - origin[axis]) / direction[axis];
-        stretch.from = std::max(stretch.from, std::min(a, b));
-        stretch.to = std::min(stretch.to, std::max(a, b));
-    }
-    if (stretch.from > stretch.to)
-        return std::nullopt;
-    return stretch;
+    ClipRegion centres;
+    centres.box = {glm::dvec3(0.0), glm::dvec3(size - 1), true};
+    return halfSpaces(centres, {});
 }
 
 glm::ivec3 fixed16(const glm::dvec3& index)
@@ -46,7 +25,7 @@ glm::ivec3 fixed16(const glm::dvec3& index)
 } // namespace
 
 PickRays pickRays(const OrthographicView& view, const std::vector<glm::dvec2>& planeMm,
-    const VolumeGeometry& geometry)
+    const VolumeGeometry& geometry, const ClipRegion& clip)
 {
     const glm::dvec3 forward = glm::normalize(view.targetLps - view.eyeLps);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, view.up));
@@ -58,17 +37,22 @@ PickRays pickRays(const OrthographicView& view, const std::vector<glm::dvec2>& p
     const glm::dmat4 toIndex = geometry.worldToIndex();
     const glm::dvec3 perSample(toIndex * glm::dvec4(forward * result.sampleMm, 0.0));
     result.rays.reserve(planeMm.size());
+    std::vector<HalfSpace> seen = betweenCentres(geometry.size);
+    const std::vector<HalfSpace> unclipped = halfSpaces(clip, geometry);
+    seen.insert(seen.end(), unclipped.begin(), unclipped.end());
+    const LineStretch everywhere{
+        -std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
     for (const glm::dvec2& point : planeMm) {
         const glm::dvec3 world = view.targetLps + right * point.x + up * point.y;
         const glm::dvec3 origin(toIndex * glm::dvec4(world, 1.0));
         PickVoxels::Ray ray;
-        if (const auto inside = insideVolume(origin, perSample, geometry.size)) {
+        if (const auto inside = stretchInside(everywhere, origin, perSample, seen)) {
             // On the sample grid that counts from the target's plane, so that neighbouring rays
             // step through the volume together.
             const double first = std::ceil(inside->from);
             ray.origin = fixed16(origin + perSample * first);
             ray.step = fixed16(perSample);
-            ray.samples = int(std::floor(inside->to) - first) + 1;
+            ray.samples = std::max(int(std::floor(inside->to) - first) + 1, 0);
         }
         result.rays.push_back(ray);
     }

@@ -3,6 +3,7 @@
 
 #include "core/edits/Edits.h"
 #include "core/engine/EngineCommands.h"
+#include "core/volume/ClipRegion.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <glm/glm.hpp>
@@ -19,8 +20,9 @@ struct PickRays {
 };
 
 /// @param planeMm points in the view plane: right of and above the target, mm
-/// Each ray starts at its first sample inside the volume and ends at its last.
+/// Each ray starts at its first sample inside the volume and the clip region and ends at its last.
 [[nodiscard]] PickRays pickRays(const OrthographicView& view,
-    const std::vector<glm::dvec2>& planeMm, const VolumeGeometry& geometry);
+    const std::vector<glm::dvec2>& planeMm, const VolumeGeometry& geometry,
+    const ClipRegion& clip = {});
 
 } // namespace core

@@ -67,6 +67,48 @@ private Q_SLOTS:
         }
     }
 
+    /// Picks land on what is seen: the same samples, but for those that a clip region hides.
+    void raysEndWhereTheClipRegionDoes()
+    {
+        const VolumeGeometry geometry = tiltedGeometry();
+        OrthographicView view;
+        view.targetLps = geometry.toWorld({20, 15, 10});
+        view.eyeLps = view.targetLps + glm::dvec3(-30.0, -200.0, 40.0);
+        core::ClipRegion clip = core::wholeVolume(geometry);
+        clip.box = {{5.0, 4.0, 3.0}, {30.0, 25.0, 15.0}, true};
+        clip.planes[1] = {view.targetLps, glm::normalize(glm::dvec3(0.2, -1.0, 0.1)), true};
+        const std::vector<core::HalfSpace> halves = core::halfSpaces(clip, geometry);
+        std::vector<glm::dvec2> points;
+        for (int i = 0; i < 60; ++i)
+            points.push_back({-9.0 + 0.3 * i, 6.0 - 0.21 * i});
+        const core::PickRays whole = core::pickRays(view, points, geometry);
+        const core::PickRays clipped = core::pickRays(view, points, geometry, clip);
+        int shorter = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            std::vector<glm::ivec3> expected;
+            for (int n = 0; n < whole.rays[i].samples; ++n) {
+                const glm::ivec3 at = whole.rays[i].origin + n * whole.rays[i].step;
+                bool seen = true;
+                for (const core::HalfSpace& half : halves)
+                    seen = seen && glm::dot(half.normal, glm::dvec3(at) / 65536.0) <= half.offset;
+                if (seen)
+                    expected.push_back(at);
+            }
+            QVERIFY(std::abs(clipped.rays[i].samples - int(expected.size())) <= 1); // rounding
+            if (expected.empty())
+                continue;
+            shorter += clipped.rays[i].samples < whole.rays[i].samples ? 1 : 0;
+            const glm::ivec3 apart = clipped.rays[i].origin - expected.front();
+            const glm::ivec3 step = glm::abs(clipped.rays[i].step);
+            QVERIFY(glm::all(glm::lessThanEqual(glm::abs(apart), step + 64)));
+        }
+        QVERIFY(shorter > 20);
+        // What hides everything leaves no samples.
+        clip.planes[2] = {view.targetLps + glm::dvec3(0.0, 0.0, 500.0), {0.0, 0.0, -1.0}, true};
+        for (const auto& ray : core::pickRays(view, points, geometry, clip).rays)
+            QCOMPARE(ray.samples, 0);
+    }
+
     void aRayThatMissesHasNoSamples()
     {
         const VolumeGeometry geometry = tiltedGeometry();
