@@ -174,6 +174,14 @@ Result<bool> apply(const BrushStroke&, Document&)
 {
     return false;
 }
+Result<bool> apply(const PeelCut&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const ScissorsCut&, Document&)
+{
+    return false;
+}
 
 /// A stroke into a layer that is not there or not seen would be lost work.
 Result<void> checkLayer(const char* field, int id, const Document& document)
@@ -250,6 +258,17 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
             !checked)
             return checked;
         return discardValue(capsuleCut(*brush, document));
+    }
+    if (const auto* peel = std::get_if<PeelCut>(&edit)) {
+        if (const Result<void> checked = checkLayer("peel.layer", peel->layer, document); !checked)
+            return checked;
+        return discardValue(maskPeel(*peel, document));
+    }
+    if (const auto* cut = std::get_if<ScissorsCut>(&edit)) {
+        if (const Result<void> checked = checkLayer("scissors.layer", cut->layer, document);
+            !checked)
+            return checked;
+        return discardValue(maskScissors(*cut, document));
     }
     return {}; // "undo only" and revisions read the history, not the document
 }

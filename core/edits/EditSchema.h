@@ -42,6 +42,8 @@ template <> inline constexpr const char* editName<RevertRows> = "revert";
 template <> inline constexpr const char* editName<ReviseStroke> = "reviseStroke";
 template <> inline constexpr const char* editName<PaintStroke> = "paint";
 template <> inline constexpr const char* editName<BrushStroke> = "brush";
+template <> inline constexpr const char* editName<PeelCut> = "peel";
+template <> inline constexpr const char* editName<ScissorsCut> = "scissors";
 
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
@@ -95,6 +97,12 @@ inline constexpr const char* editMeaning<PaintStroke> =
 template <>
 inline constexpr const char* editMeaning<BrushStroke> =
     "Carves along a path, or restores what was carved there.";
+template <>
+inline constexpr const char* editMeaning<PeelCut> =
+    "Takes a shell of even thickness off the visible surface inside a closed curve.";
+template <>
+inline constexpr const char* editMeaning<ScissorsCut> =
+    "Cuts out what lies inside a closed curve along the view, or restores what was carved there.";
 
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
 inline constexpr editFields::WholeNumber layerNumber{1, 254};
@@ -107,6 +115,9 @@ inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
+inline constexpr editFields::Number peelDepth{"mm", 0.0, 100.0, quantum::perMillimetre};
+inline constexpr editFields::Outline viewOutline{
+    editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number maskSide{"mm", 0.02, 400.0, quantum::perMillimetre};
 inline constexpr editFields::Outline maskOutline{
     editFields::Number{"mm", -200.0, 200.0, quantum::perMillimetre}};
@@ -215,6 +226,14 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
         "whether growth takes voxels of other segments that are not locked");
 }
 
+template <class Visitor> void visitSurface(Visitor& visit, double& threshold)
+{
+    visit.group("surface", "what is seen, hence where a cut starts", [&](auto& inside) {
+        inside.field("threshold", Presence::Required, threshold, modalityValue,
+            "values from here on are material");
+    });
+}
+
 /// What is pressed into the volume.
 template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
 {
@@ -273,10 +292,7 @@ template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
     });
     visit.field("pressureExponent", Presence::Optional, edit.pressureExponent, WholeNumber{1, 3},
         "depth = depthMm · pressure to this power");
-    visit.group("surface", "what is seen, hence where the drill starts", [&](auto& inside) {
-        inside.field("threshold", Presence::Required, edit.surfaceThreshold, modalityValue,
-            "values from here on are material");
-    });
+    visitSurface(visit, edit.surfaceThreshold);
     visit.field("throughGaps", Presence::Optional, edit.throughGaps, Flag{},
         "whether the drill goes on behind a gap in the material");
     visit.field("guardMm", Presence::Optional, edit.guardMm, drillDepth,
@@ -350,6 +366,43 @@ template <class Visitor> void visitFields(Visitor& visit, BrushStroke& edit)
     visitPath(visit, edit.path);
     visit.field("restore", Presence::Optional, edit.restore, editFields::Flag{},
         "whether carved voxels come back instead");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
+{
+    using namespace editFields;
+    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+    visitView(visit, edit.view);
+    visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
+        "a closed curve in the view plane, relative to the target: right, up");
+    visit.field(
+        "depthMm", Presence::Required, edit.depthMm, peelDepth, "thickness of what is taken off");
+    visitSurface(visit, edit.surfaceThreshold);
+    visit.field("throughGaps", Presence::Optional, edit.throughGaps, Flag{},
+        "whether it goes on behind a gap in the material");
+    visit.field("jumpMm", Presence::Optional, edit.jumpMm, drillDepth,
+        "where the surface jumps by more than this it is another one, and only the largest is "
+        "peeled; 0: all of them");
+    visit.field("restore", Presence::Optional, edit.restore, Flag{},
+        "whether it fills again what was carved, from the surface outwards");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
+{
+    using namespace editFields;
+    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+    visitView(visit, edit.view);
+    visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
+        "a closed curve in the view plane, relative to the target: right, up");
+    visit.maybe(
+        "depthMm", edit.depthMm, drillDepth, "depth below the surface", "through everything");
+    visit.field("firstLayerOnly", Presence::Optional, edit.firstLayerOnly, Flag{},
+        "whether it ends at the first gap in the material");
+    visitSurface(visit, edit.surfaceThreshold);
+    visit.field("restore", Presence::Optional, edit.restore, Flag{},
+        "whether it fills again what was carved");
 }
 
 } // namespace core::editSchema

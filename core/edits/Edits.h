@@ -160,6 +160,31 @@ struct BrushStroke {
     bool restore = false;
 };
 
+/// Takes a shell of even thickness off the part of the surface that a closed curve surrounds.
+struct PeelCut {
+    int layer = 1;
+    OrthographicView view{};
+    std::vector<glm::dvec2> polygonMm{}; ///< closed by itself; in the view plane, from the target
+    double depthMm = 4.0;
+    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    bool throughGaps = false;
+    /// Where the surface jumps by more than this from one element to the next it is another
+    /// surface, and only the largest is peeled; 0: all of them.
+    double jumpMm = 4.0;
+    bool restore = false;
+};
+
+/// Cuts out what lies under a closed curve, along the view.
+struct ScissorsCut {
+    int layer = 1;
+    OrthographicView view{};
+    std::vector<glm::dvec2> polygonMm{}; ///< closed by itself; in the view plane, from the target
+    std::optional<double> depthMm{}; ///< below the surface; none: through everything
+    bool firstLayerOnly = false; ///< only to the first gap in the material
+    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    bool restore = false;
+};
+
 /// "Undo only here": takes back older rows of the history and leaves what came after them. Their
 /// bricks must not have been written or read since (session/RowReach.h).
 struct RevertRows {
@@ -179,6 +204,6 @@ struct ReviseStroke {
 
 using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
-    RevertRows, ReviseStroke, PaintStroke, BrushStroke>;
+    RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut>;
 
 } // namespace core

@@ -36,6 +36,13 @@ namespace core {
 /// InvalidField (also a mask that is too small).
 [[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
 
+/// A peel without its depth, and its depth. Errors: InvalidField (also a curve that is too small).
+[[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
+[[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);
+
+/// Errors: InvalidField (also a curve that is too small).
+[[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
+
 /// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
 /// below @p name (no point, a disc without a direction across its plane).
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(

@@ -5,6 +5,8 @@
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
+#include "core/sculpt/MaskPeel.h"
+#include "core/sculpt/MaskScissors.h"
 
 #include <bitset>
 #include <cstdint>
@@ -89,9 +91,10 @@ struct CapsuleCut {
     CapsuleFrame frame;
 };
 
-/// DrillCut (sculpt/DrillCut.h): cut with the drill into the coverage of one sculpt layer.
-using EngineEdit
-    = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut>;
+/// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
+/// sculpt layer with a mask that is pressed into the volume along the view.
+using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut,
+    MaskPeel, MaskScissors>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -114,15 +117,20 @@ struct CapsulePath {
     std::vector<Capsule> capsules;
 };
 
-using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath>;
+/// How deep an open MaskPeel is from now on; it begins with 0. Deeper or less deep than before.
+struct PeelDepth {
+    std::int32_t depth = 0; ///< mm16, ≥ 0
+};
+
+using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth>;
 
 // --- Commands -------------------------------------------------------------------------------------
 
 // A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField: BeginEdit
 // while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of another kind
-// of edit; SwapBricks or MuteLayers while a transaction is open; a brick or voxel that the volume
+// of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is open; a brick or voxel that the volume
 // does not have; an image that is neither empty nor whole; a connectivity other than 6; a segment
-// label of 0; a drill's frame whose pitch, rampHalfWidth or gapSamples is below 1; a brush's that is
+// label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a brush's that is
 // not sound (isSound()); a table of opacities of another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
 // open too.
 

@@ -7,10 +7,14 @@ namespace core {
 
 bool StandingStroke::operator==(const StandingStroke& other) const
 {
-    // A revision changes nothing else of a stroke.
-    return row == other.row && removed == other.removed && stroke.mask == other.stroke.mask
-        && stroke.depthMm == other.stroke.depthMm && stroke.layer == other.stroke.layer
-        && stroke.throughGaps == other.stroke.throughGaps;
+    if (row != other.row || removed != other.removed)
+        return false;
+    const DrillStroke* one = drill();
+    const DrillStroke* two = other.drill();
+    // A revision changes nothing else, and no other cut.
+    return !one || !two
+        || (one->mask == two->mask && one->depthMm == two->depthMm && one->layer == two->layer
+            && one->throughGaps == two->throughGaps);
 }
 
 std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
@@ -18,18 +22,14 @@ std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
     std::vector<StandingStroke> strokes;
     for (const RowId id : history.standing(at)) {
         const Edit& edit = history.row(id).edit;
-        if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
-            strokes.push_back({.row = id, .stroke = *drill, .removed = false});
-        } else if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
-            StandingStroke& stroke = strokes.emplace_back();
-            stroke.row = id;
-            stroke.brush = *brush;
+        if (std::optional<SculptEdit> sculpted = sculptEdit(edit)) {
+            strokes.push_back({.row = id, .form = *std::move(sculpted), .removed = false});
         } else if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
             const auto found = std::find_if(strokes.begin(), strokes.end(),
                 [revise](const StandingStroke& stroke) { return stroke.row == revise->row; });
             if (found == strokes.end())
                 continue;
-            found->stroke = revised(std::get<DrillStroke>(history.row(revise->row).edit), *revise);
+            found->form = revised(std::get<DrillStroke>(history.row(revise->row).edit), *revise);
             found->removed = revise->removed;
         }
     }

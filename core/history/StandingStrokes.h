@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/SculptEdits.h"
 #include "core/history/History.h"
 
 #include <vector>
 
 namespace core {
 
-/// A sculpting stroke of the history as it counts now: of the drill, or of the carve brush.
+/// A cut of the history as it counts now.
 struct StandingStroke {
-    RowId row = 0; ///< where it was drawn; its rays start on the surface as it was before that row
-    DrillStroke stroke{}; ///< as the last ReviseStroke that stands made it
+    RowId row = 0; ///< where it was made; its rays start on the surface as it was before that row
+    SculptEdit form{}; ///< a drill stroke: as the last ReviseStroke that stands made it
     bool removed = false; ///< by ReviseStroke: cuts nothing
-    std::optional<BrushStroke>
-        brush{}; ///< of the carve brush, which needs no surface; no drill then
     bool operator==(const StandingStroke& other) const;
 
-    [[nodiscard]] int layer() const { return brush ? brush->layer : stroke.layer; }
-    [[nodiscard]] bool restores() const { return brush ? brush->restore : stroke.restore; }
-    [[nodiscard]] Edit edit() const { return brush ? Edit(*brush) : Edit(stroke); }
+    [[nodiscard]] const DrillStroke* drill() const { return std::get_if<DrillStroke>(&form); }
 };
 
 /// The strokes whose cuts, laid over each other, are the coverage after a row; in the order in

@@ -21,9 +21,9 @@ enum class DrillMode : std::uint8_t {
 ///    b. Contribution of a sample with depth_s > 0 to the elements under it, those with m > 0: in
 ///       mode Limit (depth_s · m) >> 8, in mode Rate depth_s · m.
 ///    c. Guard. Z_s = the lower median of zSurface over the elements under s that have one. Where
-///       guard ≥ 0, an element whose zSurface > Z_s + guard receives nothing from s: the surface has
-///       a hole there, and the drill does not fall through. So it does not matter in which order
-///       samples come.
+///       guard ≥ 0, an element whose zSurface > Z_s + guard receives nothing from s: the surface
+///       has a hole there, and the drill does not fall through. So it does not matter in which
+///       order samples come.
 ///    d. Depth D(a, b), of what an element receives: in mode Limit the greatest, in mode
 ///       Rate min(maxDepth, (their sum) >> 16), 64-bit.
 ///    e. Column of an element with D > 0 and a surface, weight 255: (zSurface − 2r,

@@ -35,11 +35,11 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    along x, y, z: X = (c₀(256−f) + c₁f) >> 4, Y = (X₀(256−f) + X₁f) >> 4, Z = Y₀(256−f) + Y₁f,
 ///    all in unsigned 32 bits; dense iff Z ≥ thresholdCode·2¹⁶ (thresholdCode 65536: never dense).
 ///    Radiation (see Radiation.h) *as it was when the edit began* is interpolated alike without the
-///    shifts; carved iff the result ≥ 128·2²⁴. Material = inside, dense and not carved.
+///    shifts; carved iff the result ≥ 128·2²⁴, while restoring ≥ 64·2²⁴ (beside a wall too, or the
+///    last row of a cut would never come back). Material = inside, dense and not carved.
 /// 4. Surface. n₀ = the first sample 0 ≤ n < sampleCount with material at (n, 0); none: the element
 ///    cuts nothing. For n₀ > 0 four bisections of [(n₀−1)·16, n₀·16] in sixteenths (middle =
-///    (low + high) / 2; material → high, else low) give (n, q) = (high / 16, high % 16);
-///    for n₀ = 0 it is (0, 0). zSurface = z(n, q).
+///    (low + high) / 2; material → high, else low), else (0, 0); zSurface = z(high / 16, high % 16).
 ///    Restoring: n_c = the last sample before n₀ (before sampleCount where there is no n₀) that is
 ///    inside, dense and carved at (n, 0); none: the element restores nothing. Where n₀ = n_c + 1,
 ///    zSurface is as above; else, where what was carved ends at a gap or all is drilled through,

@@ -3,6 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
+#include "core/edits/EditSchema.h"
 #include "core/session/AuditReport.h"
 #include "core/session/EditOperation.h"
 #include "core/session/OperationQueue.h"
@@ -174,7 +175,7 @@ Result<void> EditSession::begin(const Edit& edit)
     const Edit rounded = quantised(edit);
     const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
         || std::holds_alternative<PaintStroke>(rounded)
-        || std::holds_alternative<BrushStroke>(rounded);
+        || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded);
     if (!isStroke && !std::holds_alternative<GrowSteps>(rounded))
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));
@@ -198,6 +199,13 @@ void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps, bool lift
 {
     if (VoxelOperation* open = m_queue->interactive())
         open->extendPath(m_queue->state(), quantised(pointsLps), lifted);
+}
+
+void EditSession::setPeelDepth(double depthMm)
+{
+    const editFields::Number& field = editSchema::peelDepth;
+    if (VoxelOperation* open = m_queue->interactive(); open && field.check(depthMm).isEmpty())
+        open->setPeelDepth(m_queue->state(), field.rounded(depthMm));
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)

@@ -85,16 +85,20 @@ public:
     Result<void> apply(const Edit& edit);
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
-    /// DrillStroke without samples, PaintStroke or BrushStroke with the first point, or GrowSteps
+    /// DrillStroke without samples, PaintStroke or BrushStroke with the first point, PeelCut,
+    /// or GrowSteps
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
     /// Of a PaintStroke or BrushStroke. @param lifted the path begins anew at the first of these
     void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
+    /// Of a PeelCut that was begun: deeper or less deep; out of range it stays as it is.
+    void setPeelDepth(double depthMm);
     void extendGrowth(GrowAdvance advance);
     void pauseGrowth();
     void end(Ending ending);
     [[nodiscard]] bool transactionOpen() const;
-    /// A growth that runs is committed at its generation; a stroke is left alone.
+    /// A growth that runs is committed at its generation, an open peel at its depth; a stroke is
+    /// left alone. All that follows does it by itself.
     void closeGrowth();
 
     Result<void> undo();

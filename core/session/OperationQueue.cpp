@@ -53,7 +53,7 @@ OperationQueue::~OperationQueue()
     m_answers.clear();
     m_closing = true;
     if (VoxelOperation* open = interactive())
-        open->end(m_state, open->isGrowth() ? Ending::Commit : Ending::Rollback);
+        open->end(m_state, open->standsOpen() ? Ending::Commit : Ending::Rollback);
     static_cast<void>(settle());
     if (m_wakeUp)
         m_state.engine.setWakeUp({});
@@ -97,9 +97,10 @@ void OperationQueue::end(VoxelOperation& stroke, Ending ending)
 void OperationQueue::closeGrowth()
 {
     VoxelOperation* open = interactive();
-    if (!open || !open->isGrowth())
+    if (!open || !open->standsOpen())
         return;
-    open->extendGrowth(m_state, GrowPause{});
+    if (open->isGrowth())
+        open->extendGrowth(m_state, GrowPause{});
     open->end(m_state, Ending::Commit);
     advance();
 }

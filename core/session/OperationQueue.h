@@ -22,7 +22,7 @@ public:
     /// @param wakeUp as in EditSession::Options
     OperationQueue(EditEngine& engine, Volume volume, std::unique_ptr<SessionFile> file,
         std::function<void()> wakeUp);
-    /// Commits a growth under way, rolls a stroke back, and waits for the disk.
+    /// Commits a growth or peel under way, rolls a stroke back, and waits for the disk.
     ~OperationQueue();
 
     void submit(std::unique_ptr<Operation> operation);
@@ -32,7 +32,7 @@ public:
     /// The stroke under the pen or the growth that runs; null: none.
     [[nodiscard]] VoxelOperation* interactive() const;
     void end(VoxelOperation& stroke, Ending ending);
-    /// A growth that runs is committed at its generation.
+    /// A growth that runs is committed at its generation, an open peel at its depth.
     void closeGrowth();
 
     void poll();

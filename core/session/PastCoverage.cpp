@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/PastCoverage.h"
 
-#include "core/edits/DrillPathSampler.h"
-#include "core/edits/EngineEdits.h"
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -97,26 +94,12 @@ void PastCoverage::overlay(SessionState& state, const std::map<BrickKey, BrickIm
         m_toPut[key] = m_images.at(key);
 }
 
-Result<Ticket> PastCoverage::cut(SessionState& state, const StandingStroke& standing)
+Result<Ticket> PastCoverage::cut(SessionState& state, const SculptEdit& edit)
 {
-    if (standing.brush) {
-        BrushStroke brush = *standing.brush;
-        brush.layer = scratchLayer;
-        brush.restore = false;
-        Result<CapsuleCut> cut = capsuleCut(brush, state.document);
-        if (!cut)
-            return tl::unexpected(cut.error());
-        CapsulePath path{capsules(brush.path, state.document.volumes.front().geometry)};
-        return submitWhole(state.engine, *std::move(cut), {std::move(path)});
-    }
-    const DrillStroke& stroke = standing.stroke;
-    Result<DrillCut> cut = drillCut(stroke, state.document);
+    Result<WholeCut> cut = cutAlone(edit, state.document, scratchLayer);
     if (!cut)
         return tl::unexpected(cut.error());
-    cut->layer = scratchLayer;
-    cut->laying = Laying::Carve;
-    DrillPath path{drillPath(stroke, *cut)};
-    return submitWhole(state.engine, *std::move(cut), {std::move(path)});
+    return submitWhole(state.engine, std::move(cut->edit), std::move(cut->extensions));
 }
 
 StrokeCut PastCoverage::cutOf(const EngineResult& result)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/Edits.h"
-#include "core/history/StandingStrokes.h"
+#include "core/edits/SculptEdits.h"
 #include "core/session/SessionState.h"
 
 #include <map>
@@ -41,7 +40,7 @@ public:
     void overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images);
     /// @return the ticket whose result cutOf() reads; or why it cannot be cut. What a restoring
     /// stroke gives back is cut too.
-    [[nodiscard]] Result<Ticket> cut(SessionState& state, const StandingStroke& stroke);
+    [[nodiscard]] Result<Ticket> cut(SessionState& state, const SculptEdit& edit);
     [[nodiscard]] StrokeCut cutOf(const EngineResult& result);
     /// Back to the position.
     void restore(SessionState& state);

@@ -79,9 +79,12 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
 /// forms that the stroke has had.
 void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims)
 {
-    const auto* revise = std::get_if<ReviseStroke>(&state.history.row(row).edit);
+    const Edit& edit = state.history.row(row).edit;
+    const auto* revise = std::get_if<ReviseStroke>(&edit);
     for (const DrillStroke& form : formsOf(state.history, revise ? revise->row : row))
         claims.push_back({RowReach(form, state.document, {}), row, 0});
+    if (std::holds_alternative<PeelCut>(edit) || std::holds_alternative<ScissorsCut>(edit))
+        claims.push_back({RowReach(edit, state.document, {}), row, 0});
 }
 
 /// A revision folds in the brush's cuts wherever its own stroke reaches, also where nothing came of

@@ -74,14 +74,15 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
     if (target == m_strokes.end())
         return refused(m_edit.row, "was taken back");
     m_before = *target;
-    m_after = {.row = m_edit.row, .stroke = revised(*drawn, m_edit), .removed = m_edit.removed};
-    if (!state.document.layer(m_after.stroke.layer))
+    const DrillStroke after = revised(*drawn, m_edit);
+    m_after = {.row = m_edit.row, .form = after, .removed = m_edit.removed};
+    if (!state.document.layer(after.layer))
         return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
-            QStringLiteral("there is no sculpt layer %1").arg(m_after.stroke.layer));
-    if (m_edit.radiusMm && !isRound(m_after.stroke.mask))
+            QStringLiteral("there is no sculpt layer %1").arg(after.layer));
+    if (m_edit.radiusMm && !isRound(after.mask))
         return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.radiusMm"),
             QStringLiteral("the mask of row %1 is not round").arg(m_edit.row));
-    if (const Result<DrillCut> cut = drillCut(m_after.stroke, state.document); !cut)
+    if (const Result<DrillCut> cut = drillCut(after, state.document); !cut)
         return tl::unexpected(cut.error());
     *target = m_after;
 
@@ -142,7 +143,7 @@ void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
 {
     if (stroke.removed)
         return then(state, {});
-    const Result<Ticket> ticket = m_past.cut(state, stroke);
+    const Result<Ticket> ticket = m_past.cut(state, stroke.form);
     if (!ticket)
         return giveUp(state, ticket.error());
     await(*ticket, [this, then = std::move(then)](SessionState& now, EngineResult&& result) {
@@ -166,10 +167,10 @@ void ReviseOperation::cutTarget(SessionState& state)
 
 void ReviseOperation::chooseBricks(SessionState& state)
 {
-    if (m_before.stroke.layer != m_after.stroke.layer || m_cutBefore != m_cutAfter) {
+    if (layerOf(m_before.form) != layerOf(m_after.form) || m_cutBefore != m_cutAfter) {
         for (const auto* each : {&m_before, &m_after}) {
             for (const auto& [brick, bytes] : each == &m_before ? m_cutBefore : m_cutAfter) {
-                const BrickKey key{Field::Coverage, std::uint8_t(each->stroke.layer), brick};
+                const BrickKey key{Field::Coverage, std::uint8_t(layerOf(each->form)), brick};
                 m_folded[key] = {key, {}};
             }
         }
@@ -177,7 +178,7 @@ void ReviseOperation::chooseBricks(SessionState& state)
     const auto misses = [&](const StandingStroke& stroke) {
         if (stroke.row == m_edit.row)
             return false;
-        const RowReach reach(stroke.edit(), state.document, {});
+        const RowReach reach(plainEdit(stroke.form), state.document, {});
         return std::none_of(m_folded.begin(), m_folded.end(),
             [&reach](const auto& brick) { return reach.covers(brick.first); });
     };
@@ -213,7 +214,7 @@ void ReviseOperation::foldNext(SessionState& state)
     }
     m_past.goBefore(state, stroke.row);
     cut(state, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
-        if (stroke.row > m_edit.row && !stroke.brush)
+        if (stroke.row > m_edit.row && stroke.drill())
             return compare(now, stroke, std::move(recorded));
         lay(recorded, stroke);
         foldNext(now);
@@ -236,11 +237,12 @@ void ReviseOperation::compare(SessionState& state, const StandingStroke& stroke,
 void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
 {
     for (const auto& [brick, bytes] : cut) {
-        const auto found = m_folded.find({Field::Coverage, std::uint8_t(stroke.layer()), brick});
+        const auto found =
+            m_folded.find({Field::Coverage, std::uint8_t(layerOf(stroke.form)), brick});
         if (found == m_folded.end())
             continue;
         std::vector<std::uint8_t>& held = found->second.bytes;
-        if (stroke.restores()) {
+        if (restores(stroke.form)) {
             std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
                 [](std::uint8_t a, std::uint8_t b) { return std::min(a, std::uint8_t(255 - b)); });
             if (std::all_of(held.begin(), held.end(), [](std::uint8_t a) { return a == 0; }))

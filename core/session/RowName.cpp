@@ -94,6 +94,26 @@ QString drillName(const DrillStroke& stroke, const EditStatistics& statistics)
         + counted(statistics.bricks, "brick");
 }
 
+/// "Peel 4.0 mm, 214 bricks".
+QString peelName(const PeelCut& peel, const EditStatistics& statistics)
+{
+    return (peel.restore ? QStringLiteral("Restore peel ") : QStringLiteral("Peel "))
+        + QStringLiteral("%1 mm, ").arg(QString::number(peel.depthMm, 'f', 1))
+        + counted(statistics.bricks, "brick");
+}
+
+/// "Carve scissors 12.0 mm deep, 214 bricks".
+QString scissorsName(const ScissorsCut& cut, const EditStatistics& statistics)
+{
+    QString name =
+        cut.restore ? QStringLiteral("Restore scissors") : QStringLiteral("Carve scissors");
+    if (cut.depthMm)
+        name += QStringLiteral(" %1 mm deep").arg(QString::number(*cut.depthMm, 'f', 1));
+    if (cut.firstLayerOnly)
+        name += QStringLiteral(" through the first layer");
+    return name + QStringLiteral(", ") + counted(statistics.bricks, "brick");
+}
+
 QString changeName(const ChangeSegment& edit, const Document& document)
 {
     if (edit.name)
@@ -262,6 +282,10 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("%1 %2, %3")
             .arg(brush->restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
                 millimetres(brush->path.radiusMm), counted(statistics.voxelsChanged, "voxel"));
+    if (const auto* peel = std::get_if<PeelCut>(&edit))
+        return peelName(*peel, statistics);
+    if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
+        return scissorsName(*scissors, statistics);
     return drillName(std::get<DrillStroke>(edit), statistics);
 }
 

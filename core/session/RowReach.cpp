@@ -45,6 +45,35 @@ std::set<std::uint32_t> bricksUnder(
 
 } // namespace
 
+RowReach::SweptMask RowReach::sweptMask(
+    const MaskFrame& frame, const BrickGrid& grid, std::vector<glm::dvec2> path, double maskReachMm)
+{
+    SweptMask mask;
+    mask.grid = grid;
+    mask.origin = millimetres(frame.planeOrigin);
+    mask.perVoxel = glm::dmat3x2(
+        millimetres(frame.planePerI), millimetres(frame.planePerJ), millimetres(frame.planePerK));
+    mask.path = std::move(path);
+    // A brick and one brick of blur around it, as a ball of the longest projected diagonal.
+    double halfDiagonalMm = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        halfDiagonalMm += 1.5 * BrickGrid::side * glm::length(mask.perVoxel[axis]);
+    mask.reachMm = maskReachMm + halfDiagonalMm;
+    return mask;
+}
+
+RowReach::SweptMask RowReach::sweptOutline(
+    const MaskFrame& frame, const BrickGrid& grid, const std::vector<glm::dvec2>& outline)
+{
+    glm::dvec2 low = outline.front();
+    glm::dvec2 high = low;
+    for (const glm::dvec2& point : outline) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    return sweptMask(frame, grid, {(low + high) / 2.0}, glm::length(high - low) / 2.0);
+}
+
 RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written)
 {
     const BrickGrid grid{document.volumes.front().geometry.size};
@@ -61,22 +90,17 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         || std::holds_alternative<RemoveSegment>(edit)) {
         m_reach = Plane{document.growths.front().plane};
     } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
-        SweptMask mask;
-        mask.grid = grid;
-        if (const Result<DrillCut> cut = drillCut(*drill, document)) {
-            const MaskFrame& frame = cut->frame;
-            mask.origin = millimetres(frame.planeOrigin);
-            mask.perVoxel = glm::dmat3x2(millimetres(frame.planePerI), millimetres(frame.planePerJ),
-                millimetres(frame.planePerK));
-        }
+        std::vector<glm::dvec2> path;
         for (const PenSample& sample : drill->samples)
-            mask.path.emplace_back(sample.xMm, sample.yMm);
-        // A brick and one brick of blur around it, as a ball of the longest projected diagonal.
-        double halfDiagonalMm = 0.0;
-        for (int axis = 0; axis < 3; ++axis)
-            halfDiagonalMm += 1.5 * BrickGrid::side * glm::length(mask.perVoxel[axis]);
-        mask.reachMm = reachMm(drill->mask) + halfDiagonalMm;
-        m_reach = std::move(mask);
+            path.emplace_back(sample.xMm, sample.yMm);
+        if (const Result<DrillCut> cut = drillCut(*drill, document))
+            m_reach = sweptMask(cut->frame, grid, std::move(path), reachMm(drill->mask));
+    } else if (const auto* peel = std::get_if<PeelCut>(&edit)) {
+        if (const Result<MaskPeel> cut = maskPeel(*peel, document))
+            m_reach = sweptOutline(cut->frame, grid, peel->polygonMm);
+    } else if (const auto* scissors = std::get_if<ScissorsCut>(&edit)) {
+        if (const Result<MaskScissors> cut = maskScissors(*scissors, document))
+            m_reach = sweptOutline(cut->frame, grid, scissors->polygonMm);
     } else if (const auto* paint = std::get_if<PaintStroke>(&edit)) {
         Bricks bricks;
         const VolumeGeometry& geometry = document.volumes.front().geometry;

@@ -18,6 +18,7 @@ namespace core {
 /// - a segment that was deleted: likewise, since its label must not come back without it;
 /// - a drill stroke: the coverage that its rays can meet, one brick of blur around (seed A §4.2):
 ///   all layers, muted or not, from front to back under the swept mask;
+/// - a peel, scissors: likewise, under a disc around the curve;
 /// - paint: the labels and seed words of the bricks under the brush;
 /// - a carve brush: the coverage of its own layer in the bricks under the brush;
 /// - "undo only": the bricks of the rows that it took back;
@@ -46,6 +47,10 @@ private:
         std::vector<glm::dvec2> path; ///< mm
         double reachMm = 0.0; ///< from the path to the middle of a brick
     };
+    [[nodiscard]] static SweptMask sweptMask(const MaskFrame& frame, const BrickGrid& grid,
+        std::vector<glm::dvec2> path, double maskReachMm);
+    [[nodiscard]] static SweptMask sweptOutline(
+        const MaskFrame& frame, const BrickGrid& grid, const std::vector<glm::dvec2>& outline);
     [[nodiscard]] static bool covers(const Bricks& bricks, const BrickKey& key);
     [[nodiscard]] static bool covers(const Plane& plane, const BrickKey& key);
     [[nodiscard]] static bool covers(const SweptMask& mask, const BrickKey& key);

@@ -93,6 +93,18 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(cut.error());
         return EngineEdit(*std::move(cut));
     }
+    if (const auto* peel = std::get_if<PeelCut>(&m_edit)) {
+        Result<MaskPeel> cut = maskPeel(*peel, document);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        return EngineEdit(*std::move(cut));
+    }
+    if (const auto* scissors = std::get_if<ScissorsCut>(&m_edit)) {
+        Result<MaskScissors> cut = maskScissors(*scissors, document);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        return EngineEdit(*std::move(cut));
+    }
     const auto& drill = std::get<DrillStroke>(m_edit);
     Result<DrillCut> cut = drillCut(drill, document);
     if (!cut)
@@ -120,6 +132,8 @@ void VoxelOperation::start(SessionState& state)
     // Samples of a stroke that had to wait in line are all in the edit by now.
     if (drill && !drill->samples.empty())
         m_waiting.push_front(DrillPath{m_path->add(drill->samples)});
+    if (const auto* peel = std::get_if<PeelCut>(&m_edit))
+        m_waiting.push_front(peelDepth(*peel));
     if (const BrushPath* path = pathOf(m_edit))
         m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
     if (grow && m_kind == Kind::Whole && grow->steps.value_or(1) > 0)
@@ -160,6 +174,17 @@ void VoxelOperation::extendPath(
     if (lifted)
         path->lifts.push_back(std::int64_t(path->pointsLps.size()));
     path->pointsLps.insert(path->pointsLps.end(), pointsLps.begin(), pointsLps.end());
+    submitWaiting(state);
+}
+
+void VoxelOperation::setPeelDepth(SessionState& state, double depthMm)
+{
+    auto* peel = std::get_if<PeelCut>(&m_edit);
+    if (!peel || !open() || peel->depthMm == depthMm)
+        return;
+    peel->depthMm = depthMm;
+    if (m_begun)
+        m_waiting.push_back(peelDepth(*peel));
     submitWaiting(state);
 }
 

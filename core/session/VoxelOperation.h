@@ -22,10 +22,16 @@ public:
     // Interactive ones only:
     void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
     void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted);
+    void setPeelDepth(SessionState& state, double depthMm);
     void extendGrowth(SessionState& state, EngineExtension extension);
     void end(SessionState& state, Ending ending);
     [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool isGrowth() const { return std::holds_alternative<GrowSteps>(m_edit); }
+    /// Open without a pen that is down: whatever comes next closes it.
+    [[nodiscard]] bool standsOpen() const
+    {
+        return isGrowth() || std::holds_alternative<PeelCut>(m_edit);
+    }
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;

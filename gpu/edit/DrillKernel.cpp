@@ -12,18 +12,7 @@ constexpr int tileSide = MaskColumns::tileSide;
 /// Samples are worked off together up to here; bounds what a long path takes.
 constexpr std::size_t touchesAtOnce = 1 << 20;
 
-Program program(const ShaderLibrary& library, const char* path)
-{
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
-}
-
 } // namespace
-
-MaskPrograms::MaskPrograms(const ShaderLibrary& library)
-    : cast(program(library, "edit/surfaceCast.comp"))
-    , cut(program(library, "edit/columnCut.comp"))
-{
-}
 
 DrillKernel::DrillKernel(
     MaskPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::DrillCut& cut)

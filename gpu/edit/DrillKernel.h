@@ -4,20 +4,13 @@
 #include "core/sculpt/DrillCut.h"
 #include "gpu/edit/ColumnCutter.h"
 #include "gpu/edit/MaskColumns.h"
+#include "gpu/edit/MaskPrograms.h"
 #include "gpu/edit/SurfaceCaster.h"
 
 #include <map>
 #include <vector>
 
 namespace gpu {
-
-/// The compiled kernels of tools that press a mask plane into the volume.
-struct MaskPrograms {
-    explicit MaskPrograms(const ShaderLibrary& library);
-
-    Program cast;
-    Program cut;
-};
 
 /// One drill stroke while the pen is down (rules: core/sculpt/DrillCut.h).
 ///

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/EditTransaction.h"
 
+#include "gpu/edit/ScissorsKernel.h"
+
 namespace gpu {
 
 namespace {
@@ -24,11 +26,26 @@ core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)
     return {};
 }
 
-core::Result<void> check(const core::DrillCut& edit, const core::BrickGrid&)
+core::Result<void> check(const core::MaskFrame& frame)
 {
-    if (edit.frame.pitch < 1 || edit.frame.rampHalfWidth < 1 || edit.frame.gapSamples < 1)
+    if (frame.pitch < 1 || frame.rampHalfWidth < 1 || frame.gapSamples < 1)
         return refusal("frame", "pitch, rampHalfWidth and gapSamples are at least 1");
     return {};
+}
+
+core::Result<void> check(const core::DrillCut& edit, const core::BrickGrid&)
+{
+    return check(edit.frame);
+}
+
+core::Result<void> check(const core::MaskPeel& edit, const core::BrickGrid&)
+{
+    return check(edit.frame);
+}
+
+core::Result<void> check(const core::MaskScissors& edit, const core::BrickGrid&)
+{
+    return check(edit.frame);
 }
 
 core::Result<void> check(const core::EraseLabel& edit, const core::BrickGrid&)
@@ -102,6 +119,10 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_capsule.emplace(programs.capsule, fields, before, *paint);
     } else if (const auto* cut = std::get_if<core::CapsuleCut>(&edit)) {
         transaction->m_capsule.emplace(programs.capsule, fields, before, *cut);
+    } else if (const auto* peel = std::get_if<core::MaskPeel>(&edit)) {
+        transaction->m_peel.emplace(programs.mask, fields, before, *peel);
+    } else if (const auto* scissors = std::get_if<core::MaskScissors>(&edit)) {
+        transaction->m_scissoredBricks = cutWithScissors(programs.mask, fields, before, *scissors);
     }
     return transaction;
 }
@@ -118,6 +139,14 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
         if (!m_capsule)
             return refusal("extension", "the open edit is no stroke of a brush");
         m_capsule->extend(path->capsules);
+        return {};
+    }
+    if (const auto* depth = std::get_if<core::PeelDepth>(&extension)) {
+        if (!m_peel)
+            return refusal("extension", "the open edit is no peel");
+        if (depth->depth < 0)
+            return refusal("depth", "is below 0");
+        m_peel->setDepth(depth->depth);
         return {};
     }
     if (!m_growth)
@@ -159,6 +188,10 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
     }
     if (const auto* drill = std::get_if<core::DrillCut>(&m_edit))
         add(core::Field::Coverage, drill->layer, m_drill->touchedBricks());
+    if (const auto* peel = std::get_if<core::MaskPeel>(&m_edit))
+        add(core::Field::Coverage, peel->layer, m_peel->touchedBricks());
+    if (const auto* scissors = std::get_if<core::MaskScissors>(&m_edit))
+        add(core::Field::Coverage, scissors->layer, m_scissoredBricks);
     if (m_capsule)
         return m_capsule->touchedKeys();
     return keys;

@@ -8,6 +8,7 @@
 #include "gpu/edit/DrillKernel.h"
 #include "gpu/edit/EraseKernel.h"
 #include "gpu/edit/GrowthKernel.h"
+#include "gpu/edit/PeelKernel.h"
 
 #include <memory>
 #include <optional>
@@ -62,8 +63,10 @@ private:
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
     std::vector<core::BrickKey> m_erasedBricks;
+    std::vector<std::uint32_t> m_scissoredBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<DrillKernel> m_drill;
+    std::optional<PeelKernel> m_peel;
     std::optional<CapsuleKernel> m_capsule;
     int m_stepsLeft = 0; ///< negative: to closure
     double m_generationsPerSecond = 0.0;

@@ -24,7 +24,8 @@ uint interpolatedCode(ivec3 p)
     return y0 * g.z + y1 * f.z;
 }
 
-bool carved(ivec3 p)
+// Radiation at p, in 2⁻²⁴.
+uint interpolatedRadiation(ivec3 p)
 {
     ivec3 low = p >> 16;
     ivec3 high = min(low + 1, volumeSize - 1);
@@ -36,7 +37,12 @@ bool carved(ivec3 p)
     uint x01 = radiationAt(ivec3(low.xy, high.z)) * g.x
         + radiationAt(ivec3(high.x, low.y, high.z)) * f.x;
     uint x11 = radiationAt(ivec3(low.x, high.yz)) * g.x + radiationAt(high) * f.x;
-    return (x00 * g.y + x10 * f.y) * g.z + (x01 * g.y + x11 * f.y) * f.z >= carvedAt;
+    return (x00 * g.y + x10 * f.y) * g.z + (x01 * g.y + x11 * f.y) * f.z;
+}
+
+bool carved(ivec3 p)
+{
+    return interpolatedRadiation(p) >= carvedAt;
 }
 
 // thresholdCode 65536 is never reached.

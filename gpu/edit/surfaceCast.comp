@@ -45,6 +45,16 @@ uint radiationAt(ivec3 voxel)
 
 #include "edit/interpolate.glsl"
 
+bool carvedHere(ivec3 p)
+{
+    return interpolatedRadiation(p) >= (restore ? 64u : 128u) << 24;
+}
+
+bool materialHere(ivec3 p)
+{
+    return dense(p, thresholdCode) && !carvedHere(p);
+}
+
 ivec3 at(ivec3 origin, int n, int sixteenths)
 {
     return origin + n * stepPerSample + ((sixteenths * stepPerSample) >> 4);
@@ -90,7 +100,7 @@ void main()
         ivec3 p = at(origin, first, 0);
         if (!dense(p, thresholdCode))
             continue;
-        if (!carved(p))
+        if (!carvedHere(p))
             break;
         lastCarved = first;
     }
@@ -106,7 +116,7 @@ void main()
     int high = first * 16;
     for (int halving = 0; halving < 4 && first > 0; ++halving) {
         int middle = (low + high) / 2;
-        if (material(at(origin, middle / 16, middle % 16), thresholdCode))
+        if (materialHere(at(origin, middle / 16, middle % 16)))
             high = middle;
         else
             low = middle;
@@ -117,7 +127,7 @@ void main()
     int run = 0;
     for (int n = first + 1; !throughGaps && !restore && n < sampleCount && heightAt(n, 0) <= surface + maxDepth;
          ++n) {
-        if (material(at(origin, n, 0), thresholdCode)) {
+        if (materialHere(at(origin, n, 0))) {
             run = 0;
         } else if (++run == gapSamples) {
             exit = heightAt(n - run + 1, 0);

@@ -49,7 +49,7 @@ MaskPlane::MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
 
 std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) const
 {
-    const Tissue tissue{m_codes, m_radiation};
+    const Tissue tissue{m_codes, m_radiation, m_frame.restore ? 64 : 128};
     Index16 start;
     Index16 step;
     for (std::size_t axis = 0; axis < 3; ++axis) {

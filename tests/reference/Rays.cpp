@@ -74,7 +74,7 @@ std::uint64_t Tissue::density(const Index16& position) const
 
 bool Tissue::carved(const Index16& position) const
 {
-    return interpolated(radiation, position, 0) >= std::uint64_t(128) << 24;
+    return interpolated(radiation, position, 0) >= std::uint64_t(carvedFrom) << 24;
 }
 
 bool Tissue::material(const Index16& position, int thresholdCode) const

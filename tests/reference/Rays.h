@@ -24,6 +24,8 @@ struct Tissue {
     /// Only inside.
     [[nodiscard]] bool carved(const Index16& position) const;
     [[nodiscard]] bool material(const Index16& position, int thresholdCode) const;
+
+    int carvedFrom = 128; ///< of radiation
 };
 
 /// The voxel that one ray of a pick finds.

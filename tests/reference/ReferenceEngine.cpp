@@ -106,10 +106,36 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::GrowBurst& edit
     return Growth(m_codes, m_fields, std::move(edit));
 }
 
+namespace {
+
+bool isSound(const core::MaskFrame& frame)
+{
+    return frame.pitch >= 1 && frame.rampHalfWidth >= 1 && frame.gapSamples >= 1;
+}
+
+constexpr const char* unsound = "pitch, rampHalfWidth and gapSamples are at least 1";
+
+} // namespace
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskPeel& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    return Peel(m_codes, carved(), m_fields, edit);
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskScissors& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    cutWithScissors(m_codes, carved(), m_fields, edit);
+    return Done{};
+}
+
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::DrillCut& edit)
 {
-    if (edit.frame.pitch < 1 || edit.frame.rampHalfWidth < 1 || edit.frame.gapSamples < 1)
-        return refuse("frame", "pitch, rampHalfWidth and gapSamples are at least 1");
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
     return Drill(m_codes, carved(), m_fields, edit);
 }
 
@@ -165,6 +191,15 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
         if (!stroke)
             return refuse("extension", "the open edit is no stroke of a brush");
         stroke->extend(path->capsules);
+        return std::nullopt;
+    }
+    if (const auto* depth = std::get_if<core::PeelDepth>(&command.extension)) {
+        Peel* peel = std::get_if<Peel>(&m_open->work);
+        if (!peel)
+            return refuse("extension", "the open edit is no peel");
+        if (depth->depth < 0)
+            return refuse("depth", "is below 0");
+        peel->setDepth(depth->depth);
         return std::nullopt;
     }
     Growth* growth = std::get_if<Growth>(&m_open->work);

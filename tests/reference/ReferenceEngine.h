@@ -6,6 +6,7 @@
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/Drill.h"
 #include "tests/reference/Growth.h"
+#include "tests/reference/Peel.h"
 
 #include <optional>
 #include <variant>
@@ -33,7 +34,7 @@ public:
 private:
     /// An edit that is done once it has begun.
     struct Done { };
-    using Work = std::variant<Done, Growth, Drill, Capsules>;
+    using Work = std::variant<Done, Growth, Drill, Capsules, Peel>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;
@@ -56,6 +57,8 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::PaintLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::CapsuleCut& edit);
+    [[nodiscard]] core::Result<Work> begin(core::MaskPeel& edit);
+    [[nodiscard]] core::Result<Work> begin(core::MaskScissors& edit);
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;

@@ -30,16 +30,8 @@ core::MaskShape randomMask(double radiusMm, Random& random)
     mask.heightMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
     mask.cornerMm = radiusMm * randomUnit(random);
     mask.rotationDegrees = randomInt(random, -360, 360);
-    if (random() % 3 == 0) {
-        // May cross itself; the corner at the end keeps it from being too small.
-        mask.polygonMm.emplace();
-        for (int i = randomInt(random, 2, 9); i > 0; --i)
-            mask.polygonMm->push_back(
-                2.0 * radiusMm * glm::dvec2(randomUnit(random) - 0.5, randomUnit(random) - 0.5));
-        const glm::dvec2 last = mask.polygonMm->back();
-        mask.polygonMm->push_back(last + glm::dvec2(radiusMm + 1.5, 0.0));
-        mask.polygonMm->push_back(last + glm::dvec2(0.0, radiusMm + 1.5));
-    }
+    if (random() % 3 == 0)
+        mask.polygonMm = randomOutline(radiusMm, random);
     return mask;
 }
 
@@ -94,6 +86,50 @@ core::Document randomDocument(const glm::ivec3& size, Random& random, bool shear
     document.layers.push_back({.id = 1, .name = QStringLiteral("Sculpt 1")});
     document.layers.push_back({.id = 2, .name = QStringLiteral("Sculpt 2")});
     return document;
+}
+
+std::vector<glm::dvec2> randomOutline(double reachMm, Random& random)
+{
+    std::vector<glm::dvec2> outline;
+    for (int i = randomInt(random, 2, 9); i > 0; --i)
+        outline.push_back(
+            2.0 * reachMm * glm::dvec2(randomUnit(random) - 0.5, randomUnit(random) - 0.5));
+    // Whatever those are, the corner at the end keeps it from being too small.
+    const glm::dvec2 last = outline.back();
+    outline.push_back(last + glm::dvec2(reachMm + 1.5, 0.0));
+    outline.push_back(last + glm::dvec2(0.0, reachMm + 1.5));
+    return outline;
+}
+
+core::PeelCut randomPeel(const core::Document& document, Random& random)
+{
+    const core::DrillStroke from = randomDrill(document, random);
+    const double reachMm = from.mask.radiusMm;
+    core::PeelCut peel;
+    peel.layer = from.layer;
+    peel.view = from.view;
+    peel.polygonMm = randomOutline(reachMm, random);
+    peel.depthMm = std::min(random() % 8 ? reachMm * randomUnit(random) : 0.0, 20.0);
+    peel.surfaceThreshold = from.surfaceThreshold;
+    peel.throughGaps = from.throughGaps;
+    peel.jumpMm = random() % 3 ? 0.5 + 4.0 * randomUnit(random) : 0.0;
+    peel.restore = random() % 3 == 0;
+    return peel;
+}
+
+core::ScissorsCut randomScissors(const core::Document& document, Random& random)
+{
+    const core::DrillStroke from = randomDrill(document, random);
+    core::ScissorsCut cut;
+    cut.layer = from.layer;
+    cut.view = from.view;
+    cut.polygonMm = randomOutline(from.mask.radiusMm, random);
+    cut.surfaceThreshold = from.surfaceThreshold;
+    if (random() % 2)
+        cut.depthMm = 1.0 + from.mask.radiusMm * randomUnit(random);
+    cut.restore = random() % 3 == 0;
+    cut.firstLayerOnly = !cut.restore && random() % 2;
+    return cut;
 }
 
 core::DrillStroke randomDrill(const core::Document& document, Random& random)

@@ -24,6 +24,11 @@ namespace test {
 [[nodiscard]] core::PaintStroke randomPaint(const core::Document& document, Random& random);
 [[nodiscard]] core::BrushStroke randomBrush(const core::Document& document, Random& random);
 
+/// A closed curve around somewhere in the middle of a view; may cross itself.
+[[nodiscard]] std::vector<glm::dvec2> randomOutline(double reachMm, Random& random);
+[[nodiscard]] core::PeelCut randomPeel(const core::Document& document, Random& random);
+[[nodiscard]] core::ScissorsCut randomScissors(const core::Document& document, Random& random);
+
 /// The engine's form of a stroke; the stroke must be valid.
 [[nodiscard]] core::DrillCut drillCutOf(
     const core::DrillStroke& stroke, const core::Document& document);
@@ -33,6 +38,7 @@ namespace test {
 // The cases of the conformance suite, named and adversarial ones first, then random ones.
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> peelCases(int randomCount); ///< and scissors
 [[nodiscard]] std::vector<EngineCase> pickCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> eraseCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> capsuleCases(int randomCount); ///< paint and carve brush

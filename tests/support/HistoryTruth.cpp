@@ -139,7 +139,8 @@ void HistoryTruth::add(const HistoryRow& row)
     if (changesDocumentOnly(edit)) {
         changeDocument(edit, next.document);
     } else if (std::holds_alternative<DrillStroke>(edit)
-        || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<RevertRows>(edit)
+        || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<PeelCut>(edit)
+        || std::holds_alternative<ScissorsCut>(edit) || std::holds_alternative<RevertRows>(edit)
         || std::holds_alternative<ReviseStroke>(edit)) {
         // Everything anew: what stands is grown again, and all cuts are laid over each other.
         const Bricks carved = carvedUntil(row.id);
@@ -204,6 +205,10 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
             strokes.push_back({id, *drill});
         if (const auto* brush = std::get_if<BrushStroke>(&edit))
             strokes.push_back({id, *brush});
+        if (const auto* peel = std::get_if<PeelCut>(&edit))
+            strokes.push_back({id, *peel});
+        if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
+            strokes.push_back({id, *scissors});
         const auto* revise = std::get_if<ReviseStroke>(&edit);
         for (Stroke& stroke : strokes) {
             if (!revise || stroke.row != revise->row)
@@ -220,10 +225,8 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
     }
     Bricks carved;
     for (const Stroke& stroke : strokes) {
-        const auto* brush = std::get_if<BrushStroke>(&stroke.form);
-        const auto* drill = std::get_if<DrillStroke>(&stroke.form);
-        const int layer = brush ? brush->layer : drill->layer;
-        const bool restore = brush ? brush->restore : drill->restore;
+        const int layer = std::visit([](const auto& form) { return form.layer; }, stroke.form);
+        const bool restore = std::visit([](const auto& form) { return form.restore; }, stroke.form);
         for (const auto& [brick, bytes] : cutOf(stroke)) {
             std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
@@ -259,12 +262,22 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
         alone.laying = Laying::Carve;
         paths.push_back(DrillPath{drillPath(*drill, alone)});
         edit = alone;
-    } else {
-        const auto& brush = std::get<BrushStroke>(stroke.form);
-        CapsuleCut alone = *capsuleCut(brush, before.document);
+    } else if (const auto* brush = std::get_if<BrushStroke>(&stroke.form)) {
+        CapsuleCut alone = *capsuleCut(*brush, before.document);
         alone.layer = truthLayer;
         alone.restore = false;
-        paths.push_back(CapsulePath{capsules(brush.path, m_study.volume.geometry)});
+        paths.push_back(CapsulePath{capsules(brush->path, m_study.volume.geometry)});
+        edit = alone;
+    } else if (const auto* peel = std::get_if<PeelCut>(&stroke.form)) {
+        MaskPeel alone = *maskPeel(*peel, before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
+        paths.push_back(peelDepth(*peel));
+        edit = alone;
+    } else {
+        MaskScissors alone = *maskScissors(std::get<ScissorsCut>(stroke.form), before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
         edit = alone;
     }
     Cut cut;

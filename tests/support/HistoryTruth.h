@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 #include "core/volume/Volume.h"
@@ -41,7 +42,7 @@ private:
     };
     struct Stroke {
         core::RowId row = 0;
-        std::variant<core::DrillStroke, core::BrushStroke> form;
+        core::SculptEdit form;
     };
 
     [[nodiscard]] std::vector<core::RowId> path(core::RowId row) const;

@@ -169,8 +169,10 @@ private:
             return randomPaint(any(document.segments).label);
         if (dice < 68)
             return randomBrush();
-        if (dice < 77 || rows.empty())
+        if (dice < 74 || rows.empty())
             return randomDrill();
+        if (dice < 77)
+            return randomOutlined();
         if (dice < 87)
             return ReviseStroke(randomRevision(rows));
         return randomRevert(rows);
@@ -210,7 +212,7 @@ private:
     }
     Edit randomBookmark(const Document& document)
     {
-        if (!document.bookmarks.empty() && chance(40))
+        if (!document.bookmarks.empty() && chance(50))
             return RemoveBookmark{.bookmark = any(document.bookmarks).id};
         return AddBookmark{.name = randomName(),
             .view = randomDrill().view,
@@ -300,6 +302,29 @@ private:
         BrushStroke stroke{.layer = any(m_session->document().layers).id, .path = randomPath()};
         stroke.restore = chance(40);
         return stroke;
+    }
+    Edit randomOutlined()
+    {
+        const DrillStroke stroke = randomDrill();
+        const double half = stroke.mask.radiusMm;
+        const glm::dvec2 middle(stroke.samples.front().xMm, stroke.samples.front().yMm);
+        const std::vector<glm::dvec2> outline{middle - half, middle + glm::dvec2(half, -half),
+            middle + glm::dvec2(-half, half), middle + half + 1.0};
+        if (chance(60))
+            return PeelCut{.layer = stroke.layer,
+                .view = stroke.view,
+                .polygonMm = outline,
+                .depthMm = stroke.depthMm,
+                .surfaceThreshold = stroke.surfaceThreshold,
+                .throughGaps = stroke.throughGaps,
+                .restore = stroke.restore};
+        ScissorsCut cut{.layer = stroke.layer, .view = stroke.view, .polygonMm = outline};
+        cut.surfaceThreshold = stroke.surfaceThreshold;
+        cut.restore = stroke.restore;
+        cut.firstLayerOnly = !cut.restore && chance(50);
+        if (chance(50))
+            cut.depthMm = stroke.depthMm;
+        return cut;
     }
     ReviseStroke randomRevision(const std::vector<RowId>& rows)
     {

@@ -77,6 +77,14 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
                     != whole.lifts.end());
             session.poll();
         }
+    } else if (const auto* peel = std::get_if<core::PeelCut>(&edit)) {
+        core::PeelCut first = *peel;
+        first.depthMm = std::min(2.0 * peel->depthMm + 1.0, 100.0);
+        require(session.begin(first), "begin");
+        for (const double depthMm : {1.0, 0.0, 0.5 * peel->depthMm, peel->depthMm}) {
+            session.setPeelDepth(depthMm);
+            session.poll();
+        }
     } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
         require(session.begin(*grow), "begin");
         const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
@@ -265,9 +273,19 @@ StrokeCase randomLists(int number)
 
 core::Edit randomEdit(const core::Document& document, Random& random)
 {
-    switch (random() % 7) {
+    switch (random() % 9) {
     case 0:
         return randomSeeds(document, randomInt(random, 1, 2), random);
+    case 5: {
+        core::PeelCut peel = randomPeel(document, random);
+        peel.layer = 1;
+        return peel;
+    }
+    case 6: {
+        core::ScissorsCut cut = randomScissors(document, random);
+        cut.layer = 1;
+        return cut;
+    }
     case 1:
     case 2:
         return randomGrowth(random);
@@ -437,6 +455,36 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         core::ReviseStroke{.row = 1, .removed = true}});
     cases.push_back(
         {"undo only the brush", volume, {first, brush, seeds, all}, core::RevertRows{{2}}});
+
+    core::PeelCut peel;
+    peel.view = drill.view;
+    peel.polygonMm = {{-12.0, -9.0}, {11.0, -8.0}, {-9.0, 10.0}, {12.0, 11.0}};
+    peel.surfaceThreshold = drill.surfaceThreshold;
+    core::PeelCut peelBack = peel;
+    peelBack.restore = true;
+    peelBack.depthMm = 2.5;
+    core::ScissorsCut scissors;
+    scissors.view = drill.view;
+    scissors.polygonMm = {{-6.0, -20.0}, {6.0, -20.0}, {6.0, 20.0}, {-6.0, 20.0}};
+    scissors.surfaceThreshold = drill.surfaceThreshold;
+    core::ScissorsCut shallow = scissors;
+    shallow.depthMm = 5.0;
+    core::ScissorsCut layerOnly = scissors;
+    layerOnly.firstLayerOnly = true;
+    core::DrillStroke drillBack = drill;
+    drillBack.restore = true;
+    drillBack.depthMm *= 0.5;
+    cases.push_back({"peel", volume, {}, peel});
+    cases.push_back({"restore by peeling", volume, {drill, peel}, peelBack});
+    cases.push_back({"scissors", volume, {drill}, scissors});
+    cases.push_back({"scissors to a depth", volume, {}, shallow});
+    cases.push_back({"scissors through a layer", volume, {peel}, layerOnly});
+    cases.push_back({"restore by drilling", volume, {peel, drill}, drillBack});
+    cases.push_back({"undo only a peel", volume, {first, peel, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"revise a drill below a peel", volume, {drill, peel, drillBack, shallow},
+        core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
+    cases.push_back({"remove a drill below a peel", volume, {drill, peel, peelBack, drill},
+        core::ReviseStroke{.row = 1, .removed = true}});
 
     core::DrillStroke other = drill;
     other.layer = 2;

@@ -51,20 +51,20 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     : QDialog(parent)
     , m_row(stroke.row)
     , m_drawn(drawn)
-    , m_radius(millimetreBox(
-          this, QStringLiteral("radius"), core::editSchema::drillRadius, stroke.stroke.mask.radiusMm))
+    , m_radius(millimetreBox(this, QStringLiteral("radius"), core::editSchema::drillRadius,
+          stroke.drill()->mask.radiusMm))
     , m_depth(millimetreBox(
-          this, QStringLiteral("depth"), core::editSchema::drillDepth, stroke.stroke.depthMm))
+          this, QStringLiteral("depth"), core::editSchema::drillDepth, stroke.drill()->depthMm))
     , m_layer(new QComboBox(this))
     , m_throughGaps(new QCheckBox(tr("Goes on behind gaps"), this))
 {
     setWindowTitle(tr("Change stroke"));
     m_throughGaps->setObjectName(QStringLiteral("throughGaps"));
-    m_throughGaps->setChecked(stroke.stroke.throughGaps);
+    m_throughGaps->setChecked(stroke.drill()->throughGaps);
     m_layer->setObjectName(QStringLiteral("layer"));
     for (const core::SculptLayer& layer : document.layers)
         m_layer->addItem(layer.name, int(layer.id));
-    m_layer->setCurrentIndex(m_layer->findData(stroke.stroke.layer));
+    m_layer->setCurrentIndex(m_layer->findData(stroke.drill()->layer));
 
     auto* heading = new QLabel(title, this);
     heading->setProperty("role", QStringLiteral("heading"));

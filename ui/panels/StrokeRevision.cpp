@@ -11,11 +11,11 @@ namespace ui {
 
 namespace {
 
-/// Of the drill: the carve brush's strokes cannot be revised.
+/// Of the drill: no other cut can be revised.
 std::optional<core::StandingStroke> standingStroke(const core::History& history, core::RowId row)
 {
     for (core::StandingStroke& stroke : core::standingStrokes(history, history.position())) {
-        if (stroke.row == row && !stroke.brush)
+        if (stroke.row == row && stroke.drill())
             return std::move(stroke);
     }
     return {};

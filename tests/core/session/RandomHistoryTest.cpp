@@ -18,7 +18,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("commands");
         QTest::addColumn<uint>("seed");
         const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
-        for (uint seed = 1; seed <= (isLong ? 20u : 2u); ++seed)
+        for (uint seed = 1; seed <= (isLong ? 20u : 4u); ++seed)
             QTest::addRow("seed %u", seed) << (isLong ? 500 : 260) << seed;
     }
     void equalsTheTruthAfterEveryStep()
@@ -37,8 +37,8 @@ private Q_SLOTS:
         // No kind of command was left out.
         for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "removeSegment",
                  "addLayer", "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed",
-                 "grow", "drill", "paint", "brush", "revert", "reviseStroke", "undo", "redo",
-                 "goTo", "reopen", "given up"})
+                 "grow", "drill", "paint", "brush", "peel", "scissors", "revert", "reviseStroke",
+                 "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done.count(QLatin1String(kind)) > 0, kind);
         for (const auto& [kind, count] : m_done)
             qInfo("%s: %d", qPrintable(kind), count);

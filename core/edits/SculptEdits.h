@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/edits/Edits.h"
+#include "core/engine/EngineCommands.h"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace core {
+
+/// The edits that write the coverage of a sculpt layer: each by the greater value where it carves,
+/// by the lesser where it restores.
+using SculptEdit = std::variant<DrillStroke, BrushStroke, PeelCut, ScissorsCut>;
+
+[[nodiscard]] std::optional<SculptEdit> sculptEdit(const Edit& edit);
+[[nodiscard]] Edit plainEdit(const SculptEdit& edit);
+[[nodiscard]] int layerOf(const SculptEdit& edit);
+[[nodiscard]] bool restores(const SculptEdit& edit);
+
+/// An edit in one go, as submitWhole() takes it.
+struct WholeCut {
+    EngineEdit edit;
+    std::vector<EngineExtension> extensions;
+};
+
+/// What an edit cuts by itself, into an empty layer; what a restoring one gives back is cut too.
+/// Errors: InvalidField.
+[[nodiscard]] Result<WholeCut> cutAlone(
+    const SculptEdit& edit, const Document& document, std::uint8_t layer);
+
+} // namespace core
