@@ -117,7 +117,7 @@ void StrokeRevision::redrill(const std::vector<core::RowId>& rows)
         const auto stroke = standingStroke(session->history(), row);
         if (!stroke || stroke->removed)
             continue;
-        strokes.push_back(stroke->stroke);
+        strokes.push_back(*stroke->drill());
         remove(row);
     }
     for (const core::DrillStroke& stroke : strokes)
