@@ -55,6 +55,15 @@ struct Claim {
     }
 };
 
+/// Whether "undo only" took back or brought back another row, itself or by rows it took back.
+bool decidesOn(const History& history, RowId revert, RowId row)
+{
+    const auto* edit = std::get_if<RevertRows>(&history.row(revert).edit);
+    return edit && std::any_of(edit->rows.begin(), edit->rows.end(), [&](RowId taken) {
+        return taken == row || decidesOn(history, taken, row);
+    });
+}
+
 /// Taking back "undo only" brings steps back.
 /// @param written the bricks that differ when they come back
 void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
@@ -170,6 +179,11 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
         if (changedPart(row.edit))
             return refused(QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
+        for (const RowId other : m_edit.rows) {
+            if (decidesOn(state.history, id, other))
+                return refused(QStringLiteral("taking back %1 decides on %2 too")
+                                   .arg(titled(row), titled(state.history.row(other))));
+        }
     }
     return {};
 }
