@@ -118,23 +118,25 @@ vec3 seenAlong(Ray ray)
     // A flat face: solid material is cut there, by a clip plane or by the end of the scan.
     const float flatFace = onBox ? 1.0 : 0.0;
     vec3 cutNormal = faceNormal(ray);
-    float cut = flatFace;
+    float cut = flatFace;  // of the normal
+    float face = flatFace; // of the colour: it comes a little further in, so that rims are no steps
 #if SCULPTED
     // Which of the two surfaces is nearer decides; in between they blend (distances in voxels).
     const vec3 rise = centralDifferences(radiation, at, 1.0);
     const float toCut = (0.5 - texture(radiation, at).r) / max(length(rise), 1e-3);
     const float toIso = (value - threshold) / max(length(slope), 1e-5);
-    const float nearCut = length(rise) > 1e-3 ? smoothstep(-0.4, 0.6, toIso - toCut) : 0.0;
+    const float carved = length(rise) > 1e-3 ? 1.0 : 0.0;
     cutNormal = onBox ? cutNormal : normalize(gradientToWorld * rise + 1e-9 * toViewer);
-    cut = max(cut, nearCut);
+    cut = max(cut, carved * smoothstep(-0.4, 0.6, toIso - toCut));
+    face = max(face, carved * smoothstep(-0.1, 1.3, toIso - toCut));
     // What was cut through is what lies just behind the cut: at its rim the surface itself is grey
     // with what was outside.
     const vec3 behindCut = at - worldToTexture * (cutNormal * 0.5 * stepMm);
-    value = onBox ? value : max(value, texture(intensity, behindCut).r);
+    value = onBox ? value : max(threshold, texture(intensity, behindCut).r);
 #endif
-    albedo = mix(albedo, mix(transferAt(value).rgb, faceGrey(value), greyFaces), cut);
+    albedo = mix(albedo, mix(transferAt(value).rgb, faceGrey(value), greyFaces), face);
     normal = normalize(mix(normal, cutNormal, cut) + 1e-6 * toViewer);
-    float grey = greyFaces * cut;
+    float grey = greyFaces * face;
 #if SCULPTED
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     normal = segmentHit && !onBox ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
@@ -157,7 +159,8 @@ vec3 seenAlong(Ray ray)
     const vec3 tilted = normalize(
         normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
     // Before a flat face there is nothing, whatever the scan holds there.
-    const float open = onBox ? 1.0 : openness(at, tilted);
+    // Grey values are to be read: they are shadowed less.
+    const float open = onBox ? 1.0 : mix(openness(at, tilted), 1.0, 0.6 * grey);
     const vec4 light = lightOnFace(lightOn(normal, toViewer, open, gloss), grey, flatFace);
     const vec3 seen = lit(albedo, light);
     return hit ? seen : vec3(0.0);
