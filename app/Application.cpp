@@ -25,6 +25,8 @@
 #include "ui/tools/ClipTool.h"
 #include "ui/tools/DrillTool.h"
 #include "ui/tools/PaintTool.h"
+#include "ui/tools/PeelTool.h"
+#include "ui/tools/ScissorsTool.h"
 #include "ui/tools/SeedTool.h"
 #include "ui/tools/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
@@ -67,6 +69,8 @@ void Application::makeWindow()
 {
     ui::MainWindow& window = *m_window;
     auto* drill = new ui::DrillTool(*m_workspace, &window);
+    auto* peel = new ui::PeelTool(*m_workspace, &window);
+    auto* scissors = new ui::ScissorsTool(*m_workspace, &window);
     auto* carve = new ui::CarveBrushTool(*m_workspace, &window);
     auto* clip = new ui::ClipTool(*m_workspace, &window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
@@ -74,6 +78,8 @@ void Application::makeWindow()
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
+    window.addTool(*peel, window.sculptMenu(), QKeySequence(QStringLiteral("O")));
+    window.addTool(*scissors, window.sculptMenu(), QKeySequence(QStringLiteral("K")));
     window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
     window.addTool(*clip, window.sculptMenu(), QKeySequence(QStringLiteral("Shift+C")));
     window.actionTable().fill(window.sculptMenu(),
@@ -94,8 +100,8 @@ void Application::makeWindow()
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
-    new ui::DisplayState(
-        *m_workspace, window.views(), {drill, carve, clip, seed, paint, undoHere}, &window);
+    const std::vector<ui::Tool*> tools{drill, peel, scissors, carve, clip, seed, paint, undoHere};
+    new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);

@@ -311,7 +311,11 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("drill"),
             QJsonObject{{QStringLiteral("radiusMm"), drill.radiusMm},
                 {QStringLiteral("depthMm"), drill.depthMm},
-                {QStringLiteral("throughGaps"), drill.throughGaps}}},
+                {QStringLiteral("throughGaps"), drill.throughGaps},
+                {QStringLiteral("shape"), int(drill.shape)},
+                {QStringLiteral("heightRatio"), drill.heightRatio},
+                {QStringLiteral("rotationDegrees"), drill.rotationDegrees},
+                {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate}}},
         {QStringLiteral("paint"), toJson(m_workspace.brushSettings(Workspace::Brush::Paint))},
         {QStringLiteral("carve"), toJson(m_workspace.brushSettings(Workspace::Brush::Carve))},
         {QStringLiteral("growth"),
@@ -379,6 +383,16 @@ void DisplayState::applyTools(const QJsonObject& state)
         std::clamp(drill.radiusMm, DrillOptions::minimumRadiusMm, DrillOptions::maximumRadiusMm);
     drill.depthMm =
         std::clamp(drill.depthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
+    read(drillJson[QLatin1String("heightRatio")], drill.heightRatio);
+    read(drillJson[QLatin1String("rotationDegrees")], drill.rotationDegrees);
+    drill.heightRatio = std::clamp(drill.heightRatio, DrillOptions::minimumHeightRatio, 1.0);
+    drill.rotationDegrees = std::clamp(drill.rotationDegrees, -180.0, 180.0);
+    const int shape = drillJson[QLatin1String("shape")].toInt();
+    if (shape >= 0 && shape <= int(core::MaskShape::Kind::Rounded))
+        drill.shape = core::MaskShape::Kind(shape);
+    bool rate = false;
+    read(drillJson[QLatin1String("rate")], rate);
+    drill.mode = rate ? core::DrillMode::Rate : core::DrillMode::Limit;
     m_workspace.setDrillSettings(drill);
 
     for (const auto& [name, brush] : brushes) {

@@ -50,7 +50,7 @@ void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step
         return;
     // A stroke under the pen would be what an impatient undo means.
     if (workspace.activeTool())
-        workspace.activeTool()->cancel();
+        workspace.activeTool()->putAway();
     if (const auto done = (session->*step)(); !done)
         workspace.fail(done.error());
 }

@@ -35,7 +35,7 @@ const core::Volume* Workspace::volume() const
 void Workspace::setSession(std::unique_ptr<core::EditSession> session)
 {
     if (m_tool)
-        m_tool->cancel();
+        m_tool->putAway();
     if (m_session) {
         Q_EMIT sessionClosing();
         m_session->setListener({});
@@ -238,6 +238,8 @@ void Workspace::setActiveTool(Tool* tool)
 {
     if (tool == m_tool)
         return;
+    if (m_tool)
+        m_tool->putAway();
     m_tool = tool;
     Q_EMIT activeToolChanged();
 }

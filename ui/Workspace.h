@@ -26,9 +26,14 @@ class Workspace : public QObject {
 
 public:
     struct DrillSettings {
-        double radiusMm = 8.0;
-        double depthMm = 8.0;
+        double radiusMm = 8.0; ///< of other shapes than the circle: half the width
+        double depthMm = 8.0; ///< mode Rate: a second
         bool throughGaps = false;
+        core::MaskShape::Kind shape = core::MaskShape::Kind::Circle;
+        double heightRatio = 0.5; ///< height to width, where they differ
+        double rotationDegrees = 0.0;
+        core::DrillMode mode = core::DrillMode::Limit;
+        double floorMm = 30.0; ///< mode Rate
         bool operator==(const DrillSettings&) const = default;
     };
     /// Of paint and of the carve brush, each its own.

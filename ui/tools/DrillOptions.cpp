@@ -6,6 +6,7 @@
 #include "ui/tools/DrillSurface.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -33,20 +34,54 @@ QDoubleSpinBox* millimetreBox(QWidget* parent, double minimum, double maximum, c
 DrillOptions::DrillOptions(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
+    , m_shape(new QComboBox(this))
     , m_radius(millimetreBox(this, minimumRadiusMm, maximumRadiusMm, QStringLiteral("drillRadius")))
+    , m_height(new QDoubleSpinBox(this))
+    , m_turn(new QDoubleSpinBox(this))
+    , m_mode(new QComboBox(this))
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))
     , m_throughGaps(new QCheckBox(tr("through gaps"), this))
+    , m_radiusLabel(new QLabel(this))
     , m_start(new QLabel(this))
 {
+    // In the order of the enumerators.
+    m_shape->setObjectName(QStringLiteral("drillShape"));
+    m_shape->addItems({tr("Circle"), tr("Ellipse"), tr("Square"), tr("Rectangle"), tr("Rounded")});
+    m_shape->setToolTip(tr("What is pressed into the volume"));
+    m_mode->setObjectName(QStringLiteral("drillMode"));
+    m_mode->addItems({tr("Limit"), tr("Rate")});
+    m_mode->setToolTip(tr("Limit: one press cuts at most the depth, however long it lasts\n"
+                          "Rate: it cuts so much a second, at most 30 mm"));
+    m_height->setObjectName(QStringLiteral("drillHeight"));
+    m_height->setRange(100.0 * minimumHeightRatio, 100.0);
+    m_height->setDecimals(0);
+    m_height->setSingleStep(5.0);
+    m_height->setSuffix(tr(" % high"));
+    m_turn->setObjectName(QStringLiteral("drillTurn"));
+    m_turn->setRange(-180.0, 180.0);
+    m_turn->setWrapping(true);
+    m_turn->setDecimals(0);
+    m_turn->setSingleStep(5.0);
+    m_turn->setSuffix(QStringLiteral("°"));
+    m_turn->setToolTip(tr("Turned counter-clockwise"));
+    for (QDoubleSpinBox* box : {m_height, m_turn}) {
+        box->setFixedHeight(theme::controlHeight);
+        box->setKeyboardTracking(false);
+    }
+    for (QComboBox* box : {m_shape, m_mode})
+        box->setFixedHeight(theme::controlHeight);
     m_throughGaps->setObjectName(QStringLiteral("drillThroughGaps"));
     m_throughGaps->setToolTip(tr("Cut on behind air or soft tissue up to the full depth"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(new QLabel(tr("Radius"), this));
+    layout->addWidget(m_shape);
+    layout->addWidget(m_radiusLabel);
     layout->addWidget(m_radius);
+    layout->addWidget(m_height);
+    layout->addWidget(m_turn);
     layout->addSpacing(theme::smallPadding);
-    layout->addWidget(new QLabel(tr("Depth"), this));
+    layout->addWidget(m_mode);
     m_depth->setToolTip(tr("At full pressure; half the pressure cuts a quarter of it"));
     layout->addWidget(m_depth);
     layout->addSpacing(theme::smallPadding);
@@ -61,6 +96,10 @@ DrillOptions::DrillOptions(Workspace& workspace, QWidget* parent)
     connect(&m_workspace, &Workspace::volumeDisplayChanged, this, &DrillOptions::showSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     connect(m_depth, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
+    for (const QDoubleSpinBox* box : {m_height, m_turn})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
+    for (const QComboBox* box : {m_shape, m_mode})
+        connect(box, &QComboBox::currentIndexChanged, this, &DrillOptions::takeSettings);
     connect(m_throughGaps, &QCheckBox::toggled, this, &DrillOptions::takeSettings);
 }
 
@@ -69,9 +108,24 @@ void DrillOptions::showSettings()
     const QSignalBlocker radius(m_radius);
     const QSignalBlocker depth(m_depth);
     const QSignalBlocker gaps(m_throughGaps);
-    m_radius->setValue(m_workspace.drillSettings().radiusMm);
-    m_depth->setValue(m_workspace.drillSettings().depthMm);
-    m_throughGaps->setChecked(m_workspace.drillSettings().throughGaps);
+    const QSignalBlocker shape(m_shape);
+    const QSignalBlocker height(m_height);
+    const QSignalBlocker turn(m_turn);
+    const QSignalBlocker mode(m_mode);
+    using Kind = core::MaskShape::Kind;
+    const Workspace::DrillSettings& settings = m_workspace.drillSettings();
+    m_radius->setValue(settings.radiusMm);
+    m_depth->setValue(settings.depthMm);
+    m_throughGaps->setChecked(settings.throughGaps);
+    m_shape->setCurrentIndex(int(settings.shape));
+    m_height->setValue(100.0 * settings.heightRatio);
+    m_turn->setValue(settings.rotationDegrees);
+    m_mode->setCurrentIndex(int(settings.mode));
+    // Of all shapes that are not round the radius is half the width.
+    m_radiusLabel->setText(settings.shape == Kind::Circle ? tr("Radius") : tr("Half width"));
+    m_height->setVisible(settings.shape != Kind::Circle && settings.shape != Kind::Square);
+    m_turn->setVisible(settings.shape != Kind::Circle);
+    m_depth->setSuffix(settings.mode == core::DrillMode::Rate ? tr(" mm/s") : tr(" mm"));
     const core::Volume* volume = m_workspace.volume();
     m_start->setText(volume ? startText(m_workspace) : QString());
     switch (m_workspace.volumeDisplay().mode) {
@@ -94,7 +148,15 @@ void DrillOptions::showSettings()
 
 void DrillOptions::takeSettings()
 {
-    m_workspace.setDrillSettings({m_radius->value(), m_depth->value(), m_throughGaps->isChecked()});
+    Workspace::DrillSettings settings = m_workspace.drillSettings();
+    settings.radiusMm = m_radius->value();
+    settings.depthMm = m_depth->value();
+    settings.throughGaps = m_throughGaps->isChecked();
+    settings.shape = core::MaskShape::Kind(m_shape->currentIndex());
+    settings.heightRatio = m_height->value() / 100.0;
+    settings.rotationDegrees = m_turn->value();
+    settings.mode = core::DrillMode(m_mode->currentIndex());
+    m_workspace.setDrillSettings(settings);
 }
 
 } // namespace ui

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QCheckBox;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 
@@ -20,6 +21,7 @@ public:
     static constexpr double maximumRadiusMm = 60.0;
     static constexpr double minimumDepthMm = 0.5;
     static constexpr double maximumDepthMm = 120.0;
+    static constexpr double minimumHeightRatio = 0.05;
 
     explicit DrillOptions(Workspace& workspace, QWidget* parent = nullptr);
 
@@ -28,9 +30,14 @@ private:
     void takeSettings();
 
     Workspace& m_workspace;
+    QComboBox* m_shape = nullptr;
     QDoubleSpinBox* m_radius = nullptr;
+    QDoubleSpinBox* m_height = nullptr; ///< per cent of the width
+    QDoubleSpinBox* m_turn = nullptr;
+    QComboBox* m_mode = nullptr;
     QDoubleSpinBox* m_depth = nullptr;
     QCheckBox* m_throughGaps = nullptr;
+    QLabel* m_radiusLabel = nullptr;
     QLabel* m_start = nullptr;
 };
 

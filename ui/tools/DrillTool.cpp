@@ -3,6 +3,7 @@
 
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
+#include "ui/tools/DrillMask.h"
 #include "ui/tools/DrillOptions.h"
 #include "ui/tools/DrillSurface.h"
 #include "ui/tools/PickQuestion.h"
@@ -18,6 +19,11 @@ namespace {
 
 /// What lies so much deeper than the cut is seen through a gap.
 constexpr double guardMm = 5.0;
+
+bool restoresWith(const PointerSample& sample)
+{
+    return sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+}
 
 /// The next round millimetre value: steps grow with the size, a tenth of it at least half a mm.
 double stepped(double value, int steps, double minimum, double maximum)
@@ -35,7 +41,12 @@ DrillTool::DrillTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::drillSettingsChanged, this, &Tool::overlayChanged);
     connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
     // A stroke ends with the session it was begun in.
-    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_strokeView.reset(); });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_strokeView.reset();
+        m_resting.stop();
+    });
+    m_resting.setInterval(16);
+    connect(&m_resting, &QTimer::timeout, this, &DrillTool::rest);
 }
 
 QString DrillTool::name() const
@@ -50,7 +61,8 @@ QString DrillTool::iconName() const
 
 QString DrillTool::hint() const
 {
-    return tr("Drill: press on the surface in the 3D view; pressure sets the depth");
+    return tr("Drill: press on the surface in the 3D view; pressure sets the depth, Ctrl or the "
+              "pen's eraser end restores");
 }
 
 QString DrillTool::target() const
@@ -60,13 +72,14 @@ QString DrillTool::target() const
         session ? session->document().layer(m_workspace.activeLayer()) : nullptr;
     if (!layer)
         return {};
-    return layer->muted ? tr("layer %1 is muted").arg(layer->name)
-                        : tr("carves layer %1").arg(layer->name);
+    if (layer->muted)
+        return tr("layer %1 is muted").arg(layer->name);
+    return (m_restores ? tr("restores layer %1") : tr("carves layer %1")).arg(layer->name);
 }
 
 QString DrillTool::keys() const
 {
-    return tr("[ ] radius · Alt+wheel depth · Esc cancels");
+    return tr("[ ] radius · Alt+wheel depth · Ctrl restores · Esc cancels");
 }
 
 QWidget* DrillTool::createOptions(QWidget* parent)
@@ -80,14 +93,17 @@ bool DrillTool::worksIn(const ViewContext& view) const
     return scene && scene->orthographic;
 }
 
-core::DrillStroke DrillTool::strokeIn(const ViewContext& view) const
+core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) const
 {
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
     core::DrillStroke stroke;
     stroke.layer = m_workspace.activeLayer();
     stroke.view = orthographicView(scene);
-    stroke.mask.radiusMm = settings.radiusMm;
+    stroke.mask = drillMask(settings);
+    stroke.mode = settings.mode;
+    stroke.floorMm = settings.floorMm;
+    stroke.restore = restore;
     stroke.depthMm = settings.depthMm;
     stroke.throughGaps = settings.throughGaps;
     stroke.guardMm = guardMm;
@@ -107,25 +123,40 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     core::EditSession* session = m_workspace.session();
     if (!session || !worksIn(view) || m_strokeView)
         return;
-    if (sample.eraserEnd) {
-        m_workspace.say(tr("The drill has no use for the eraser end; turn the pen"));
-        return;
-    }
-    if (const auto begun = session->begin(strokeIn(view)); !begun) {
+    m_restores = restoresWith(sample);
+    if (const auto begun = session->begin(strokeIn(view, m_restores)); !begun) {
         m_workspace.fail(begun.error());
         return;
     }
     m_strokeView = view;
     m_startSeconds = sample.timeSeconds;
-    session->extendDrill({penSample(sample)});
+    tell(sample);
+    if (m_workspace.drillSettings().mode == core::DrillMode::Rate)
+        m_resting.start();
     showCursor(sample, view.view);
+}
+
+void DrillTool::tell(const PointerSample& sample)
+{
+    m_told = penSample(sample);
+    m_sinceTold.start();
+    m_workspace.session()->extendDrill({m_told});
+}
+
+/// A pen that does not move reports nothing, yet it goes on pressing.
+void DrillTool::rest()
+{
+    core::PenSample now = m_told;
+    now.tSeconds += double(m_sinceTold.elapsed()) / 1000.0;
+    if (core::EditSession* session = m_workspace.session(); session && m_strokeView)
+        session->extendDrill({now});
 }
 
 void DrillTool::drag(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_strokeView || view.view != m_strokeView->view)
         return;
-    m_workspace.session()->extendDrill({penSample(sample)});
+    tell(sample);
     showCursor(sample, view.view);
 }
 
@@ -134,6 +165,7 @@ void DrillTool::release(const PointerSample& sample, const ViewContext& view)
     if (!m_strokeView)
         return;
     m_strokeView.reset();
+    m_resting.stop();
     m_workspace.session()->end(core::Ending::Commit);
     showCursor(sample, view.view);
 }
@@ -143,6 +175,7 @@ void DrillTool::cancel()
     if (!m_strokeView)
         return;
     m_strokeView.reset();
+    m_resting.stop();
     if (core::EditSession* session = m_workspace.session())
         session->end(core::Ending::Rollback);
     m_workspace.say(tr("The stroke was taken back"));
@@ -165,6 +198,8 @@ void DrillTool::showCursor(const PointerSample& sample, gpu::ViewId view)
     m_cursor = sample.position;
     m_cursorView = view;
     m_pressure = m_strokeView ? sample.pressure : 0.0;
+    if (!m_strokeView)
+        m_restores = restoresWith(sample);
     Q_EMIT overlayChanged();
 }
 
@@ -191,25 +226,22 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     const double radius = settings.radiusMm / view.mmPerPixel();
 
-    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
-    painter.drawEllipse(m_cursor, radius, radius);
-    painter.setPen(QPen(toolColour(), 1.6));
-    painter.drawEllipse(m_cursor, radius, radius);
+    drawToolOutline(painter, maskOutline(drillMask(settings), m_cursor, view.mmPerPixel()));
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(m_cursor, 2.0, 2.0);
 
     const QString full = QLocale().toString(settings.depthMm, 'f', 1);
-    QString depth = tr("%1 mm deep").arg(full);
-    if (m_strokeView) {
+    const bool rate = settings.mode == core::DrillMode::Rate;
+    QString depth = rate ? tr("%1 mm a second").arg(full) : tr("%1 mm deep").arg(full);
+    if (m_strokeView && !rate) {
         // Mode Limit: the depth grows with the square of the pressure (DrillStroke's exponent).
         const double now = settings.depthMm * m_pressure * m_pressure;
         depth = tr("%1 of %2 mm").arg(QLocale().toString(now, 'f', 1), full);
     }
-    const QString size = tr("radius %1 mm").arg(QLocale().toString(settings.radiusMm, 'f', 1));
+    const QString size = settings.shape == core::MaskShape::Kind::Circle
+        ? tr("radius %1 mm").arg(QLocale().toString(settings.radiusMm, 'f', 1))
+        : tr("width %1 mm").arg(QLocale().toString(2.0 * settings.radiusMm, 'f', 1));
     QStringList lines{depth, size, target()};
     // Where the picture itself does not say where a cut starts.
     if (m_workspace.volumeDisplay().mode != gpu::RenderMode::Surface)

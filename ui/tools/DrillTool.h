@@ -4,15 +4,19 @@
 #include "core/edits/Edits.h"
 #include "ui/tools/Tool.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
+
 #include <optional>
 
 namespace ui {
 
 class Workspace;
 
-/// Cuts into the sculpt layer where the pen presses on the 3D view (seed A §4.1; DESIGN §5, mode
-/// Limit). The view of pen-down holds for the whole stroke; the cut shows while the pen is down,
-/// and cancel() takes it back.
+/// Cuts into the sculpt layer where the pen presses on the 3D view (seed A §4.1, 4.2; DESIGN §5),
+/// or fills it again: with Ctrl, or the pen's eraser end. The view of pen-down holds for the whole
+/// stroke; the cut shows while the pen is down, and cancel() takes it back. In mode Rate a resting
+/// pen goes deeper.
 class DrillTool : public Tool {
     Q_OBJECT
 
@@ -39,11 +43,13 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
     /// The edit that a stroke begun in this view stands for, without samples.
-    [[nodiscard]] core::DrillStroke strokeIn(const ViewContext& view) const;
+    [[nodiscard]] core::DrillStroke strokeIn(const ViewContext& view, bool restore = false) const;
 
 private:
     [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;
     void showCursor(const PointerSample& sample, gpu::ViewId view);
+    void tell(const PointerSample& sample);
+    void rest();
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< set while the pen is down
@@ -51,6 +57,10 @@ private:
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     double m_pressure = 0.0;
+    bool m_restores = false; ///< the stroke, or what a press would do now
+    core::PenSample m_told; ///< last
+    QElapsedTimer m_sinceTold;
+    QTimer m_resting; ///< mode Rate: tells that time goes on
 };
 
 } // namespace ui

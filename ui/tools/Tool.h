@@ -50,6 +50,8 @@ public:
     virtual void drag(const PointerSample&, const ViewContext&) { }
     virtual void release(const PointerSample&, const ViewContext&) { }
     virtual void cancel() { }
+    /// Something else is done: another tool is taken, another study opened, a step undone.
+    virtual void putAway() { cancel(); }
     virtual void hover(const PointerSample&, const ViewContext&) { }
     virtual void leave() { } ///< the pointer left the view
     /// Shift + wheel and [ ]: @p steps is positive for greater.

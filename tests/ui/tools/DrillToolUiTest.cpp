@@ -11,6 +11,7 @@
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
 #include <QLabel>
@@ -168,6 +169,61 @@ private Q_SLOTS:
         QVERIFY(fixture.session().transactionOpen());
         QVERIFY(fixture.carvedVoxels() > 50);
         QCOMPARE(fixture.session().history().position(), core::RowId(0));
+    }
+
+    void theEraserEndRestores()
+    {
+        DrillFixture fixture;
+        test::Pen pen(fixture.view);
+        draw(fixture, pen);
+        pen.release(fixture.middle() + stroke.back().offset, 70041);
+        QVERIFY(fixture.session().settle());
+        const std::int64_t carved = fixture.carvedVoxels();
+        test::Pen eraser(fixture.view, test::Pen::End::Eraser);
+        draw(fixture, eraser);
+        eraser.release(fixture.middle() + stroke.back().offset, 70041);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(
+            std::get<core::DrillStroke>(fixture.session().history().rows().back().edit).restore);
+        QVERIFY(fixture.carvedVoxels() < carved);
+    }
+
+    void shapesAndModesAreChosen()
+    {
+        DrillFixture fixture;
+        ui::DrillOptions options(fixture.workspace);
+        options.show();
+        auto* shape = options.findChild<QComboBox*>(QStringLiteral("drillShape"));
+        auto* turn = options.findChild<QDoubleSpinBox*>(QStringLiteral("drillTurn"));
+        QVERIFY(turn->isHidden());
+        shape->setCurrentIndex(int(core::MaskShape::Kind::Rectangle));
+        QVERIFY(!turn->isHidden());
+        turn->setValue(30.0);
+        options.findChild<QDoubleSpinBox*>(QStringLiteral("drillHeight"))->setValue(40.0);
+        options.findChild<QComboBox*>(QStringLiteral("drillMode"))->setCurrentIndex(1);
+        const core::DrillStroke made = fixture.tool.strokeIn(fixture.view.context());
+        QCOMPARE(made.mask.widthMm, 6.0);
+        QCOMPARE(made.mask.heightMm, 0.4 * 6.0);
+        QCOMPARE(made.mask.rotationDegrees, 30.0);
+        QCOMPARE(made.mode, core::DrillMode::Rate);
+    }
+
+    /// In mode Rate a pen that rests reports nothing, and goes deeper.
+    void aRestingPenGoesDeeper()
+    {
+        DrillFixture fixture;
+        ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
+        settings.mode = core::DrillMode::Rate;
+        settings.depthMm = 60.0;
+        fixture.workspace.setDrillSettings(settings);
+        test::Pen pen(fixture.view);
+        pen.press(fixture.middle(), 1.0, 70000);
+        QTRY_VERIFY(fixture.carvedVoxels() > 20);
+        const std::int64_t before = fixture.carvedVoxels();
+        QTRY_VERIFY(fixture.carvedVoxels() > before);
+        pen.release(fixture.middle(), 71000);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), core::RowId(1));
     }
 
     void escapeTakesTheStrokeBack()
