@@ -11,6 +11,9 @@ namespace test {
 
 namespace {
 
+/// Where a random one covers next to nothing.
+const std::vector<glm::dvec2> largeOutline{{-6.0, -5.0}, {7.0, -4.0}, {0.0, 8.0}};
+
 glm::dvec3 randomDirection(Random& random)
 {
     glm::dvec3 v;
@@ -114,6 +117,8 @@ core::PeelCut randomPeel(const core::Document& document, Random& random)
     peel.throughGaps = from.throughGaps;
     peel.jumpMm = random() % 3 ? 0.5 + 4.0 * randomUnit(random) : 0.0;
     peel.restore = random() % 3 == 0;
+    if (!core::maskPeel(peel, document))
+        peel.polygonMm = largeOutline;
     return peel;
 }
 
@@ -129,6 +134,8 @@ core::ScissorsCut randomScissors(const core::Document& document, Random& random)
         cut.depthMm = 1.0 + from.mask.radiusMm * randomUnit(random);
     cut.restore = random() % 3 == 0;
     cut.firstLayerOnly = !cut.restore && random() % 2;
+    if (!core::maskScissors(cut, document))
+        cut.polygonMm = largeOutline;
     return cut;
 }
 
@@ -160,6 +167,8 @@ core::DrillStroke randomDrill(const core::Document& document, Random& random)
         yMm += (randomUnit(random) - 0.5) * reach;
     }
     randomise(stroke, reach, random);
+    if (!core::drillCut(stroke, document)) // too small a mask for these voxels
+        stroke.mask = {.radiusMm = stroke.mask.radiusMm};
     return stroke;
 }
 

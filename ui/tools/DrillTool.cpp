@@ -61,8 +61,8 @@ QString DrillTool::iconName() const
 
 QString DrillTool::hint() const
 {
-    return tr("Drill: press on the surface in the 3D view; pressure sets the depth, Ctrl or the "
-              "pen's eraser end restores");
+    return tr("Drill: press on the surface; pressure sets the depth, Ctrl or the eraser end "
+              "restores");
 }
 
 QString DrillTool::target() const

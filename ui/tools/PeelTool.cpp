@@ -43,8 +43,7 @@ QString PeelTool::hint() const
 {
     return m_open ? tr("Peel: the slider or Alt+wheel sets the depth, Enter keeps it, Esc takes "
                        "it back")
-                  : tr("Peel: draw a curve around a part of the surface in the 3D view; Ctrl or "
-                       "the pen's eraser end restores");
+                  : tr("Peel: draw a curve on the 3D view; Ctrl or the eraser end restores");
 }
 
 QString PeelTool::keys() const

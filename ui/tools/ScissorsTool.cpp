@@ -25,8 +25,7 @@ QString ScissorsTool::iconName() const
 
 QString ScissorsTool::hint() const
 {
-    return tr("Carve scissors: draw a curve in the 3D view; what lies under it is cut out, Ctrl or "
-              "the pen's eraser end restores");
+    return tr("Carve scissors: draw a curve on the 3D view; Ctrl or the eraser end restores");
 }
 
 QString ScissorsTool::keys() const
