@@ -65,7 +65,7 @@ private:
             .targetLps = camera.targetLps,
             .up = camera.up,
             .heightMm = camera.heightMm};
-        stroke.radiusMm = radiusMm;
+        stroke.mask.radiusMm = radiusMm;
         stroke.depthMm = depthMm;
         stroke.surfaceThreshold = m_application->workspace().volumeDisplay().surfaceThreshold;
         const glm::dvec2 start = from * camera.heightMm;

@@ -39,7 +39,7 @@ double areaMm2(const MaskShape& made)
     return double(raster(made).area()) / 256.0 / 16.0;
 }
 
-QJsonValue parsed(const char* mask)
+QJsonValue parsed(const QByteArray& mask)
 {
     return QJsonDocument::fromJson(
         QByteArray("{'edit':'drill','view':{'eyeLps':[0,-200,0],'targetLps':[0,0,0],'up':[0,0,1],"
