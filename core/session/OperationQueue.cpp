@@ -208,6 +208,7 @@ Result<void> OperationQueue::settle()
             std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
     m_state.worker->finish();
+    m_state.engine.finish(); // also what nobody waits for: layers that were muted on the way
     poll();
     Result<void> onDisk;
     if (m_state.file)

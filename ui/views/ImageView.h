@@ -7,6 +7,7 @@
 #include "ui/tools/ViewContext.h"
 
 #include <QImage>
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -116,7 +117,7 @@ private:
     bool m_dragging = false; ///< moved farther than a click does
     bool m_navigateKey = false; ///< Space: the left button navigates with a tool in hand
     std::optional<QPointF> m_pointer; ///< over this view
-    Tool* m_tool = nullptr;
+    QPointer<Tool> m_tool; ///< the window may outlive it
 };
 
 } // namespace ui

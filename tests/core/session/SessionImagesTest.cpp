@@ -225,7 +225,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("old");
         QTest::newRow("of today") << QString();
-        QTest::newRow("of schema version 2") << QStringLiteral("version2.burin");
+        QTest::newRow("of schema version 2") << QStringLiteral("version2series.burin");
     }
     void aSessionGoesOnWithThem()
     {
