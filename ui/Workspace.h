@@ -62,7 +62,7 @@ public:
         /// Its own: what shows soft tissue on a slice drowns every bone along a ray.
         core::WindowLevel mipWindow;
         core::WindowLevel xrayWindow; ///< of means, which air thins
-        gpu::CutFaces cutFaces = gpu::CutFaces::GreyValues;
+        gpu::CutFaces cutFaces = gpu::CutFaces::Material;
         bool operator==(const VolumeDisplay&) const = default;
     };
 

@@ -94,7 +94,7 @@ private:
             {{-100.0, 0x204060, 0.0}, {35.0, 0xC06040, 0.02}, {900.5, 0xFFFFEE, 0.6}}};
         volume.mipWindow = {500.0, 700.0};
         volume.xrayWindow = {-400.0, 900.0};
-        volume.cutFaces = gpu::CutFaces::Material;
+        volume.cutFaces = gpu::CutFaces::GreyValues;
         workspace.setVolumeDisplay(volume);
         core::ClipRegion clip = workspace.clip();
         clip.box.minimum.x += 0.75;
