@@ -115,7 +115,7 @@ inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
-inline constexpr editFields::Number peelDepth{"mm", 0.0, 100.0, quantum::perMillimetre};
+inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 inline constexpr editFields::Outline viewOutline{
     editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number maskSide{"mm", 0.02, 400.0, quantum::perMillimetre};

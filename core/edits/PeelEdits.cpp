@@ -11,7 +11,7 @@ namespace core {
 namespace {
 
 /// No peel reaches farther than this along the view, however steep the surface.
-constexpr double farthestPeelMm = 120.0;
+constexpr double farthestPeelMm = 64.0;
 constexpr double wholeVolumeMm = 10000.0;
 
 /// Half of what an outline spans: what decides how fine the elements are.

@@ -314,7 +314,7 @@ private:
             return PeelCut{.layer = stroke.layer,
                 .view = stroke.view,
                 .polygonMm = outline,
-                .depthMm = stroke.depthMm,
+                .depthMm = std::min(stroke.depthMm, 40.0),
                 .surfaceThreshold = stroke.surfaceThreshold,
                 .throughGaps = stroke.throughGaps,
                 .restore = stroke.restore};

@@ -79,7 +79,7 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         }
     } else if (const auto* peel = std::get_if<core::PeelCut>(&edit)) {
         core::PeelCut first = *peel;
-        first.depthMm = std::min(2.0 * peel->depthMm + 1.0, 100.0);
+        first.depthMm = std::min(2.0 * peel->depthMm + 1.0, 60.0);
         require(session.begin(first), "begin");
         for (const double depthMm : {1.0, 0.0, 0.5 * peel->depthMm, peel->depthMm}) {
             session.setPeelDepth(depthMm);
