@@ -115,7 +115,9 @@ private Q_SLOTS:
             "UPDATE row SET stateHash=(SELECT stateHash FROM row WHERE id=2) WHERE id=4",
             QStringLiteral(
                 "row 4 '%4' and the %after after it cannot be read: its hash was changed"));
-        row("a seal", 11, "UPDATE row SET seal=replace(seal,'0','1') WHERE id=11",
+        row("a seal", 11,
+            "UPDATE row SET seal=(CASE substr(seal,1,1) WHEN '0' THEN '1' ELSE '0' END)"
+            "||substr(seal,2) WHERE id=11",
             QStringLiteral("row 11 '%11' and the %after after it cannot be read: its hash"));
         row("a row gone", 8, "DELETE FROM row WHERE id=8",
             QStringLiteral("row 8 and the %after after it cannot be read: it is missing"));
