@@ -47,7 +47,7 @@ private:
     }
     [[nodiscard]] bool waitUntilDrawn()
     {
-        QTest::qWait(400); // until the pictures know that they are old
+        QTest::qWait(2500); // a busy machine needs that long to know that its pictures are old
         return wait([this] { return session().idle() && window().views().refined(); });
     }
     void apply(const core::Edit& edit)
