@@ -4,6 +4,7 @@
 #include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -31,7 +32,7 @@ core::MaskShape randomMask(double radiusMm, Random& random)
     mask.kind = core::MaskShape::Kind(randomInt(random, 0, 4));
     mask.widthMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
     mask.heightMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
-    mask.cornerMm = radiusMm * randomUnit(random);
+    mask.cornerMm = std::max(radiusMm * randomUnit(random), 0.02);
     mask.rotationDegrees = randomInt(random, -360, 360);
     if (random() % 3 == 0)
         mask.polygonMm = randomOutline(radiusMm, random);
