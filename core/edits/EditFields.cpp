@@ -90,8 +90,17 @@ QString Number::check(Value value) const
 
 double Number::rounded(Value value) const
 {
+    if (stepsPerUnit != 0.0) {
+        double steps = std::round(value * stepsPerUnit);
+        // The ends of a range need not lie on the grid; an allowed value stays allowed.
+        if (steps / stepsPerUnit < minimum && value >= minimum)
+            steps += 1.0;
+        if (steps / stepsPerUnit > maximum && value <= maximum)
+            steps -= 1.0;
+        value = steps / stepsPerUnit;
+    }
     // Adding zero turns −0 into 0, so that equal values have one written form.
-    return (stepsPerUnit == 0.0 ? value : std::round(value * stepsPerUnit) / stepsPerUnit) + 0.0;
+    return value + 0.0;
 }
 
 // --- WholeNumber, Flag

@@ -51,7 +51,7 @@ void randomise(core::DrillStroke& stroke, double reach, Random& random)
     if (random() % 4 == 0) {
         stroke.mode = core::DrillMode::Rate;
         stroke.floorMm = reach * randomUnit(random);
-        stroke.depthMm *= 4.0;
+        stroke.depthMm = std::min(4.0 * stroke.depthMm, 500.0); // the most that an edit may say
     }
     double seconds = 0.0;
     for (core::PenSample& sample : stroke.samples) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/EditSchema.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -142,6 +143,36 @@ private Q_SLOTS:
         const SeedStroke seed{.segment = 1, .pointsLps = {{-0.0, -1e-9, 0.0}}};
         QCOMPARE(
             text(quantised(seed)), text(SeedStroke{.segment = 1, .pointsLps = {{0.0, 0.0, 0.0}}}));
+    }
+
+    void theEndsOfARangeStayInside()
+    {
+        // A row is checked before it is rounded; one that leaves its range by that cannot be read.
+        const QStringList shapes{QStringLiteral("circle"), QStringLiteral("ellipse"),
+            QStringLiteral("square"), QStringLiteral("rectangle"), QStringLiteral("rounded")};
+        for (const double side : {0.02, 400.0}) {
+            for (int kind = 0; kind < shapes.size(); ++kind) {
+                DrillStroke stroke = RandomEdits(5).drill();
+                stroke.mask = {.kind = MaskShape::Kind(kind),
+                    .radiusMm = side / 2.0,
+                    .widthMm = side,
+                    .heightMm = side,
+                    .cornerMm = side,
+                    .rotationDegrees = 360.0};
+                QVERIFY2(editFromJson(editToJson(stroke)), qPrintable(shapes[kind]));
+                const Result<Edit> read = editFromJson(editToJson(quantised(stroke)));
+                QVERIFY2(read, qPrintable(shapes[kind]));
+                QCOMPARE(text(*read), text(quantised(stroke)));
+            }
+        }
+        for (const editFields::Number& range : {editSchema::millimetres, editSchema::drillRadius,
+                 editSchema::brushRadius, editSchema::drillDepth, editSchema::peelDepth,
+                 editSchema::maskSide}) {
+            for (const double end : {range.minimum, range.maximum}) {
+                QCOMPARE(range.check(range.rounded(end)), QString());
+                QCOMPARE(range.rounded(range.rounded(end)), range.rounded(end));
+            }
+        }
     }
 
     void aPieceOfAPathIsRoundedLikeTheWhole()
