@@ -67,8 +67,13 @@ Result<SessionContents> SessionTables::open(SessionAccess access)
         return tl::unexpected(opened.error());
     m_database = *std::move(opened);
     Result<SessionContents> contents = read();
-    if (contents && contents->damage && access != SessionAccess::SoundPart)
+    if (access == SessionAccess::SoundPart || !contents)
+        return contents;
+    if (contents->damage)
         return failure(ErrorCode::SessionDamaged, m_path, contents->damage->text());
+    if (!m_deltasReadable)
+        return failure(ErrorCode::SessionDamaged, m_path,
+            QStringLiteral("what its rows changed cannot be read"));
     return contents;
 }
 
@@ -88,6 +93,7 @@ Result<SessionContents> SessionTables::read()
         return tl::unexpected(source.error());
     contents.source = *std::move(source);
     readRows(contents);
+    readDeltaSizes(contents);
     contents.chainEnd = m_chains.back();
     readState(contents);
     readKeyframes(contents);
@@ -269,9 +275,8 @@ void SessionTables::readRows(SessionContents& contents)
     const QString origin = m_database->version() < 2 ? QStringLiteral("NULL, NULL, NULL")
                                                      : QStringLiteral("at, author, program");
     const bool read = m_database->query(
-        QStringLiteral("SELECT row.id, parent, name, edit, statistics, growthGeneration, chain,"
-                       " stateHash, deltaSha256, seal, SUM(LENGTH(bytes)), %1 FROM row"
-                       " LEFT JOIN delta ON delta.row = row.id GROUP BY row.id ORDER BY row.id")
+        QStringLiteral("SELECT id, parent, name, edit, statistics, growthGeneration, chain,"
+                       " stateHash, deltaSha256, seal, %1 FROM row ORDER BY id")
             .arg(origin),
         {}, [this, &rows, &problem](const QSqlQuery& answer) {
             tl::expected<HistoryRow, QString> row = readRow(answer, RowId(rows.size()) + 1);
@@ -288,6 +293,19 @@ void SessionTables::readRows(SessionContents& contents)
         contents.damage = damageAt(RowId(rows.size()) + 1, problem);
 }
 
+void SessionTables::readDeltaSizes(SessionContents& contents)
+{
+    m_deltasReadable =
+        m_database->query(QStringLiteral("SELECT row, SUM(LENGTH(bytes)) FROM delta GROUP BY row"),
+            {}, [&contents](const QSqlQuery& answer) {
+                const RowId row = answer.value(0).toLongLong();
+                if (row > 0 && row <= RowId(contents.rows.size()))
+                    contents.rows[std::size_t(row - 1)].deltaBytes =
+                        std::size_t(answer.value(1).toLongLong());
+                return true;
+            });
+}
+
 tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
 {
     const RowText text{.id = answer.value(0).toLongLong(),
@@ -296,9 +314,9 @@ tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer
         .edit = answer.value(3).toString(),
         .statistics = answer.value(4).toString(),
         .growthGeneration = answer.value(5).toLongLong(),
-        .at = answer.value(11).toString(),
-        .author = answer.value(12).toString(),
-        .program = answer.value(13).toString()};
+        .at = answer.value(10).toString(),
+        .author = answer.value(11).toString(),
+        .program = answer.value(12).toString()};
     if (text.id != expectedId || text.parent < 0 || text.parent >= text.id)
         return tl::unexpected(QStringLiteral("it is missing or out of order"));
     // The chain does not cover what stands beside a missing time.
@@ -316,7 +334,6 @@ tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer
         if (answer.value(9).toString() != seal(chain, stateHash, answer.value(8).toString()))
             return tl::unexpected(QStringLiteral("its hash was changed after it was written"));
         row->stateHash = stateHash.toLatin1();
-        row->deltaBytes = std::size_t(answer.value(10).toLongLong());
     }
     m_chains.push_back(chain);
     return *std::move(row);

@@ -51,6 +51,8 @@ private:
     [[nodiscard]] Result<SessionContents> read();
     [[nodiscard]] Result<SessionSource> readSource();
     void readRows(SessionContents& contents);
+    /// By themselves, so that damage there costs no row: a row can be carried out again.
+    void readDeltaSizes(SessionContents& contents);
     /// Or why it cannot be trusted.
     [[nodiscard]] tl::expected<HistoryRow, QString> readRow(
         const QSqlQuery& answer, RowId expectedId);
@@ -61,6 +63,7 @@ private:
     QString m_path;
     std::unique_ptr<SessionDatabase> m_database;
     std::vector<QString> m_chains; ///< by row; [0] is the source's
+    bool m_deltasReadable = true;
 };
 
 } // namespace core

@@ -27,6 +27,7 @@ private:
     QTemporaryDir m_pattern; ///< holds the session that tests copy
     SessionContents m_sound; ///< of that
     QByteArray m_bytes;
+    QStringList m_indispensable;
 
     QStringList filesIn() const { return QDir(m_folder->path()).entryList(QDir::Files); }
 
@@ -42,6 +43,21 @@ private:
                 && row.stateHash == whole.stateHash;
         }
         return same;
+    }
+
+    /// What nothing can be opened without, as SQL reads it; an answer is empty where it cannot be
+    /// read.
+    static QStringList indispensable(const QString& path)
+    {
+        QStringList answers;
+        for (const char* query : {"PRAGMA application_id", "PRAGMA user_version",
+                 "SELECT group_concat(sql) FROM sqlite_master",
+                 "SELECT json || quote(images) || quote(headers) FROM source WHERE id = 1",
+                 "SELECT parent || name || edit || statistics || growthGeneration || chain || "
+                 "stateHash || deltaSha256 || seal || quote(at) || quote(author) || quote(program) "
+                 "FROM row WHERE id = 1"})
+            answers += test::text(path, QString::fromLatin1(query));
+        return answers;
     }
 
     /// Salvages, opens what came of it, walks to every row and goes on.
@@ -79,6 +95,8 @@ private Q_SLOTS:
         QVERIFY(contents);
         QVERIFY(!contents->damage);
         m_sound = *contents;
+        m_indispensable = indispensable(path);
+        QVERIFY(!m_indispensable.contains(QString()));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         m_bytes = file.readAll();
@@ -239,6 +257,10 @@ private Q_SLOTS:
             const Result<SessionContents> contents = checkSession(m_path);
             if (!contents) {
                 ++refused;
+                QVERIFY(QFile::copy(m_path, m_target));
+                QVERIFY2(indispensable(m_target) != m_indispensable,
+                    qPrintable(QString::number(start) + contents.error().arguments.join(u' ')));
+                QVERIFY(QFile::remove(m_target));
             } else {
                 QVERIFY2(isBeginning(contents->rows), qPrintable(QString::number(start)));
                 QVERIFY(contents->damage || contents->rows.size() == m_sound.rows.size());
@@ -252,7 +274,7 @@ private Q_SLOTS:
             QVERIFY(file.open(QIODevice::ReadOnly));
             QVERIFY(file.readAll() == bytes);
         }
-        QVERIFY2(cut > 4 && redone > 0 && refused < 30,
+        QVERIFY2(cut > 4 && redone > 0 && refused < cut,
             qPrintable(QStringLiteral("%1 %2 %3").arg(cut).arg(redone).arg(refused)));
     }
 
