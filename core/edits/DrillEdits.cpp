@@ -38,6 +38,7 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
     const bool rate = stroke.mode == DrillMode::Rate;
     for (const Result<void>& check :
         {checkRange("mask.radiusMm", stroke.mask.radiusMm, 0.01, 200.0),
+            checkRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
             checkRange("depthMm", stroke.depthMm, 0.0, 500.0),
             checkRange("floorMm", stroke.floorMm, 0.0, 500.0),
             checkRange("guardMm", stroke.guardMm, 0.0, 500.0),
@@ -61,7 +62,7 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
     cut.laying = stroke.restore ? Laying::Refill : Laying::Carve;
     if (stroke.guardMm > 0.0 && !stroke.throughGaps && !stroke.restore)
         cut.guard = frame->maxDepth + mm16(stroke.guardMm);
-    if (isRound(stroke.mask)) {
+    if (isRound(stroke.mask) && stroke.mask.softnessMm == 0.0) {
         cut.maskRadius = mm16(stroke.mask.radiusMm);
         return cut;
     }
@@ -70,7 +71,7 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
         glm::dvec2(0.5), QStringLiteral("drill.mask"));
     if (!mask)
         return tl::unexpected(mask.error());
-    cut.mask = *std::move(mask);
+    cut.mask = softened(*mask, (std::int64_t(mm16(stroke.mask.softnessMm)) << 8) / frame->pitch);
     return cut;
 }
 

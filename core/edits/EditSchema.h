@@ -90,7 +90,8 @@ inline constexpr const char* editMeaning<RevertRows> =
 
 template <>
 inline constexpr const char* editMeaning<ReviseStroke> =
-    "Changes or removes an older drill stroke; what later strokes cut stays.";
+    "Changes or removes an older cut of drill, peel, scissors or brush; what later strokes cut "
+    "stays.";
 template <>
 inline constexpr const char* editMeaning<PaintStroke> =
     "Paints a segment along a path, or erases it there.";
@@ -119,6 +120,7 @@ inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMilli
 inline constexpr editFields::Outline viewOutline{
     editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number maskSide{"mm", 0.02, 400.0, quantum::perMillimetre};
+inline constexpr editFields::Number maskSoftness{"mm", 0.0, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Outline maskOutline{
     editFields::Number{"mm", -200.0, 200.0, quantum::perMillimetre}};
 
@@ -272,6 +274,9 @@ template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
             inside.field("rotationDegrees", Presence::Optional, mask.rotationDegrees,
                 Number{"degrees", -360.0, 360.0, 1024.0}, "counter-clockwise, not of a circle");
         });
+        inside.field("softnessMm", Presence::Optional, mask.softnessMm, maskSoftness,
+            "over so much from its edge inwards the depth rises to its full value; 0: a sharp "
+            "edge");
     });
 }
 
@@ -316,9 +321,10 @@ template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
 template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
 {
     visit.field("row", Presence::Required, edit.row, editFields::Row{},
-        "a drill stroke of the history before this row (burin history: seq)");
-    visit.maybe("radiusMm", edit.radiusMm, drillRadius, "another radius of the disc");
-    visit.maybe("depthMm", edit.depthMm, drillDepth, "another depth at full pressure");
+        "a cut of the history before this row (burin history: seq)");
+    visit.maybe("radiusMm", edit.radiusMm, drillRadius, "another radius of a disc or brush");
+    visit.maybe("depthMm", edit.depthMm, drillDepth, "another depth, not of a brush");
+    visit.maybe("softnessMm", edit.softnessMm, maskSoftness, "another soft edge, of a drill");
     visit.maybe("layer", edit.layer, layerNumber, "another sculpt layer");
     visit.maybe("throughGaps", edit.throughGaps, editFields::Flag{},
         "whether it goes on behind a gap in the material");

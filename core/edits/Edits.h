@@ -103,6 +103,8 @@ struct MaskShape {
     double heightMm = 16.0;
     double cornerMm = 2.0; ///< rounded: radius of its corners
     double rotationDegrees = 0.0; ///< counter-clockwise
+    /// Over so much from the edge inwards the depth rises to its full value; 0: a sharp edge.
+    double softnessMm = 0.0;
     /// Closed by itself, may cross itself; relative to the sample.
     std::optional<std::vector<glm::dvec2>> polygonMm{};
     bool operator==(const MaskShape&) const = default;
@@ -191,12 +193,14 @@ struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
 
-/// Changes a drill stroke of the history out of order, or takes it out; what later strokes cut
-/// stays (session/ReviseOperation.h). Absent fields are as in that row, whatever revised it before.
+/// Changes a cut of the history out of order, or takes it out; what later strokes cut stays
+/// (session/ReviseOperation.h). Absent fields are as in that row, whatever revised it before; which
+/// of them a cut has, StrokeParameters says (SculptEdits.h).
 struct ReviseStroke {
     std::int64_t row = 0; ///< RowId
     std::optional<double> radiusMm{};
     std::optional<double> depthMm{};
+    std::optional<double> softnessMm{};
     std::optional<int> layer{};
     std::optional<bool> throughGaps{};
     bool removed = false;

@@ -3,6 +3,7 @@
 
 #include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
+#include "core/edits/ToolMasks.h"
 
 #include <type_traits>
 #include <utility>
@@ -57,6 +58,60 @@ Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document,
     return WholeCut{*std::move(cut), {}};
 }
 
+/// Shows the layer of a cut, and what else of it can be revised, to a visitor: layer(), radius(),
+/// depth(), softness(), throughGaps().
+template <class Visitor> void visitParameters(Visitor& visit, DrillStroke& stroke)
+{
+    visit.layer(stroke.layer);
+    if (isRound(stroke.mask))
+        visit.radius(stroke.mask.radiusMm);
+    visit.depth(stroke.depthMm);
+    visit.softness(stroke.mask.softnessMm);
+    visit.throughGaps(stroke.throughGaps);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, BrushStroke& stroke)
+{
+    visit.layer(stroke.layer);
+    visit.radius(stroke.path.radiusMm);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, PeelCut& peel)
+{
+    visit.layer(peel.layer);
+    visit.depth(peel.depthMm);
+    visit.throughGaps(peel.throughGaps);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, ScissorsCut& cut)
+{
+    visit.layer(cut.layer);
+    if (cut.depthMm)
+        visit.depth(*cut.depthMm);
+}
+
+struct ParameterReader {
+    void layer(int value) { read.layer = value; }
+    void radius(double value) { read.radiusMm = value; }
+    void depth(double value) { read.depthMm = value; }
+    void softness(double value) { read.softnessMm = value; }
+    void throughGaps(bool value) { read.throughGaps = value; }
+    StrokeParameters read;
+};
+
+/// Takes what it uses out of the revision.
+struct ParameterWriter {
+    void layer(int& value) { value = std::exchange(revision.layer, {}).value_or(value); }
+    void radius(double& value) { value = std::exchange(revision.radiusMm, {}).value_or(value); }
+    void depth(double& value) { value = std::exchange(revision.depthMm, {}).value_or(value); }
+    void softness(double& value) { value = std::exchange(revision.softnessMm, {}).value_or(value); }
+    void throughGaps(bool& value)
+    {
+        value = std::exchange(revision.throughGaps, {}).value_or(value);
+    }
+    ReviseStroke revision;
+};
+
 } // namespace
 
 std::optional<SculptEdit> sculptEdit(const Edit& edit)
@@ -85,6 +140,38 @@ int layerOf(const SculptEdit& edit)
 bool restores(const SculptEdit& edit)
 {
     return std::visit([](const auto& known) { return known.restore; }, edit);
+}
+
+bool startsOnSurface(const SculptEdit& edit)
+{
+    if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
+        return scissors->depthMm || scissors->firstLayerOnly;
+    return !std::holds_alternative<BrushStroke>(edit);
+}
+
+StrokeParameters parametersOf(const SculptEdit& edit)
+{
+    SculptEdit copy = edit;
+    ParameterReader reader;
+    std::visit([&reader](auto& known) { visitParameters(reader, known); }, copy);
+    return reader.read;
+}
+
+Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
+{
+    ParameterWriter writer{revision};
+    std::visit([&writer](auto& known) { visitParameters(writer, known); }, edit);
+    const ReviseStroke& left = writer.revision;
+    const char* missing = left.radiusMm ? "radiusMm"
+        : left.depthMm                  ? "depthMm"
+        : left.softnessMm               ? "softnessMm"
+        : left.throughGaps              ? "throughGaps"
+                                        : nullptr;
+    if (missing)
+        return failure(ErrorCode::InvalidField,
+            QStringLiteral("reviseStroke.") + QLatin1String(missing),
+            QStringLiteral("the cut of row %1 has none").arg(revision.row));
+    return edit;
 }
 
 Result<WholeCut> cutAlone(const SculptEdit& edit, const Document& document, std::uint8_t layer)

@@ -19,6 +19,22 @@ using SculptEdit = std::variant<DrillStroke, BrushStroke, PeelCut, ScissorsCut>;
 [[nodiscard]] Edit plainEdit(const SculptEdit& edit);
 [[nodiscard]] int layerOf(const SculptEdit& edit);
 [[nodiscard]] bool restores(const SculptEdit& edit);
+/// Whether what is seen decides where it cuts.
+[[nodiscard]] bool startsOnSurface(const SculptEdit& edit);
+
+/// What of a cut can be revised, as it is; absent: it has no such thing.
+struct StrokeParameters {
+    int layer = 1;
+    std::optional<double> radiusMm{};
+    std::optional<double> depthMm{};
+    std::optional<double> softnessMm{};
+    std::optional<bool> throughGaps{};
+    bool operator==(const StrokeParameters&) const = default;
+};
+[[nodiscard]] StrokeParameters parametersOf(const SculptEdit& edit);
+
+/// The edit as @p revision makes it. Errors: InvalidField for what it has not.
+[[nodiscard]] Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision);
 
 /// An edit in one go, as submitWhole() takes it.
 struct WholeCut {

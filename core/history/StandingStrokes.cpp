@@ -5,16 +5,21 @@
 
 namespace core {
 
+namespace {
+
+/// By a row of the history, so that it can be.
+SculptEdit asRevised(const History& history, const ReviseStroke& revise)
+{
+    return revised(*sculptEdit(history.row(revise.row).edit), revise).value();
+}
+
+} // namespace
+
 bool StandingStroke::operator==(const StandingStroke& other) const
 {
-    if (row != other.row || removed != other.removed)
-        return false;
-    const DrillStroke* one = drill();
-    const DrillStroke* two = other.drill();
-    // A revision changes nothing else, and no other cut.
-    return !one || !two
-        || (one->mask == two->mask && one->depthMm == two->depthMm && one->layer == two->layer
-            && one->throughGaps == two->throughGaps);
+    // The row is where it was drawn, and a revision changes nothing but its parameters.
+    return row == other.row && removed == other.removed
+        && parametersOf(form) == parametersOf(other.form);
 }
 
 std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
@@ -29,32 +34,23 @@ std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
                 [revise](const StandingStroke& stroke) { return stroke.row == revise->row; });
             if (found == strokes.end())
                 continue;
-            found->form = revised(std::get<DrillStroke>(history.row(revise->row).edit), *revise);
+            found->form = asRevised(history, *revise);
             found->removed = revise->removed;
         }
     }
     return strokes;
 }
 
-DrillStroke revised(DrillStroke stroke, const ReviseStroke& edit)
+std::vector<SculptEdit> formsOf(const History& history, RowId row)
 {
-    stroke.mask.radiusMm = edit.radiusMm.value_or(stroke.mask.radiusMm);
-    stroke.depthMm = edit.depthMm.value_or(stroke.depthMm);
-    stroke.layer = edit.layer.value_or(stroke.layer);
-    stroke.throughGaps = edit.throughGaps.value_or(stroke.throughGaps);
-    return stroke;
-}
-
-std::vector<DrillStroke> formsOf(const History& history, RowId row)
-{
-    const auto* drawn = std::get_if<DrillStroke>(&history.row(row).edit);
+    std::optional<SculptEdit> drawn = sculptEdit(history.row(row).edit);
     if (!drawn)
         return {};
-    std::vector<DrillStroke> forms{*drawn};
+    std::vector<SculptEdit> forms{*std::move(drawn)};
     for (const RowId id : history.pathTo(history.position())) {
         const auto* revise = std::get_if<ReviseStroke>(&history.row(id).edit);
         if (revise && revise->row == row && !revise->removed)
-            forms.push_back(revised(*drawn, *revise));
+            forms.push_back(asRevised(history, *revise));
     }
     return forms;
 }

@@ -11,11 +11,9 @@ namespace core {
 /// A cut of the history as it counts now.
 struct StandingStroke {
     RowId row = 0; ///< where it was made; its rays start on the surface as it was before that row
-    SculptEdit form{}; ///< a drill stroke: as the last ReviseStroke that stands made it
+    SculptEdit form{}; ///< as the last ReviseStroke that stands made it
     bool removed = false; ///< by ReviseStroke: cuts nothing
     bool operator==(const StandingStroke& other) const;
-
-    [[nodiscard]] const DrillStroke* drill() const { return std::get_if<DrillStroke>(&form); }
 };
 
 /// The strokes whose cuts, laid over each other, are the coverage after a row; in the order in
@@ -23,10 +21,8 @@ struct StandingStroke {
 /// RevertRows took back are not among them.
 [[nodiscard]] std::vector<StandingStroke> standingStrokes(const History& history, RowId at);
 
-/// The stroke as an edit revises it.
-[[nodiscard]] DrillStroke revised(DrillStroke stroke, const ReviseStroke& edit);
-
-/// All forms that a stroke has had on the way to the position: as it was drawn, and each revision.
-[[nodiscard]] std::vector<DrillStroke> formsOf(const History& history, RowId row);
+/// All forms that a cut has had on the way to the position: as it was drawn, and each revision.
+/// None if the row is no cut.
+[[nodiscard]] std::vector<SculptEdit> formsOf(const History& history, RowId row);
 
 } // namespace core

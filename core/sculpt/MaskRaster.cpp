@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sculpt/MaskRaster.h"
 
+#include "core/sculpt/MaskFrame.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -90,6 +92,73 @@ std::uint16_t blended(std::uint32_t before, std::uint32_t middle, std::uint32_t 
     return std::uint16_t((43 * before + 170 * middle + 43 * after + 128) >> 8);
 }
 
+/// Of each element, the square of the distance to the nearest one that is covered by less than a
+/// half, there or beyond the raster; in elements. Meijster's two passes: along columns, then the
+/// lower envelope of the parabolas that the columns give along each row.
+std::vector<std::int64_t> squaredDepths(const MaskRaster& mask)
+{
+    const int width = mask.size.x;
+    const int height = mask.size.y;
+    std::vector<std::int64_t> squares(mask.values.size(), 0);
+    const auto place = [width](int a, int b) {
+        return std::size_t(a) + std::size_t(width) * std::size_t(b);
+    };
+    for (int a = 0; a < width; ++a) {
+        std::int64_t run = 0;
+        for (int b = 0; b < height; ++b)
+            squares[place(a, b)] = run = mask.values[place(a, b)] < 128 ? 0 : run + 1;
+        run = 0;
+        for (int b = height - 1; b >= 0; --b) {
+            run = std::min(squares[place(a, b)], run + 1);
+            squares[place(a, b)] = run;
+        }
+    }
+    struct Parabola {
+        std::int64_t apex; ///< its column
+        std::int64_t height; ///< there
+        std::int64_t from; ///< the first column where it is the lowest
+    };
+    std::vector<Parabola> lowest;
+    for (int b = 0; b < height; ++b) {
+        // What lies beyond the raster, on both sides, is not covered.
+        lowest.assign(1, {-1, 0, 0});
+        for (std::int64_t a = 0; a <= width; ++a) {
+            const std::int64_t rise =
+                a == width ? 0 : squares[place(int(a), b)] * squares[place(int(a), b)];
+            const auto at = [](const Parabola& parabola, std::int64_t x) {
+                return (x - parabola.apex) * (x - parabola.apex) + parabola.height;
+            };
+            while (!lowest.empty()
+                && at(lowest.back(), lowest.back().from) > at({a, rise, 0}, lowest.back().from))
+                lowest.pop_back();
+            if (lowest.empty()) {
+                lowest.push_back({a, rise, 0});
+                continue;
+            }
+            const Parabola& last = lowest.back();
+            const std::int64_t from =
+                1 + (a * a - last.apex * last.apex + rise - last.height) / (2 * (a - last.apex));
+            if (from < width)
+                lowest.push_back({a, rise, from});
+        }
+        std::size_t next = lowest.size();
+        for (int a = width - 1; a >= 0; --a) {
+            while (lowest[next - 1].from > a)
+                --next;
+            const Parabola& parabola = lowest[next - 1];
+            squares[place(a, b)] = (a - parabola.apex) * (a - parabola.apex) + parabola.height;
+        }
+    }
+    return squares;
+}
+
+/// From the edge, which lies half an element before the first that is not covered; in 1/256
+/// elements.
+std::int64_t depth256(std::int64_t square)
+{
+    return fixedPoint::squareRoot(square * 65536) - 128;
+}
+
 } // namespace
 
 std::int64_t MaskRaster::area() const
@@ -159,6 +228,21 @@ MaskRaster smoothed(const MaskRaster& mask)
         std::uint16_t* const out = &result.values[width * std::size_t(b)];
         for (std::size_t a = 0; a < width; ++a)
             out[a] = blended(before[a], middle[a], after[a]);
+    }
+    return result;
+}
+
+MaskRaster softened(const MaskRaster& mask, std::int64_t width)
+{
+    const std::vector<std::int64_t> squares = squaredDepths(mask);
+    std::int64_t deepest = 0;
+    for (const std::int64_t square : squares)
+        deepest = std::max(deepest, depth256(square));
+    width = std::min(width, deepest);
+    MaskRaster result = mask;
+    for (std::size_t i = 0; width > 0 && i < squares.size(); ++i) {
+        const std::int64_t most = std::max<std::int64_t>(depth256(squares[i]), 0) * 256 / width;
+        result.values[i] = std::uint16_t(std::min<std::int64_t>(result.values[i], most));
     }
     return result;
 }

@@ -45,4 +45,9 @@ constexpr int maskSubdivision = 1024;
 /// Its edge by the cubic B-spline; grows by one element on every side.
 [[nodiscard]] MaskRaster smoothed(const MaskRaster& mask);
 
+/// With a soft edge: values rise evenly over @p width, in 1/256 elements, from the edge inwards;
+/// no value gets greater. Where the mask is narrower, over half its width, so that its middle keeps
+/// its value. By exact distances between elements; cost ∝ elements.
+[[nodiscard]] MaskRaster softened(const MaskRaster& mask, std::int64_t width);
+
 } // namespace core

@@ -77,8 +77,8 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
         if (!std::holds_alternative<RevertRows>(edit))
             claims.push_back({RowReach(edit, state.document, written), taken, id});
         if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
-            for (const DrillStroke& form : formsOf(state.history, revise->row))
-                claims.push_back({RowReach(form, state.document, {}), taken, id});
+            for (const SculptEdit& form : formsOf(state.history, revise->row))
+                claims.push_back({RowReach(plainEdit(form), state.document, {}), taken, id});
         }
         claimWhatReturns(state, id, taken, written, claims);
     }
@@ -90,22 +90,20 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
 {
     const Edit& edit = state.history.row(row).edit;
     const auto* revise = std::get_if<ReviseStroke>(&edit);
-    for (const DrillStroke& form : formsOf(state.history, revise ? revise->row : row))
-        claims.push_back({RowReach(form, state.document, {}), row, 0});
-    if (std::holds_alternative<PeelCut>(edit) || std::holds_alternative<ScissorsCut>(edit))
-        claims.push_back({RowReach(edit, state.document, {}), row, 0});
+    for (const SculptEdit& form : formsOf(state.history, revise ? revise->row : row))
+        claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
 }
 
-/// A revision folds in the brush's cuts wherever its own stroke reaches, also where nothing came of
-/// it: taking the brush back after it would leave what lay hidden below.
+/// A revision folds in the cuts that lie wherever its own stroke reaches, also where nothing came
+/// of it: taking one of them back after it would leave what lay hidden below.
 bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
     const Edit& later)
 {
     const auto* revise = std::get_if<ReviseStroke>(&later);
-    if (!revise || !std::holds_alternative<BrushStroke>(taken))
+    if (!revise || !sculptEdit(taken))
         return false;
-    for (const DrillStroke& form : formsOf(state.history, revise->row)) {
-        const RowReach reach(form, state.document, {});
+    for (const SculptEdit& form : formsOf(state.history, revise->row)) {
+        const RowReach reach(plainEdit(form), state.document, {});
         if (std::any_of(written.begin(), written.end(),
                 [&reach](const BrickKey& key) { return reach.covers(key); }))
             return true;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/ReviseOperation.h"
 
-#include "core/edits/EngineEdits.h"
-#include "core/edits/ToolMasks.h"
+#include "core/edits/EditJson.h"
 #include "core/session/RowReach.h"
 
 #include <algorithm>
@@ -65,24 +64,27 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
     const std::vector<RowId> path = history.pathTo(history.position());
     if (std::find(path.begin(), path.end(), m_edit.row) == path.end())
         return refused(m_edit.row, "is not among the steps done so far");
-    const auto* drawn = std::get_if<DrillStroke>(&history.row(m_edit.row).edit);
+    const std::optional<SculptEdit> drawn = sculptEdit(history.row(m_edit.row).edit);
     if (!drawn)
-        return refused(m_edit.row, "is no stroke of the drill");
+        return refused(m_edit.row, "is no cut");
     m_strokes = standingStrokes(history, history.position());
     const auto target = std::find_if(m_strokes.begin(), m_strokes.end(),
         [this](const StandingStroke& stroke) { return stroke.row == m_edit.row; });
     if (target == m_strokes.end())
         return refused(m_edit.row, "was taken back");
     m_before = *target;
-    const DrillStroke after = revised(*drawn, m_edit);
-    m_after = {.row = m_edit.row, .form = after, .removed = m_edit.removed};
-    if (!state.document.layer(after.layer))
+    const Result<SculptEdit> after = revised(*drawn, m_edit);
+    if (!after)
+        return tl::unexpected(after.error());
+    m_after = {.row = m_edit.row, .form = *after, .removed = m_edit.removed};
+    const int layer = layerOf(*after);
+    if (!state.document.layer(layer))
         return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
-            QStringLiteral("there is no sculpt layer %1").arg(after.layer));
-    if (m_edit.radiusMm && !isRound(after.mask))
-        return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.radiusMm"),
-            QStringLiteral("the mask of row %1 is not round").arg(m_edit.row));
-    if (const Result<DrillCut> cut = drillCut(after, state.document); !cut)
+            QStringLiteral("there is no sculpt layer %1").arg(layer));
+    // Its ranges are those of the cut that is revised.
+    if (const Result<Edit> known = editFromJson(editToJson(plainEdit(*after))); !known)
+        return tl::unexpected(known.error());
+    if (const Result<WholeCut> cut = cutAlone(*after, state.document, std::uint8_t(layer)); !cut)
         return tl::unexpected(cut.error());
     *target = m_after;
 
@@ -214,7 +216,7 @@ void ReviseOperation::foldNext(SessionState& state)
     }
     m_past.goBefore(state, stroke.row);
     cut(state, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
-        if (stroke.row > m_edit.row && stroke.drill())
+        if (stroke.row > m_edit.row && startsOnSurface(stroke.form))
             return compare(now, stroke, std::move(recorded));
         lay(recorded, stroke);
         foldNext(now);

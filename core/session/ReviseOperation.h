@@ -15,8 +15,7 @@ namespace core {
 /// Changes or removes a stroke out of order: evaluates the bricks that its old and its new cut
 /// touch again, which is a new row. Per brick, the cuts of all strokes that stand are folded in the
 /// order of the history (carving: the deeper cut wins; restoring: what it leaves), on what was
-/// there before the first of them. The carve brush's are among them, but cannot be revised
-/// themselves.
+/// there before the first of them.
 ///
 /// Every stroke keeps the surface it started on: that of the row before it, whatever has become of
 /// earlier strokes since. Later strokes that would have met another surface are told

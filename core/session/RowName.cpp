@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/RowName.h"
 
+#include "core/edits/SculptEdits.h"
+
 #include <algorithm>
 #include <bitset>
 #include <cmath>
@@ -221,7 +223,7 @@ QString revisionName(
     const ReviseStroke& edit, const EditStatistics& statistics, const History& history)
 {
     const HistoryRow& row = history.row(edit.row);
-    const auto& stroke = std::get<DrillStroke>(row.edit);
+    const StrokeParameters drawn = parametersOf(*sculptEdit(row.edit));
     const QString title = QLatin1Char('\'') + titleOf(row) + QLatin1Char('\'');
     QString what;
     if (edit.removed) {
@@ -230,13 +232,16 @@ QString revisionName(
         const auto mm = [](double value) { return QString::number(value, 'f', 1); };
         QStringList changes;
         if (edit.radiusMm)
-            changes += QStringLiteral("radius %1 → %2 mm")
-                           .arg(mm(stroke.mask.radiusMm), mm(*edit.radiusMm));
+            changes +=
+                QStringLiteral("radius %1 → %2 mm").arg(mm(*drawn.radiusMm), mm(*edit.radiusMm));
         if (edit.depthMm)
             changes +=
-                QStringLiteral("depth %1 → %2 mm").arg(mm(stroke.depthMm), mm(*edit.depthMm));
+                QStringLiteral("depth %1 → %2 mm").arg(mm(*drawn.depthMm), mm(*edit.depthMm));
+        if (edit.softnessMm)
+            changes += QStringLiteral("soft edge %1 → %2 mm")
+                           .arg(mm(*drawn.softnessMm), mm(*edit.softnessMm));
         if (edit.layer)
-            changes += QStringLiteral("layer %1 → %2").arg(stroke.layer).arg(*edit.layer);
+            changes += QStringLiteral("layer %1 → %2").arg(drawn.layer).arg(*edit.layer);
         if (edit.throughGaps)
             changes += *edit.throughGaps ? QStringLiteral("through gaps")
                                          : QStringLiteral("stopping at gaps");

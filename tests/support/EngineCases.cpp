@@ -36,6 +36,8 @@ core::MaskShape randomMask(double radiusMm, Random& random)
     mask.rotationDegrees = randomInt(random, -360, 360);
     if (random() % 3 == 0)
         mask.polygonMm = randomOutline(radiusMm, random);
+    if (random() % 3 == 0)
+        mask.softnessMm = 1.5 * radiusMm * randomUnit(random);
     return mask;
 }
 

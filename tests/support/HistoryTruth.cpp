@@ -196,35 +196,62 @@ HistoryTruth::Bricks HistoryTruth::grown(
     return after(before, *growBurst(grow, document), extensions, generation);
 }
 
+SculptEdit HistoryTruth::formAfter(const Edit& drawn, const ReviseStroke& revise)
+{
+    if (const auto* drill = std::get_if<DrillStroke>(&drawn)) {
+        DrillStroke form = *drill;
+        form.mask.radiusMm = revise.radiusMm.value_or(form.mask.radiusMm);
+        form.mask.softnessMm = revise.softnessMm.value_or(form.mask.softnessMm);
+        form.depthMm = revise.depthMm.value_or(form.depthMm);
+        form.layer = revise.layer.value_or(form.layer);
+        form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
+        return form;
+    }
+    if (const auto* brush = std::get_if<BrushStroke>(&drawn)) {
+        BrushStroke form = *brush;
+        form.path.radiusMm = revise.radiusMm.value_or(form.path.radiusMm);
+        form.layer = revise.layer.value_or(form.layer);
+        return form;
+    }
+    if (const auto* peel = std::get_if<PeelCut>(&drawn)) {
+        PeelCut form = *peel;
+        form.depthMm = revise.depthMm.value_or(form.depthMm);
+        form.layer = revise.layer.value_or(form.layer);
+        form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
+        return form;
+    }
+    ScissorsCut form = std::get<ScissorsCut>(drawn);
+    if (revise.depthMm)
+        form.depthMm = revise.depthMm;
+    form.layer = revise.layer.value_or(form.layer);
+    return form;
+}
+
 HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
 {
     std::vector<Stroke> strokes;
     for (const RowId id : standing(row)) {
         const Edit& edit = m_rows.at(id).edit;
         if (const auto* drill = std::get_if<DrillStroke>(&edit))
-            strokes.push_back({id, *drill});
+            strokes.push_back({.row = id, .form = *drill});
         if (const auto* brush = std::get_if<BrushStroke>(&edit))
-            strokes.push_back({id, *brush});
+            strokes.push_back({.row = id, .form = *brush});
         if (const auto* peel = std::get_if<PeelCut>(&edit))
-            strokes.push_back({id, *peel});
+            strokes.push_back({.row = id, .form = *peel});
         if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
-            strokes.push_back({id, *scissors});
+            strokes.push_back({.row = id, .form = *scissors});
         const auto* revise = std::get_if<ReviseStroke>(&edit);
         for (Stroke& stroke : strokes) {
             if (!revise || stroke.row != revise->row)
                 continue;
-            auto form = std::get<DrillStroke>(m_rows.at(stroke.row).edit);
-            form.mask.radiusMm = revise->radiusMm.value_or(form.mask.radiusMm);
-            form.depthMm = revise->depthMm.value_or(form.depthMm);
-            form.layer = revise->layer.value_or(form.layer);
-            form.throughGaps = revise->throughGaps.value_or(form.throughGaps);
-            if (revise->removed)
-                form.samples.clear();
-            stroke.form = form;
+            stroke.form = formAfter(m_rows.at(stroke.row).edit, *revise);
+            stroke.removed = revise->removed;
         }
     }
     Bricks carved;
     for (const Stroke& stroke : strokes) {
+        if (stroke.removed)
+            continue;
         const int layer = std::visit([](const auto& form) { return form.layer; }, stroke.form);
         const bool restore = std::visit([](const auto& form) { return form.restore; }, stroke.form);
         for (const auto& [brick, bytes] : cutOf(stroke)) {

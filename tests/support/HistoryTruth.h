@@ -43,8 +43,11 @@ private:
     struct Stroke {
         core::RowId row = 0;
         core::SculptEdit form;
+        bool removed = false;
     };
 
+    [[nodiscard]] static core::SculptEdit formAfter(
+        const core::Edit& drawn, const core::ReviseStroke& revise);
     [[nodiscard]] std::vector<core::RowId> path(core::RowId row) const;
     [[nodiscard]] std::set<core::RowId> standing(core::RowId row) const;
     void toggle(core::RowId row, bool stands, std::set<core::RowId>& rows) const;

@@ -337,6 +337,8 @@ private:
             revise.layer = any(m_session->document().layers).id;
         if (chance(20))
             revise.throughGaps = chance(50);
+        if (chance(15))
+            revise.softnessMm = between(0, 30) / 10.0;
         revise.removed = chance(25);
         return revise;
     }

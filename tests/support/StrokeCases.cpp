@@ -486,6 +486,27 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"remove a drill below a peel", volume, {drill, peel, peelBack, drill},
         core::ReviseStroke{.row = 1, .removed = true}});
 
+    core::DrillStroke soft = drill;
+    soft.mask.softnessMm = 0.6 * soft.mask.radiusMm;
+    cases.push_back({"drill with a soft edge", volume, {}, soft});
+    cases.push_back({"soften a drill below others", volume, {drill, peel, brush, drill},
+        core::ReviseStroke{.row = 1, .softnessMm = soft.mask.softnessMm}});
+    cases.push_back({"revise a brush", volume, {drill, brush, peel, drill},
+        core::ReviseStroke{.row = 2, .radiusMm = 8.0}});
+    cases.push_back({"remove a restoring brush", volume, {drill, brush, back, shallow},
+        core::ReviseStroke{.row = 3, .removed = true}});
+    cases.push_back({"revise a peel", volume, {peel, drill, peelBack},
+        core::ReviseStroke{.row = 1, .depthMm = 7.0, .throughGaps = true}});
+    cases.push_back({"revise a restoring peel", volume, {drill, peel, peelBack, drill},
+        core::ReviseStroke{.row = 3, .depthMm = 1.0}});
+    cases.push_back({"revise scissors", volume, {shallow, peel, brush},
+        core::ReviseStroke{.row = 1, .depthMm = 9.0}});
+    cases.push_back({"remove scissors", volume, {drill, scissors, back},
+        core::ReviseStroke{.row = 2, .removed = true}});
+    cases.push_back({"undo only the revision of a brush", volume,
+        {first, brush, core::ReviseStroke{.row = 2, .radiusMm = 8.0}, seeds},
+        core::RevertRows{{3}}});
+
     core::DrillStroke other = drill;
     other.layer = 2;
     const core::Edit layer = core::AddLayer{.name = QStringLiteral("Other")};

@@ -15,13 +15,13 @@ struct Document;
 
 namespace ui {
 
-/// Asks how an older drill stroke is to be. Its fields show the stroke as it counts now.
+/// Asks how an older cut is to be. Its fields show the cut as it counts now, those that it has.
 class ReviseStrokeDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// @param title the row's name
-    ReviseStrokeDialog(const core::StandingStroke& stroke, const core::DrillStroke& drawn,
+    ReviseStrokeDialog(const core::StandingStroke& stroke, const core::SculptEdit& drawn,
         const QString& title, const core::Document& document, QWidget* parent = nullptr);
 
     /// What was chosen, as it differs from how the stroke was drawn.
@@ -29,9 +29,10 @@ public:
 
 private:
     core::RowId m_row;
-    core::DrillStroke m_drawn;
+    core::StrokeParameters m_drawn;
     QDoubleSpinBox* m_radius;
     QDoubleSpinBox* m_depth;
+    QDoubleSpinBox* m_softness;
     QComboBox* m_layer;
     QCheckBox* m_throughGaps;
 };

@@ -11,11 +11,10 @@ namespace ui {
 
 namespace {
 
-/// Of the drill: no other cut can be revised.
 std::optional<core::StandingStroke> standingStroke(const core::History& history, core::RowId row)
 {
     for (core::StandingStroke& stroke : core::standingStrokes(history, history.position())) {
-        if (stroke.row == row && stroke.drill())
+        if (stroke.row == row)
             return std::move(stroke);
     }
     return {};
@@ -55,8 +54,8 @@ void StrokeRevision::change(core::RowId row)
     if (!stroke)
         return;
     const core::HistoryRow& drawn = session.history().row(row);
-    auto* dialog = new ReviseStrokeDialog(*stroke, std::get<core::DrillStroke>(drawn.edit),
-        drawn.name, session.document(), m_window->window());
+    auto* dialog = new ReviseStrokeDialog(
+        *stroke, *core::sculptEdit(drawn.edit), drawn.name, session.document(), m_window->window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     // The study may be closed while it stands open.
     connect(&m_workspace, &Workspace::sessionChanged, dialog, &QDialog::reject);
@@ -98,7 +97,7 @@ void StrokeRevision::offerRedrill()
         : tr("%1 later strokes began on the surface that this changed; they keep their place.")
               .arg(rows.size());
     m_workspace.offer({.sentence = sentence,
-        .button = tr("Drill again on the new surface"),
+        .button = tr("Cut again on the new surface"),
         .run = [this, rows] { redrill(rows); }});
 }
 
@@ -109,19 +108,19 @@ void StrokeRevision::redrill(const std::vector<core::RowId>& rows)
         return;
     // The bar may still offer it when the user has gone on.
     if (session->strokesOnRevisedSurface() != rows) {
-        m_workspace.say(tr("The history has gone on since; nothing was drilled again"));
+        m_workspace.say(tr("The history has gone on since; nothing was cut again"));
         return;
     }
-    std::vector<core::DrillStroke> strokes;
+    std::vector<core::SculptEdit> strokes;
     for (const core::RowId row : rows) {
         const auto stroke = standingStroke(session->history(), row);
         if (!stroke || stroke->removed)
             continue;
-        strokes.push_back(*stroke->drill());
+        strokes.push_back(stroke->form);
         remove(row);
     }
-    for (const core::DrillStroke& stroke : strokes)
-        apply(stroke);
+    for (const core::SculptEdit& stroke : strokes)
+        apply(core::plainEdit(stroke));
 }
 
 } // namespace ui

@@ -104,12 +104,12 @@ private Q_SLOTS:
     void isWrittenAsItIsRead_data()
     {
         QTest::addColumn<QByteArray>("mask");
-        for (const char* mask : {"{'shape':'circle','radiusMm':8}",
-                 "{'shape':'square','sideMm':8,'rotationDegrees':30}",
-                 "{'shape':'ellipse','widthMm':8,'heightMm':3,'rotationDegrees':0}",
-                 "{'shape':'rectangle','widthMm':8,'heightMm':3,'rotationDegrees':-45}",
-                 "{'shape':'rounded','widthMm':8,'heightMm':3,'cornerMm':1,'rotationDegrees':0}",
-                 "{'polygonMm':[[0,0],[3,0],[0,3]]}"})
+        for (const char* mask : {"{'shape':'circle','radiusMm':8,'softnessMm':1.5}",
+                 "{'shape':'square','sideMm':8,'rotationDegrees':30,'softnessMm':0}",
+                 "{'shape':'ellipse','widthMm':8,'heightMm':3,'rotationDegrees':0,'softnessMm':0}",
+                 "{'shape':'rectangle','widthMm':8,'heightMm':3,'rotationDegrees':-45,'softnessMm':0}",
+                 "{'shape':'rounded','widthMm':8,'heightMm':3,'cornerMm':1,'rotationDegrees':0,'softnessMm':0}",
+                 "{'polygonMm':[[0,0],[3,0],[0,3]],'softnessMm':2}"})
             QTest::newRow(mask) << QByteArray(mask);
     }
     void isWrittenAsItIsRead()

@@ -181,6 +181,54 @@ private Q_SLOTS:
         }
     }
 
+    /// Against the nearest of all elements that are not covered, one by one.
+    void softEdgesFollowTheDistance()
+    {
+        Random random(7);
+        for (int round = 0; round < (qEnvironmentVariableIsSet("BURIN_LONG") ? 300 : 30); ++round) {
+            MaskRaster mask = smoothed(filledExactly(lasso(test::randomInt(random, 3, 40),
+                {test::randomInt(random, 1, 25) + 0.3, test::randomInt(random, 1, 25) + 0.6},
+                0.5)));
+            if (round % 5 == 0) { // anything at all, also up to the border
+                for (std::uint16_t& value : mask.values)
+                    value = std::uint16_t(test::randomInt(random, 0, 3) ? 256 : 0);
+            }
+            const int width = test::randomInt(random, 1, 12 * 256);
+            const auto depth = [&mask](int a, int b) {
+                std::int64_t nearest = 1 << 20;
+                for (int y = -1; y <= mask.size.y; ++y) {
+                    for (int x = -1; x <= mask.size.x; ++x) {
+                        if (mask.at(mask.first + glm::ivec2(x, y)) < 128)
+                            nearest = std::min<std::int64_t>(
+                                nearest, (x - a) * (x - a) + (y - b) * (y - b));
+                    }
+                }
+                return std::floor(std::sqrt(double(nearest)) * 256.0) - 128.0;
+            };
+            double deepest = 0.0;
+            for (int b = 0; b < mask.size.y; ++b) {
+                for (int a = 0; a < mask.size.x; ++a)
+                    deepest = std::max(deepest, depth(a, b));
+            }
+            const MaskRaster soft = softened(mask, width);
+            QCOMPARE(soft.size, mask.size);
+            int full = 0;
+            for (int b = 0; b < mask.size.y; ++b) {
+                for (int a = 0; a < mask.size.x; ++a) {
+                    const int drawn = mask.at(mask.first + glm::ivec2(a, b));
+                    const double most = std::floor(std::max(depth(a, b), 0.0) * 256.0
+                        / std::max(std::min(double(width), deepest), 1.0));
+                    const int expected = deepest > 0.0 ? int(std::min<double>(drawn, most)) : drawn;
+                    QCOMPARE(soft.at(soft.first + glm::ivec2(a, b)), expected);
+                    full += expected == drawn && drawn > 0 ? 1 : 0;
+                }
+            }
+            QVERIFY(full > 0 || mask.area() == 0);
+        }
+        const MaskRaster mask = smoothed(filledExactly(lasso(30, {20.0, 20.0}, 0.0)));
+        QVERIFY(softened(mask, 0).values == mask.values);
+    }
+
     void whatHasNoAreaIsEmpty()
     {
         QVERIFY(filledExactly({}).empty());

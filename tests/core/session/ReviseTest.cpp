@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickGrid.h"
-#include "core/edits/EditQuantise.h"
 #include "core/edits/DrillPathSampler.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/EngineEdits.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
@@ -142,8 +142,8 @@ private:
         document.volumes.push_back(study.volume);
         DrillCut alone = *drillCut(drawn.stroke, document);
         alone.layer = 9;
-        const Ticket ticket = submitWhole(engine, alone,
-            {DrillPath{drillPath(drawn.stroke, alone)}});
+        const Ticket ticket =
+            submitWhole(engine, alone, {DrillPath{drillPath(drawn.stroke, alone)}});
         engine.finish();
         std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
         for (const EngineResult& result : engine.collect()) {
@@ -159,6 +159,9 @@ private:
 };
 
 } // namespace
+
+Q_DECLARE_METATYPE(core::Edit)
+Q_DECLARE_METATYPE(core::ReviseStroke)
 
 class ReviseTest : public QObject {
     Q_OBJECT
@@ -194,6 +197,105 @@ private Q_SLOTS:
         const std::size_t rows = bench.session->history().rows().size();
         bench.run(ReviseStroke{.row = 2}); // as it is: nothing to do, no row
         QCOMPARE(bench.session->history().rows().size(), rows);
+    }
+
+    /// Every kind of cut is what it would be, had it been drawn that way.
+    void everyCutCanBeRevised_data()
+    {
+        QTest::addColumn<Edit>("drawn");
+        QTest::addColumn<Edit>("otherwise");
+        QTest::addColumn<ReviseStroke>("revise");
+        QTest::addColumn<QString>("says");
+        DrillStroke soft = drill(0);
+        soft.mask.softnessMm = 3.0;
+        QTest::newRow("soft edge")
+            << Edit(drill(0)) << Edit(soft) << ReviseStroke{.row = 2, .softnessMm = 3.0}
+            << QStringLiteral("soft edge 0.0 → 3.0 mm, ");
+        const glm::dvec3 middle = test::drillAt(0).view.targetLps;
+        BrushStroke brush;
+        brush.path.radiusMm = 4.0;
+        brush.path.pointsLps = {middle, middle + glm::dvec3(9.0, 3.0, -2.0)};
+        BrushStroke wide = brush;
+        wide.path.radiusMm = 6.5;
+        QTest::newRow("brush") << Edit(brush) << Edit(wide)
+                               << ReviseStroke{.row = 2, .radiusMm = 6.5}
+                               << QStringLiteral("radius 4.0 → 6.5 mm, ");
+        PeelCut peel;
+        peel.view = test::drillAt(0).view;
+        peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
+        peel.surfaceThreshold = test::drillAt(0).surfaceThreshold;
+        PeelCut thick = peel;
+        thick.depthMm = 7.0;
+        QTest::newRow("peel") << Edit(peel) << Edit(thick) << ReviseStroke{.row = 2, .depthMm = 7.0}
+                              << QStringLiteral("depth 4.0 → 7.0 mm, ");
+        ScissorsCut scissors;
+        scissors.view = peel.view;
+        scissors.polygonMm = peel.polygonMm;
+        scissors.surfaceThreshold = peel.surfaceThreshold;
+        scissors.depthMm = 3.0;
+        ScissorsCut deep = scissors;
+        deep.depthMm = 12.0;
+        QTest::newRow("scissors") << Edit(scissors) << Edit(deep)
+                                  << ReviseStroke{.row = 2, .depthMm = 12.0}
+                                  << QStringLiteral("depth 3.0 → 12.0 mm, ");
+    }
+    void everyCutCanBeRevised()
+    {
+        QFETCH(Edit, drawn);
+        QFETCH(Edit, otherwise);
+        QFETCH(ReviseStroke, revise);
+        QFETCH(QString, says);
+        // One on each side of it, which it shares bricks with; the later one keeps its place.
+        const AddLayer layer{QStringLiteral("Second")};
+        const DrillStroke apart = drill(-6, 3.0, 4.0);
+        Bench bench({layer, drawn, apart});
+        const QByteArray before = bench.session->stateHash();
+        bench.run(revise);
+        QVERIFY2(bench.lastRow().name.contains(says), qPrintable(bench.lastRow().name));
+        Coverage expected = Bench({layer, otherwise}).coverage();
+        DrillStroke aside = apart;
+        aside.layer = 2;
+        for (const auto& [key, bytes] : Bench({layer, drawn, aside}).coverage()) {
+            if (key.first != 2)
+                continue;
+            std::vector<std::uint8_t>& held = expected[{1, key.second}];
+            held.resize(bytes.size(), 0);
+            for (std::size_t i = 0; i < bytes.size(); ++i)
+                held[i] = std::max(held[i], bytes[i]);
+        }
+        QVERIFY(bench.coverage() == expected);
+        bench.run(ReviseStroke{.row = 2, .removed = true});
+        bench.run(ReviseStroke{.row = 2});
+        QCOMPARE(bench.session->stateHash(), before);
+    }
+
+    void whatACutHasNotIsRefused()
+    {
+        BrushStroke brush;
+        brush.path.pointsLps = {test::drillAt(0).view.targetLps};
+        DrillStroke square = drill(0);
+        square.mask.kind = MaskShape::Kind::Square;
+        PeelCut peel;
+        peel.view = square.view;
+        peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
+        peel.surfaceThreshold = square.surfaceThreshold;
+        ScissorsCut through;
+        through.view = peel.view;
+        through.polygonMm = {{-19.0, -18.0}, {19.0, -17.0}, {1.0, 20.0}};
+        through.surfaceThreshold = peel.surfaceThreshold;
+        Bench bench({square, brush, peel, through});
+        QVERIFY(bench.refusal(ReviseStroke{.row = 1, .radiusMm = 3.0})
+                    .contains(QStringLiteral("reviseStroke.radiusMm the cut of row 1 has none")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 2, .depthMm = 3.0})
+                    .contains(QStringLiteral("depthMm")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 2, .throughGaps = true})
+                    .contains(QStringLiteral("throughGaps")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 3, .softnessMm = 3.0})
+                    .contains(QStringLiteral("softnessMm")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 3, .depthMm = 61.0})
+                    .contains(QStringLiteral("depthMm")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 4, .depthMm = 3.0})
+                    .contains(QStringLiteral("depthMm")));
     }
 
     void laterStrokesKeepTheirPlace()
@@ -263,7 +365,7 @@ private Q_SLOTS:
     void refusals()
     {
         Bench bench({test::addSegment("Brain"), drill(0), drill(3)});
-        QVERIFY(bench.refusal(ReviseStroke{.row = 1}).contains(QStringLiteral("is no stroke")));
+        QVERIFY(bench.refusal(ReviseStroke{.row = 1}).contains(QStringLiteral("is no cut")));
         QVERIFY(bench.refusal(ReviseStroke{.row = 9}).contains(QStringLiteral("row 9 is not")));
         QVERIFY(bench.refusal(ReviseStroke{.row = 0}).contains(QStringLiteral("row")));
         QVERIFY(bench.refusal(ReviseStroke{.row = 2, .radiusMm = -1.0})
@@ -368,9 +470,9 @@ private Q_SLOTS:
                     if (const auto* revert = std::get_if<RevertRows>(&edit))
                         truth.setStanding(revert->rows.front(), false);
                     if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
-                        const auto& drawn =
-                            std::get<DrillStroke>(bench.session->history().row(revise->row).edit);
-                        truth.setStroke(revise->row, revised(drawn, *revise));
+                        const Edit& drawn = bench.session->history().row(revise->row).edit;
+                        truth.setStroke(revise->row,
+                            std::get<DrillStroke>(*revised(*sculptEdit(drawn), *revise)));
                         truth.setStanding(revise->row, !revise->removed);
                         ++revisions;
                     }

@@ -136,6 +136,52 @@ private Q_SLOTS:
         QCOMPARE(alone, other.session().stateHash());
     }
 
+    /// The dialog asks for what the cut has.
+    void everyCutIsChanged()
+    {
+        Panel panel;
+        core::EditSession& session = panel.session();
+        const core::DrillStroke drill = test::drillAt(0);
+        core::PeelCut peel;
+        peel.view = drill.view;
+        peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
+        peel.surfaceThreshold = drill.surfaceThreshold;
+        core::BrushStroke brush;
+        brush.path.pointsLps = {drill.view.targetLps};
+        panel.applyAll({drill, peel, brush});
+        const auto change = [&panel](int place, const QStringList& fields, const char* field,
+                                double value) {
+            choose(panel.list, place, tr("Change stroke …"));
+            auto* dialog = panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();
+            QVERIFY(dialog);
+            QStringList shown;
+            for (const QWidget* each : dialog->findChildren<QWidget*>()) {
+                if (each->isVisible() && each->objectName() != QLatin1String("qt_spinbox_lineedit")
+                    && !each->objectName().isEmpty())
+                    shown += each->objectName();
+            }
+            shown.sort();
+            QCOMPARE(shown, fields);
+            keepPicture(*dialog, qPrintable(QStringLiteral("change-%1.png").arg(place)));
+            dialog->findChild<QDoubleSpinBox*>(QLatin1String(field))->setValue(value);
+            dialog->accept();
+            QVERIFY(panel.session().settle());
+            QTest::qWait(20);
+        };
+        change(1, {"depth", "radius", "softness", "throughGaps"}, "softness", 2.0);
+        change(2, {"depth", "throughGaps"}, "depth", 6.5);
+        change(3, {"radius"}, "radius", 7.0);
+        const auto revision = [&session](core::RowId row) {
+            return std::get<core::ReviseStroke>(session.history().row(row).edit);
+        };
+        QCOMPARE(revision(4).softnessMm.value_or(0.0), 2.0);
+        QVERIFY(!revision(4).radiusMm && !revision(4).depthMm && !revision(4).throughGaps);
+        QCOMPARE(revision(5).depthMm.value_or(0.0), 6.5);
+        QVERIFY(!revision(5).radiusMm && !revision(5).softnessMm && !revision(5).throughGaps);
+        QCOMPARE(revision(6).radiusMm.value_or(0.0), 7.0);
+        QVERIFY(!revision(6).depthMm && !revision(6).softnessMm && !revision(6).throughGaps);
+    }
+
     void branchesUnfoldAndAreReturnedTo()
     {
         Panel panel;
