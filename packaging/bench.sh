@@ -6,6 +6,7 @@
 #   packaging/bench.sh --json      [{"id","peer","oursMs","peerMs","ratio"}], ratio = peer / ours;
 #                                  "oursBytes", "peerBytes" for sizes; without a peer only ours
 #   packaging/bench.sh --history   the history only
+#   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
 # shellcheck source=packaging/common.sh
@@ -13,8 +14,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --history) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--history]" ;;
+        --json | --history | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--history] [--sculpt]" ;;
     esac
 done
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bitset>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace core {
@@ -55,13 +56,16 @@ struct Claim {
     }
 };
 
-/// Whether "undo only" took back or brought back another row, itself or by rows it took back.
-bool decidesOn(const History& history, RowId revert, RowId row)
+/// Every row that "undo only" takes back or brings back, itself or by rows that it took back.
+void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 {
     const auto* edit = std::get_if<RevertRows>(&history.row(revert).edit);
-    return edit && std::any_of(edit->rows.begin(), edit->rows.end(), [&](RowId taken) {
-        return taken == row || decidesOn(history, taken, row);
-    });
+    if (!edit)
+        return;
+    for (const RowId taken : edit->rows) {
+        decided.insert(taken);
+        addDecided(history, taken, decided);
+    }
 }
 
 /// Taking back "undo only" brings steps back.
@@ -167,6 +171,7 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
 {
     const std::vector<RowId> path = state.history.pathTo(state.history.position());
     const std::vector<RowId> standing = state.history.standing();
+    std::map<RowId, RowId> deciding; // by row that is decided on
     for (const RowId id : m_edit.rows) {
         if (std::find(path.begin(), path.end(), id) == path.end())
             return refused(QStringLiteral("row %1 is not among the steps done so far").arg(id));
@@ -177,10 +182,20 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
         if (changedPart(row.edit))
             return refused(QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
+        std::set<RowId> decided;
+        addDecided(state.history, id, decided);
         for (const RowId other : m_edit.rows) {
-            if (decidesOn(state.history, id, other))
+            if (decided.count(other) != 0)
                 return refused(QStringLiteral("taking back %1 decides on %2 too")
                                    .arg(titled(row), titled(state.history.row(other))));
+        }
+        // One after the other is clear; at once it is not whether such a row stands then.
+        for (const RowId other : decided) {
+            const auto [known, isNew] = deciding.emplace(other, id);
+            if (!isNew)
+                return refused(QStringLiteral("taking back %1 and %2 both decides on %3")
+                                   .arg(titled(state.history.row(known->second)), titled(row),
+                                       titled(state.history.row(other))));
         }
     }
     return {};

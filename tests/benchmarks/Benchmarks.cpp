@@ -5,6 +5,7 @@
 #include "tests/benchmarks/GrowBenchmark.h"
 #include "tests/benchmarks/HistoryBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
+#include "tests/benchmarks/SculptBenchmark.h"
 #include "ui/ErrorText.h"
 
 #include <QCoreApplication>
@@ -41,8 +42,9 @@ int main(int argc, char** argv)
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool json = arguments.removeAll(QStringLiteral("--json")) > 0;
     const bool historyOnly = arguments.removeAll(QStringLiteral("--history")) > 0;
+    const bool sculptOnly = arguments.removeAll(QStringLiteral("--sculpt")) > 0;
     if (!arguments.isEmpty()) {
-        std::fprintf(stderr, "usage: burin_bench [--json] [--history]\n");
+        std::fprintf(stderr, "usage: burin_bench [--json] [--history] [--sculpt]\n");
         return 2;
     }
     std::array<char, 12> program{"burin_bench"};
@@ -54,9 +56,12 @@ int main(int argc, char** argv)
 
     bench::PeerReport report;
     QString why;
-    if (!historyOnly)
+    const bool all = !historyOnly && !sculptOnly;
+    if (all)
         why = measurePeers(report);
-    if (why.isEmpty())
+    if (why.isEmpty() && (all || sculptOnly))
+        why = bench::measureSculpting(report);
+    if (why.isEmpty() && (all || historyOnly))
         why = bench::measureHistory(report);
     if (!why.isEmpty()) {
         std::fprintf(stderr, "no times, since the results are not right: %s\n", qPrintable(why));

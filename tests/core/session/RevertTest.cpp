@@ -149,6 +149,18 @@ private Q_SLOTS:
             hashOf(test::smallStudy(), {test::addSegment("Brain"), test::drillAt(-2)}));
     }
 
+    /// Found by RandomHistoryTest: both decide on the drill, one by way of what it took back.
+    void stepsThatDecideOnTheSameAreTakenBackOneByOne()
+    {
+        Bench bench(test::smallStudy(),
+            {test::drillAt(0), RevertRows{{1}}, RevertRows{{2}}, RevertRows{{1}}});
+        QVERIFY(bench.refusal(RevertRows{{3, 4}}).contains(QStringLiteral("both decides on")));
+        bench.run(RevertRows{{4}});
+        QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), {test::drillAt(0)}));
+        bench.run(RevertRows{{3}});
+        QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), {}));
+    }
+
     void aGrowthHoldsItsSeeds()
     {
         Bench bench(test::smallStudy(),

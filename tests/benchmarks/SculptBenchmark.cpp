@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/SculptBenchmark.h"
+
+#include "core/edits/DrillPathSampler.h"
+#include "core/edits/EngineEdits.h"
+#include "gpu/edit/EditTransaction.h"
+#include "gpu/gl/EglContext.h"
+#include "gpu/gl/Gl.h"
+#include "gpu/shaders/ShaderLibrary.h"
+#include "tests/benchmarks/PeerReport.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+
+namespace bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int rounds = 5;
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+double milliseconds(const std::function<void()>& work)
+{
+    const Clock::time_point start = Clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// --- Masks ---------------------------------------------------------------------------------------
+
+/// A wavy closed curve that crosses itself, in elements.
+std::vector<glm::dvec2> lasso()
+{
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i < 2000; ++i) {
+        const double t = 2.0 * std::numbers::pi * i / 2000.0;
+        const double r = 0.8 + 0.15 * std::sin(23.0 * t) + 0.05 * std::sin(311.0 * t);
+        points.emplace_back(615.0 + 610.0 * r * std::cos(t),
+            435.0 + 430.0 * r * std::sin(t + 0.4 * std::sin(3 * t)));
+    }
+    return points;
+}
+
+QString measureLasso(PeerReport& report)
+{
+    const std::vector<glm::dvec2> points = lasso();
+    std::vector<core::MaskVertex> vertices;
+    QPolygonF polygon;
+    for (const glm::dvec2& point : points) {
+        vertices.emplace_back(glm::round(point * double(core::maskSubdivision)));
+        polygon << QPointF(vertices.back().x, vertices.back().y) / core::maskSubdivision;
+    }
+    core::MaskRaster ours;
+    core::MaskRaster filtered;
+    QImage theirs(1230, 870, QImage::Format_Grayscale8);
+    std::vector<double> oursMs;
+    std::vector<double> filteredMs;
+    std::vector<double> theirsMs;
+    for (int round = 0; round < rounds; ++round) {
+        oursMs.push_back(milliseconds([&] { ours = core::filledExactly(vertices); }));
+        filteredMs.push_back(
+            oursMs.back() + milliseconds([&] { filtered = core::smoothed(ours); }));
+        theirsMs.push_back(milliseconds([&] {
+            theirs.fill(Qt::black);
+            QPainter painter(&theirs);
+            painter.setRenderHint(QPainter::Antialiasing);
+            QPainterPath path;
+            path.addPolygon(polygon);
+            path.closeSubpath();
+            path.setFillRule(Qt::WindingFill);
+            painter.fillPath(path, Qt::white);
+        }));
+    }
+    double difference = 0.0;
+    for (int y = 0; y < theirs.height(); ++y) {
+        for (int x = 0; x < theirs.width(); ++x)
+            difference += std::abs(ours.at({x, y}) / 256.0 - theirs.constScanLine(y)[x] / 255.0);
+    }
+    const double area = double(ours.area()) / 256.0;
+    std::fprintf(
+        stderr, "mask.lasso: %.0f elements, differs from Qt by %.1f of them\n", area, difference);
+    if (difference > 0.002 * area)
+        return QStringLiteral("mask.lasso: the fill differs from Qt's");
+    report.add({"mask.lasso.fill", "Ms", median(oursMs), "Qt raster", median(theirsMs)});
+    report.add({"mask.lasso", "Ms", median(filteredMs)});
+    return {};
+}
+
+// --- Strokes -------------------------------------------------------------------------------------
+
+constexpr double airCode = 100.0;
+
+/// A cube of 1 mm voxels, material from a gently waved surface in the middle on.
+class Block {
+public:
+    Block(const gpu::ShaderLibrary& shaders, int side)
+        : m_side(side)
+        , m_cells(shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
+        , m_programs(shaders)
+        , m_radiation(shaders, {glm::ivec3(side)})
+    {
+        std::vector<std::uint16_t> codes(std::size_t(side) * side * side);
+        for (int k = 0; k < side; ++k) {
+            for (int j = 0; j < side; ++j) {
+                for (int i = 0; i < side; ++i) {
+                    const double surface = side / 2.0
+                        + 3.0 * std::sin(0.11 * (i - side / 2)) * std::cos(0.09 * (j - side / 2));
+                    codes[std::size_t(i)
+                        + std::size_t(side)
+                            * (std::size_t(j) + std::size_t(side) * std::size_t(k))] =
+                        std::uint16_t(std::clamp(1000.0 + 600.0 * (k - surface), airCode, 2000.0));
+                }
+            }
+        }
+        m_opened = bool(m_textures.open(glm::ivec3(side), codes));
+        if (!m_opened)
+            return;
+        core::Volume volume;
+        volume.geometry.size = glm::ivec3(side);
+        volume.geometry.indexToWorld = glm::dmat4(1.0);
+        volume.encoding.rescaleSlope = 1.0;
+        m_document.volumes.push_back(volume);
+        m_document.layers.push_back({.id = 1, .name = QStringLiteral("Sculpt 1")});
+        m_fields = std::make_unique<gpu::VoxelFields>(shaders, m_textures);
+    }
+    [[nodiscard]] bool isOpen() const { return m_opened; }
+
+    [[nodiscard]] core::OrthographicView view() const
+    {
+        const glm::dvec3 middle(m_side / 2.0);
+        return {.eyeLps = middle - glm::dvec3(0.0, 0.0, 400.0),
+            .targetLps = middle,
+            .up = {0.0, -1.0, 0.0},
+            .heightMm = 200.0};
+    }
+    [[nodiscard]] const core::Document& document() const { return m_document; }
+
+    struct Cost {
+        std::vector<double> tickMs; ///< cut and radiation
+        std::vector<double> cellsMs; ///< and then the macro-cells
+        [[nodiscard]] double pictureMs() const { return median(tickMs) + median(cellsMs); }
+    };
+    /// One edit, tick by tick; taken back at the end.
+    Cost ticks(const core::EngineEdit& edit, const std::vector<core::EngineExtension>& extensions,
+        bool compare = false)
+    {
+        Cost cost;
+        auto transaction = gpu::EditTransaction::begin(m_programs, *m_fields, edit);
+        if (!transaction)
+            return cost;
+        for (const core::EngineExtension& extension : extensions) {
+            cost.tickMs.push_back(milliseconds([&] {
+                static_cast<void>((*transaction)->extend(extension));
+                glFinish();
+            }));
+            cost.cellsMs.push_back(milliseconds([&] {
+                updateCells(m_textures.takeDirty(gpu::VolumeField::Radiation));
+                glFinish();
+            }));
+        }
+        if (compare)
+            compareWithWhole();
+        core::EngineResult result;
+        (*transaction)->rollBack(result);
+        updateCells(m_textures.takeDirty(gpu::VolumeField::Radiation));
+        return cost;
+    }
+
+    // After ticks(…, true):
+    [[nodiscard]] bool isEqual() const { return m_equal; }
+    [[nodiscard]] std::size_t carvedVoxels() const { return m_carved; }
+    [[nodiscard]] double wholeMs() const { return m_wholeMs; }
+
+private:
+    void updateCells(const core::VoxelBox& box)
+    {
+        m_textures.cells().update(m_cells, m_textures.radiation(), m_textures.segmentation(), box);
+    }
+    [[nodiscard]] std::vector<std::byte> bytesOf(
+        const gpu::Texture3D& texture, std::size_t texel) const
+    {
+        const glm::ivec3 size = texture.size();
+        std::vector<std::byte> bytes(std::size_t(size.x) * size.y * size.z * texel);
+        texture.read(glm::ivec3(0), size, bytes);
+        return bytes;
+    }
+    /// Works out all that follows from the coverage for the whole volume, and times it.
+    void compareWithWhole()
+    {
+        const gpu::VisibleCodes visible{.intervals = {{1000, 65535}}};
+        const std::vector<std::byte> before = bytesOf(m_fields->radiation(), 1);
+        const std::vector<std::byte> skipBefore = bytesOf(m_textures.cells().skipMap(visible), 2);
+        m_carved = std::size_t(std::count_if(before.begin(), before.end(),
+            [](std::byte radiation) { return std::to_integer<int>(radiation) >= 128; }));
+        std::vector<gpu::RadiationKernel::Region> everywhere;
+        for (int brick = 0; brick < m_fields->grid().brickCount(); ++brick)
+            everywhere.push_back({.brick = std::uint32_t(brick)});
+        gpu::BrickField* const coverage = &m_fields->coverage(1);
+        std::vector<double> times;
+        for (int round = 0; round < 3; ++round) {
+            times.push_back(milliseconds([&] {
+                m_radiation.updateFromCoverage({&coverage, 1}, m_fields->radiation(), everywhere);
+                updateCells({.minimum = glm::ivec3(0), .maximum = glm::ivec3(m_side)});
+                glFinish();
+            }));
+        }
+        m_wholeMs = median(times);
+        m_equal = before == bytesOf(m_fields->radiation(), 1)
+            && skipBefore == bytesOf(m_textures.cells().skipMap(visible), 2);
+    }
+
+    int m_side;
+    bool m_opened = false;
+    gpu::VolumeTextures m_textures;
+    gpu::Program m_cells;
+    gpu::EditPrograms m_programs;
+    gpu::RadiationKernel m_radiation;
+    core::Document m_document;
+    std::unique_ptr<gpu::VoxelFields> m_fields;
+    std::size_t m_carved = 0;
+    double m_wholeMs = 0.0;
+    bool m_equal = false;
+};
+
+/// An edit and what the pen reports, 120 times a second.
+struct Stroke {
+    const char* id;
+    core::EngineEdit edit;
+    std::vector<core::EngineExtension> ticks;
+};
+
+std::vector<Stroke> strokes(const Block& block)
+{
+    std::vector<Stroke> result;
+    core::DrillStroke drill;
+    drill.view = block.view();
+    drill.mask.radiusMm = 8.0;
+    drill.surfaceThreshold = 1000.0;
+    drill.byTime = true;
+    if (const auto cut = core::drillCut(drill, block.document())) {
+        core::DrillPathSampler sampler(drill, *cut);
+        Stroke stroke{"sculpt.drill", *cut, {}};
+        for (int tick = 0; tick < 60; ++tick) {
+            const auto samples = sampler.add({{.xMm = 0.5 * tick - 15.0,
+                .yMm = 6.0 * std::sin(0.1 * tick),
+                .pressure = 0.7 + 0.3 * std::sin(0.2 * tick),
+                .tSeconds = tick / 120.0}});
+            stroke.ticks.push_back(core::DrillPath{samples});
+        }
+        result.push_back(std::move(stroke));
+    }
+    core::PeelCut peel;
+    peel.view = block.view();
+    peel.surfaceThreshold = 1000.0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 2.0 * std::numbers::pi * i / 60.0;
+        peel.polygonMm.emplace_back(25.0 * std::cos(t), 20.0 * std::sin(t));
+    }
+    if (const auto cut = core::maskPeel(peel, block.document())) {
+        Stroke stroke{"sculpt.peel", *cut, {}};
+        for (int tick = 1; tick <= 20; ++tick) {
+            peel.depthMm = 0.5 * tick;
+            stroke.ticks.push_back(core::peelDepth(peel));
+        }
+        result.push_back(std::move(stroke));
+    }
+    return result;
+}
+
+QString measureStrokes(PeerReport& report)
+{
+    auto context = gpu::EglContext::create();
+    if (!context || !(*context)->makeCurrent())
+        return QStringLiteral("sculpt: no GL context");
+    const gpu::ShaderLibrary shaders = gpu::ShaderLibrary::builtIn();
+    std::map<std::string, double> smallest; // by stroke
+    std::map<std::string, std::size_t> carved;
+    for (const int side : {128, 256, 512}) {
+        Block block(shaders, side);
+        if (!block.isOpen())
+            return QStringLiteral("sculpt: no room for %1 voxels cubed").arg(side);
+        for (const Stroke& stroke : strokes(block)) {
+            const std::string id = stroke.id;
+            // The first pass compiles and makes the pages; it is compared instead of timed.
+            static_cast<void>(block.ticks(stroke.edit, stroke.ticks, true));
+            if (!block.isEqual() || block.carvedVoxels() == 0)
+                return QStringLiteral("%1: %2 voxels cubed: not as worked out anew")
+                    .arg(QLatin1String(stroke.id))
+                    .arg(side);
+            std::size_t& expected = carved.emplace(id, block.carvedVoxels()).first->second;
+            if (expected != block.carvedVoxels())
+                return QStringLiteral("%1: cuts %2 voxels of %3 cubed, not %4")
+                    .arg(QLatin1String(stroke.id))
+                    .arg(block.carvedVoxels())
+                    .arg(side)
+                    .arg(expected);
+            std::vector<double> pictures;
+            std::vector<double> cells;
+            for (int round = 0; round < rounds; ++round) {
+                const Block::Cost cost = block.ticks(stroke.edit, stroke.ticks);
+                pictures.push_back(cost.pictureMs());
+                cells.push_back(median(cost.cellsMs));
+            }
+            const double tick = median(pictures);
+            const std::string size = "." + std::to_string(side);
+            report.add({id + size, "Ms", tick, "whole volume", block.wholeMs()});
+            report.add({id + ".cells" + size, "Ms", median(cells)});
+            const double first = smallest.emplace(id, tick).first->second;
+            if (side != 128)
+                report.add({id + size, "Ms", tick, "128 cubed", first});
+        }
+    }
+    (*context)->doneCurrent();
+    return {};
+}
+
+} // namespace
+
+QString measureSculpting(PeerReport& report)
+{
+    for (const auto measure : {measureLasso, measureStrokes}) {
+        if (const QString why = measure(report); !why.isEmpty())
+            return why;
+    }
+    return {};
+}
+
+} // namespace bench
