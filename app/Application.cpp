@@ -83,7 +83,9 @@ void Application::makeWindow()
     window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
     window.addTool(*clip, window.sculptMenu(), QKeySequence(QStringLiteral("Shift+C")));
     window.actionTable().fill(window.sculptMenu(),
-        {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute")});
+        {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute"),
+            QStringLiteral("layers.solo"), QString(), QStringLiteral("layers.toSegment"),
+            QStringLiteral("segments.seen")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/LayerActions.h"
 
+#include "ui/SegmentActions.h"
+#include "ui/ShownValues.h"
 #include "ui/Workspace.h"
 
 #include <algorithm>
@@ -35,6 +37,91 @@ core::Result<int> addLayer(Workspace& workspace)
     const int id = session->foreseenDocument().layers.back().id;
     workspace.setActiveLayer(id);
     return id;
+}
+
+namespace {
+
+void apply(Workspace& workspace, const core::Edit& edit)
+{
+    if (core::EditSession* session = workspace.session()) {
+        if (const auto applied = session->apply(edit); !applied)
+            workspace.fail(applied.error());
+    }
+}
+
+core::SegmentChoice newSegment(const core::Document& document, const QString& name)
+{
+    return {.segment = {},
+        .name = name.isEmpty() ? nextSegmentName(document) : name,
+        .rgb = nextSegmentColour(document)};
+}
+
+/// Gives voxels to a segment and makes it the active one.
+template <class E> void give(Workspace& workspace, E edit, std::optional<int> label)
+{
+    core::EditSession* session = workspace.session();
+    if (const auto applied = session->apply(edit); !applied)
+        return workspace.fail(applied.error());
+    // A new one has its label before it has its voxels; without any it will not come.
+    workspace.setActiveSegment(
+        label ? *label : int(session->foreseenDocument().segments.back().label));
+}
+
+} // namespace
+
+void removeLayer(Workspace& workspace, int id)
+{
+    if (!workspace.session())
+        return;
+    const core::Document before = workspace.session()->foreseenDocument();
+    const core::SculptLayer* layer = before.layer(id);
+    if (const auto removed = workspace.session()->apply(core::RemoveLayer{.layer = id}); !removed)
+        return workspace.fail(removed.error());
+    workspace.say(QObject::tr("Deleted layer '%1'; Ctrl+Z brings it back").arg(layer->name));
+}
+
+void mergeLayers(Workspace& workspace, int from, int into)
+{
+    if (!workspace.session())
+        return;
+    const auto merged = workspace.session()->apply(core::MergeLayers{.from = from, .into = into});
+    if (!merged)
+        return workspace.fail(merged.error());
+    workspace.setActiveLayer(into);
+}
+
+void layerToSegment(Workspace& workspace, int layer, std::optional<int> label)
+{
+    if (!workspace.session())
+        return;
+    const core::Document document = workspace.session()->foreseenDocument();
+    const core::SculptLayer* source = document.layer(layer);
+    if (!source)
+        return;
+    core::LayerToSegment edit{.layer = layer, .target = {.segment = label}};
+    if (!label)
+        edit.target = newSegment(document, source->name);
+    give(workspace, edit, label);
+}
+
+void segmentToLayer(Workspace& workspace, int label, int layer)
+{
+    apply(workspace, core::SegmentToLayer{.segment = label, .layer = layer});
+}
+
+void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
+{
+    if (!workspace.session())
+        return;
+    const ShownValues shown = shownValues(workspace.volumeDisplay());
+    if (!shown.why.isEmpty())
+        return workspace.say(shown.why);
+    core::SegmentSeen edit{.target = {.segment = label}, .lower = shown.lower};
+    edit.upper = shown.upper;
+    edit.clip = clippedSides(workspace.clip(), workspace.volume()->geometry);
+    if (!label)
+        edit.target = newSegment(workspace.session()->foreseenDocument(), {});
+    give(workspace, edit, label);
 }
 
 } // namespace ui

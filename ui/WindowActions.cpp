@@ -346,6 +346,32 @@ void addListActions(MainWindow& window)
                 return layer ? QStringLiteral("Mute layer '%1'").arg(layer->name)
                              : QStringLiteral("Mute sculpt layer");
             }});
+    actions.add({.id = QStringLiteral("layers.solo"),
+        .text = QStringLiteral("Solo sculpt layer"),
+        .run =
+            [&workspace, activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                const auto changed = workspace.session()->apply(
+                    core::ChangeLayer{.layer = layer->id, .solo = !layer->solo});
+                if (!changed)
+                    workspace.fail(changed.error());
+            },
+        .possible = [activeLayer] { return activeLayer() != nullptr; },
+        .checked = [activeLayer] { return activeLayer() && activeLayer()->solo; },
+        .currentText =
+            [activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                return layer ? QStringLiteral("Solo layer '%1'").arg(layer->name)
+                             : QStringLiteral("Solo sculpt layer");
+            }});
+    actions.add({.id = QStringLiteral("layers.toSegment"),
+        .text = QStringLiteral("New segment of what the layer has carved"),
+        .run = [&workspace] { layerToSegment(workspace, workspace.activeLayer(), std::nullopt); },
+        .possible = [activeLayer] { return activeLayer() != nullptr; }});
+    actions.add({.id = QStringLiteral("segments.seen"),
+        .text = QStringLiteral("New segment of what I see in 3D"),
+        .run = [&workspace] { segmentWhatIsSeen(workspace, std::nullopt); },
+        .possible = isOpen});
 }
 
 void addPresetActions(MainWindow& window)

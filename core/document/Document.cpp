@@ -41,6 +41,20 @@ SculptLayer* Document::layer(int id)
     return const_cast<SculptLayer*>(std::as_const(*this).layer(id));
 }
 
+bool Document::carves(const SculptLayer& layer) const
+{
+    return whyItDoesNotCarve(layer).isEmpty();
+}
+
+QString Document::whyItDoesNotCarve(const SculptLayer& layer) const
+{
+    if (layer.muted)
+        return QStringLiteral("is muted");
+    const bool anySolo = std::any_of(
+        layers.begin(), layers.end(), [](const SculptLayer& each) { return each.solo; });
+    return anySolo && !layer.solo ? QStringLiteral("is left out while another is solo") : QString();
+}
+
 const CameraBookmark* Document::bookmark(int id) const
 {
     const auto found = std::find_if(bookmarks.begin(), bookmarks.end(),
@@ -61,6 +75,14 @@ int Document::lastBookmarkGiven() const
     int last = greatestRemovedBookmark;
     for (const CameraBookmark& bookmark : bookmarks)
         last = std::max(last, bookmark.id);
+    return last;
+}
+
+int Document::lastLayerGiven() const
+{
+    int last = greatestRemovedLayer;
+    for (const SculptLayer& layer : layers)
+        last = std::max<int>(last, layer.id);
     return last;
 }
 
@@ -88,11 +110,14 @@ QJsonObject Document::hashedState() const
     }
     QJsonArray layerList;
     for (const SculptLayer& layer : layers) {
-        layerList.append(QJsonObject{
+        QJsonObject entry{
             {QStringLiteral("id"), int(layer.id)},
             {QStringLiteral("muted"), layer.muted},
             {QStringLiteral("name"), layer.name},
-        });
+        };
+        if (layer.solo) // only where it says something, see below
+            entry.insert(QStringLiteral("solo"), true);
+        layerList.append(entry);
     }
     QJsonArray growthList;
     for (const Growth& growth : growths) {
@@ -126,6 +151,8 @@ QJsonObject Document::hashedState() const
         state.insert(QStringLiteral("lastBookmark"), greatestRemovedBookmark);
     if (greatestRemovedLabel > 0 && greatestRemovedLabel == lastLabelGiven())
         state.insert(QStringLiteral("lastLabel"), greatestRemovedLabel);
+    if (greatestRemovedLayer > 0 && greatestRemovedLayer == lastLayerGiven())
+        state.insert(QStringLiteral("lastLayer"), greatestRemovedLayer);
     return state;
 }
 

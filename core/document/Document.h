@@ -40,6 +40,7 @@ struct SculptLayer {
     std::uint8_t id = 0; ///< 1 … 254, unique; names its coverage
     QString name;
     bool muted = false; ///< hides nothing, and is absent for whatever reads what is carved
+    bool solo = false; ///< while any layer is solo, all that are not are as if muted
 };
 
 /// A view to come back to.
@@ -66,15 +67,21 @@ struct Document {
     std::vector<CameraBookmark> bookmarks;
     int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
     int greatestRemovedBookmark = 0; ///< likewise
+    int greatestRemovedLayer = 0; ///< likewise
 
     [[nodiscard]] const Segment* segment(int label) const;
     [[nodiscard]] Segment* segment(int label);
     [[nodiscard]] const SculptLayer* layer(int id) const;
     [[nodiscard]] SculptLayer* layer(int id);
+    /// Whether what a layer carves counts: it is not muted, nor left out because others are solo.
+    [[nodiscard]] bool carves(const SculptLayer& layer) const;
+    /// Why it does not, in words ("is muted"); empty if it does.
+    [[nodiscard]] QString whyItDoesNotCarve(const SculptLayer& layer) const;
     [[nodiscard]] const CameraBookmark* bookmark(int id) const;
     /// The last that was given to a segment, present or not; 0: none.
     [[nodiscard]] int lastLabelGiven() const;
     [[nodiscard]] int lastBookmarkGiven() const;
+    [[nodiscard]] int lastLayerGiven() const;
     /// The growth of a label plane; null if nothing has grown there.
     [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no

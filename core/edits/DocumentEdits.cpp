@@ -93,12 +93,11 @@ Result<bool> apply(const RemoveSegment& edit, Document& document)
 
 Result<bool> apply(const AddLayer& edit, Document& document)
 {
-    int id = 1;
-    for (const SculptLayer& layer : document.layers)
-        id = std::max(id, layer.id + 1);
+    const int id = document.lastLayerGiven() + 1;
     if (id > lastLayer)
         return failure(ErrorCode::InvalidField, QStringLiteral("addLayer"),
-            QStringLiteral("there are at most %1 sculpt layers").arg(lastLayer));
+            QStringLiteral("there are at most %1 sculpt layers, those deleted included")
+                .arg(lastLayer));
     document.layers.push_back({.id = std::uint8_t(id), .name = edit.name});
     return true;
 }
@@ -110,7 +109,65 @@ Result<bool> apply(const ChangeLayer& edit, Document& document)
         return unknownLayer("changeLayer.layer", edit.layer);
     bool changed = assign(layer->name, edit.name);
     changed |= assign(layer->muted, edit.muted);
+    changed |= assign(layer->solo, edit.solo);
     return changed;
+}
+
+void remove(const SculptLayer* layer, Document& document)
+{
+    document.greatestRemovedLayer = std::max<int>(document.greatestRemovedLayer, layer->id);
+    document.layers.erase(document.layers.begin() + (layer - document.layers.data()));
+}
+
+Result<bool> apply(const RemoveLayer& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("removeLayer.layer", edit.layer);
+    if (document.layers.size() == 1)
+        return failure(ErrorCode::InvalidField, QStringLiteral("removeLayer.layer"),
+            QStringLiteral("'%1' is the only sculpt layer").arg(layer->name));
+    remove(layer, document);
+    return true;
+}
+
+Result<bool> apply(const MergeLayers& edit, Document& document)
+{
+    const SculptLayer* from = document.layer(edit.from);
+    if (!from)
+        return unknownLayer("mergeLayers.from", edit.from);
+    const SculptLayer* into = document.layer(edit.into);
+    if (!into)
+        return unknownLayer("mergeLayers.into", edit.into);
+    if (from == into)
+        return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
+            QStringLiteral("a layer cannot be merged into itself"));
+    if (document.carves(*from) != document.carves(*into)) {
+        const SculptLayer& silent = document.carves(*from) ? *into : *from;
+        return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
+            QStringLiteral("sculpt layer '%1' %2 and the other is not: what is seen would change")
+                .arg(silent.name, document.whyItDoesNotCarve(silent)));
+    }
+    remove(from, document);
+    return true;
+}
+
+/// Only what takes voxels is carried out at all (takesVoxelsOrNothing()), so a new segment is.
+Result<bool> addNewSegment(const SegmentChoice& choice, Document& document)
+{
+    if (choice.segment)
+        return false;
+    return apply(AddSegment{.name = choice.name, .rgb = choice.rgb, .code = {}}, document);
+}
+
+Result<bool> apply(const LayerToSegment& edit, Document& document)
+{
+    return addNewSegment(edit.target, document);
+}
+
+Result<bool> apply(const SegmentSeen& edit, Document& document)
+{
+    return addNewSegment(edit.target, document);
 }
 
 Result<bool> apply(const MoveLayer& edit, Document& document)
@@ -182,6 +239,10 @@ Result<bool> apply(const ScissorsCut&, Document&)
 {
     return false;
 }
+Result<bool> apply(const SegmentToLayer&, Document&)
+{
+    return false;
+}
 
 /// A stroke into a layer that is not there or not seen would be lost work.
 Result<void> checkLayer(const char* field, int id, const Document& document)
@@ -189,10 +250,10 @@ Result<void> checkLayer(const char* field, int id, const Document& document)
     const SculptLayer* layer = document.layer(id);
     if (!layer)
         return unknownLayer(field, id);
-    if (layer->muted)
+    if (const QString why = document.whyItDoesNotCarve(*layer); !why.isEmpty())
         return failure(ErrorCode::InvalidField, QLatin1String(field),
-            QStringLiteral("sculpt layer '%1' is muted: what is carved there would not be seen")
-                .arg(layer->name));
+            QStringLiteral("sculpt layer '%1' %2: what is carved there would not be seen")
+                .arg(layer->name, why));
     return {};
 }
 
@@ -209,7 +270,20 @@ template <class T> Result<void> discardValue(const Result<T>& result)
 
 bool changesDocumentOnly(const Edit& edit)
 {
-    return changedPart(edit) && !std::holds_alternative<RemoveSegment>(edit);
+    return std::visit(
+        [&edit](const auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            return changedPart(edit)
+                && !isOneOf<E, RemoveSegment, RemoveLayer, MergeLayers, LayerToSegment,
+                    SegmentSeen>;
+        },
+        edit);
+}
+
+bool takesVoxelsOrNothing(const Edit& edit)
+{
+    return std::holds_alternative<LayerToSegment>(edit)
+        || std::holds_alternative<SegmentSeen>(edit);
 }
 
 std::optional<DocumentChange::What> changedPart(const Edit& edit)
@@ -220,7 +294,10 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
             using What = DocumentChange::What;
             if constexpr (isOneOf<E, AddSegment, ChangeSegment, MoveSegment, RemoveSegment>)
                 return What::Segments;
-            else if constexpr (isOneOf<E, AddLayer, ChangeLayer, MoveLayer>)
+            else if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
+                return known.target.segment ? std::nullopt : std::optional(What::Segments);
+            else if constexpr (isOneOf<E, AddLayer, ChangeLayer, MoveLayer, RemoveLayer,
+                                   MergeLayers>)
                 return What::Layers;
             else if constexpr (isOneOf<E, AddBookmark, RemoveBookmark>)
                 return What::Bookmarks;
@@ -239,7 +316,18 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
 {
     if (changedPart(edit)) {
         Document copy = document;
-        return discardValue(applyToDocument(edit, copy));
+        if (const Result<bool> applied = applyToDocument(edit, copy); !applied)
+            return tl::unexpected(applied.error());
+    }
+    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
+        return discardValue(labelCarved(*carved, document));
+    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
+        return discardValue(labelSeen(*seen, document));
+    if (const auto* cover = std::get_if<SegmentToLayer>(&edit)) {
+        if (const Result<void> checked = checkLayer("segmentToLayer.layer", cover->layer, document);
+            !checked)
+            return checked;
+        return discardValue(coverLabel(*cover, document));
     }
     if (const auto* seed = std::get_if<SeedStroke>(&edit))
         return discardValue(seedPlacement(*seed, document));

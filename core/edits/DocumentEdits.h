@@ -12,6 +12,9 @@ namespace core {
 /// Whether an edit changes the document only, and no voxel.
 [[nodiscard]] bool changesDocumentOnly(const Edit& edit);
 
+/// Whether an edit does nothing at all, in the document neither, where it changes no voxel.
+[[nodiscard]] bool takesVoxelsOrNothing(const Edit& edit);
+
 /// Which list of the document an edit changes; none if it changes voxels only.
 [[nodiscard]] std::optional<DocumentChange::What> changedPart(const Edit& edit);
 

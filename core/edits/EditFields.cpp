@@ -5,6 +5,7 @@
 #include "core/growth/SeedWord.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
 
 #include <algorithm>
 #include <cmath>
@@ -488,6 +489,72 @@ QString PlaceList::check(const Value& value) const
     if (value.empty())
         return {};
     return RowList().check(value).isEmpty() ? QString() : QStringLiteral("must ascend, from 1 on");
+}
+
+// --- ClippedSideList
+// ---------------------------------------------------------------------------------
+
+namespace {
+
+constexpr int mostSides = 64;
+const Point sidePoint{sampleMillimetres};
+const Point sideNormal{Number{"", -1000.0, 1000.0, quantum::perDirection}};
+
+} // namespace
+
+QString ClippedSideList::type() const
+{
+    return QStringLiteral("[{\"pointLps\": [x, y, z], \"normalLps\": [x, y, z]}, …]");
+}
+
+QJsonValue ClippedSideList::write(const Value& value) const
+{
+    QJsonArray array;
+    for (const ClippedSide& side : value)
+        array.append(QJsonObject{{QStringLiteral("pointLps"), sidePoint.write(side.pointLps)},
+            {QStringLiteral("normalLps"), sideNormal.write(side.normalLps)}});
+    return array;
+}
+
+QString ClippedSideList::read(const QJsonValue& json, Value& value) const
+{
+    if (!json.isArray())
+        return QStringLiteral("must be a list");
+    const QJsonArray array = json.toArray();
+    for (int i = 0; i < array.size(); ++i) {
+        const QJsonObject object = array[i].toObject();
+        ClippedSide side;
+        if (object.size() != 2
+            || !sidePoint.read(object[QStringLiteral("pointLps")], side.pointLps).isEmpty()
+            || !sideNormal.read(object[QStringLiteral("normalLps")], side.normalLps).isEmpty())
+            return at(i, QStringLiteral("must be an object of pointLps and normalLps"));
+        value.push_back(side);
+    }
+    return {};
+}
+
+QString ClippedSideList::check(const Value& value) const
+{
+    if (value.size() > std::size_t(mostSides))
+        return QStringLiteral("has more than %1 entries").arg(mostSides);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        for (const QString& reason :
+            {sidePoint.check(value[i].pointLps), sideNormal.check(value[i].normalLps)}) {
+            if (!reason.isEmpty())
+                return at(int(i), reason);
+        }
+        if (!(glm::length(value[i].normalLps) > 1e-3))
+            return at(int(i), QStringLiteral("normalLps is no direction"));
+    }
+    return {};
+}
+
+ClippedSideList::Value ClippedSideList::rounded(const Value& value) const
+{
+    Value result;
+    for (const ClippedSide& side : value)
+        result.push_back({sidePoint.rounded(side.pointLps), sideNormal.rounded(side.normalLps)});
+    return result;
 }
 
 // --- StepCount

@@ -44,6 +44,11 @@ template <> inline constexpr const char* editName<PaintStroke> = "paint";
 template <> inline constexpr const char* editName<BrushStroke> = "brush";
 template <> inline constexpr const char* editName<PeelCut> = "peel";
 template <> inline constexpr const char* editName<ScissorsCut> = "scissors";
+template <> inline constexpr const char* editName<RemoveLayer> = "removeLayer";
+template <> inline constexpr const char* editName<MergeLayers> = "mergeLayers";
+template <> inline constexpr const char* editName<LayerToSegment> = "layerToSegment";
+template <> inline constexpr const char* editName<SegmentToLayer> = "segmentToLayer";
+template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
 
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
@@ -62,10 +67,10 @@ inline constexpr const char* editMeaning<RemoveSegment> =
 template <>
 inline constexpr const char* editMeaning<AddLayer> =
     "Adds an empty sculpt layer. Layer 1 is there from the start; others are numbered 2, 3 … in "
-    "the order they are added.";
+    "the order they are added, and a number is never used again.";
 template <>
 inline constexpr const char* editMeaning<ChangeLayer> =
-    "Renames or mutes a sculpt layer; fields left out stay as they are.";
+    "Renames or mutes a sculpt layer, or has it count alone; fields left out stay as they are.";
 template <>
 inline constexpr const char* editMeaning<MoveLayer> =
     "Puts a sculpt layer at another place of the list.";
@@ -104,6 +109,25 @@ inline constexpr const char* editMeaning<PeelCut> =
 template <>
 inline constexpr const char* editMeaning<ScissorsCut> =
     "Cuts out what lies inside a closed curve along the view, or restores what was carved there.";
+template <>
+inline constexpr const char* editMeaning<RemoveLayer> =
+    "Deletes a sculpt layer with what it has carved; not the only one.";
+template <>
+inline constexpr const char* editMeaning<MergeLayers> =
+    "Lays what a sculpt layer has carved into another one, and deletes it.";
+template <>
+inline constexpr const char* editMeaning<LayerToSegment> =
+    "Gives what a sculpt layer has carved (coverage of one half and more) to a segment; does "
+    "nothing "
+    "where it takes no voxel.";
+template <>
+inline constexpr const char* editMeaning<SegmentToLayer> =
+    "Carves what a segment holds, whole, into a sculpt layer.";
+template <>
+inline constexpr const char* editMeaning<SegmentSeen> =
+    "Gives what is seen, from wherever, to a segment: what no layer carves, inside the clip "
+    "region, "
+    "with values in an interval; does nothing where it takes no voxel.";
 
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
 inline constexpr editFields::WholeNumber layerNumber{1, 254};
@@ -185,6 +209,8 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeLayer& edit)
     visit.maybe("name", edit.name, editFields::Text{}, "new name");
     visit.maybe("muted", edit.muted, editFields::Flag{},
         "whether it hides nothing, as if it were not there");
+    visit.maybe("solo", edit.solo, editFields::Flag{},
+        "whether all layers that are not solo hide nothing, as if muted");
 }
 
 template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
@@ -192,6 +218,62 @@ template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
     visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
     visit.field("place", Presence::Required, edit.place, layerNumber,
         "its new place in the list, 1 is the first");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, RemoveLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, MergeLayers& edit)
+{
+    visit.field("from", Presence::Required, edit.from, layerNumber,
+        "the sculpt layer that is laid into the other and deleted");
+    visit.field("into", Presence::Required, edit.into, layerNumber,
+        "the sculpt layer that stays; muted if the other is, and not if it is not");
+}
+
+/// Which segment receives voxels.
+template <class Visitor> void visitTarget(Visitor& visit, SegmentChoice& target)
+{
+    visit.maybe(
+        "segment", target.segment, segmentNumber, "which segment; no name then", "a new one");
+    visit.when(!target.segment, [&] {
+        visit.field("name", Presence::Required, target.name, editFields::Text{},
+            "of the new segment (no segment given)");
+        visit.field("color", Presence::Required, target.rgb, editFields::Colour{},
+            "of the new segment (no segment given)");
+    });
+}
+
+template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visitTarget(visit, edit.target);
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether voxels of other segments that are not locked are taken");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("layer", Presence::Required, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+}
+
+template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
+{
+    visitTarget(visit, edit.target);
+    visit.maybe(
+        "lower", edit.lower, modalityValue, "only voxels from this value on, inclusive", "any");
+    visit.maybe(
+        "upper", edit.upper, modalityValue, "only voxels up to this value, inclusive", "any");
+    visit.field("clip", Presence::Optional, edit.clip, editFields::ClippedSideList{},
+        "sides of planes that are not looked at: a point of the plane, and a direction towards "
+        "what "
+        "is hidden, patient coordinates (LPS)");
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether voxels of other segments that are not locked are taken");
 }
 
 template <class Visitor> void visitFields(Visitor& visit, AddBookmark& edit)

@@ -49,17 +49,66 @@ struct AddLayer {
     QString name{};
 };
 
-/// Rename or mute a sculpt layer; absent fields stay.
+/// Rename or mute a sculpt layer, or have it count alone; absent fields stay.
 struct ChangeLayer {
     int layer = 0; ///< id
     std::optional<QString> name{};
     std::optional<bool> muted{};
+    std::optional<bool> solo{};
 };
 
 /// Put a sculpt layer at another place of the list.
 struct MoveLayer {
     int layer = 0; ///< id
     int place = 0; ///< 1: first; beyond the end: last
+};
+
+/// Delete a sculpt layer with what it has carved. Not the only one. Its number is not used again.
+struct RemoveLayer {
+    int layer = 0; ///< id
+};
+
+/// Lay what a layer has carved into another one, by the greater value, and delete it. Both carve,
+/// or neither does, so that nothing looks different.
+struct MergeLayers {
+    int from = 0; ///< id
+    int into = 0; ///< id
+};
+
+/// The segment that receives voxels: one that is there, or a new one.
+struct SegmentChoice {
+    std::optional<int> segment{}; ///< label; none: a new one
+    QString name{}; ///< of the new one
+    std::uint32_t rgb = 0;
+};
+
+/// What a layer has carved (coverage ≥ 128) becomes voxels of a segment.
+struct LayerToSegment {
+    int layer = 0; ///< id
+    SegmentChoice target{};
+    bool overwriteUnlocked = false;
+};
+
+/// What a segment holds is carved, whole.
+struct SegmentToLayer {
+    int segment = 0; ///< label
+    int layer = 0; ///< id
+};
+
+/// A side of a plane that is not looked at.
+struct ClippedSide {
+    glm::dvec3 pointLps{0.0};
+    glm::dvec3 normalLps{0.0}; ///< towards what is hidden
+};
+
+/// "Segment what I see": what is not carved, inside the clip region and within an interval of
+/// values becomes voxels of a segment, from wherever one looks.
+struct SegmentSeen {
+    SegmentChoice target{};
+    std::optional<double> lower{}; ///< modality units, inclusive; none: any
+    std::optional<double> upper{};
+    std::vector<ClippedSide> clip{};
+    bool overwriteUnlocked = false;
 };
 
 /// Keep a view of the patient by name.
@@ -208,6 +257,7 @@ struct ReviseStroke {
 
 using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
-    RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut>;
+    RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
+    MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen>;
 
 } // namespace core

@@ -43,6 +43,24 @@ namespace core {
 /// Errors: InvalidField (also a curve that is too small).
 [[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
 
+/// The label that receives voxels: of a new segment the next one. Errors: UnknownSegment,
+/// SegmentLocked.
+[[nodiscard]] Result<LabelTarget> labelTarget(
+    const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
+
+/// Errors: those of labelTarget(), InvalidField (no such layer).
+[[nodiscard]] Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document);
+
+/// Errors: those of labelTarget(), InvalidField (lower > upper).
+[[nodiscard]] Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document);
+
+/// Errors: UnknownSegment.
+[[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
+
+/// Expect layers that are there.
+[[nodiscard]] FoldLayer foldLayer(const RemoveLayer& edit);
+[[nodiscard]] FoldLayer foldLayer(const MergeLayers& edit);
+
 /// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
 /// below @p name (no point, a disc without a direction across its plane).
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(

@@ -114,6 +114,16 @@ struct ParameterWriter {
 
 } // namespace
 
+bool writesLayer(const Edit& edit, int layer)
+{
+    if (const auto* segment = std::get_if<SegmentToLayer>(&edit))
+        return segment->layer == layer;
+    if (const auto* merge = std::get_if<MergeLayers>(&edit))
+        return merge->from == layer || merge->into == layer;
+    const auto* remove = std::get_if<RemoveLayer>(&edit);
+    return remove && remove->layer == layer;
+}
+
 std::optional<SculptEdit> sculptEdit(const Edit& edit)
 {
     return std::visit(

@@ -36,6 +36,10 @@ struct StrokeParameters {
 /// The edit as @p revision makes it. Errors: InvalidField for what it has not.
 [[nodiscard]] Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision);
 
+/// Whether an edit writes a layer's coverage otherwise than by a cut, so that the cuts alone do not
+/// make up what stands there.
+[[nodiscard]] bool writesLayer(const Edit& edit, int layer);
+
 /// An edit in one go, as submitWhole() takes it.
 struct WholeCut {
     EngineEdit edit;

@@ -5,6 +5,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
+#include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/MaskPeel.h"
 #include "core/sculpt/MaskScissors.h"
 
@@ -92,9 +93,10 @@ struct CapsuleCut {
 };
 
 /// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
-/// sculpt layer with a mask that is pressed into the volume along the view.
+/// sculpt layer with a mask that is pressed into the volume along the view. LabelCarved, LabelSeen,
+/// CoverLabel, FoldLayer (sculpt/LayerWrites.h): between layers and segments, whole at once.
 using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut,
-    MaskPeel, MaskScissors>;
+    MaskPeel, MaskScissors, LabelCarved, LabelSeen, CoverLabel, FoldLayer>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -131,7 +133,8 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is open; a brick or voxel that the volume
 // does not have; an image that is neither empty nor whole; a connectivity other than 6; a segment
 // label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a brush's that is
-// not sound (isSound()); a table of opacities of another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
+// not sound (isSound()); bounds that are not (areSound()); a layer folded into itself; a table of
+// opacities of another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
 // open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.

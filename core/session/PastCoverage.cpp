@@ -73,8 +73,9 @@ void PastCoverage::put(SessionState& state)
 void PastCoverage::mute(SessionState& state, RowId at)
 {
     MuteLayers mute;
-    for (const SculptLayer& layer : state.documentAt(at).layers)
-        mute.muted[layer.id] = layer.muted;
+    const Document document = state.documentAt(at);
+    for (const SculptLayer& layer : document.layers)
+        mute.muted[layer.id] = !document.carves(layer);
     state.engine.submit(mute);
 }
 

@@ -98,13 +98,13 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
         claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
 }
 
-/// A revision folds in the cuts that lie wherever its own stroke reaches, also where nothing came
-/// of it: taking one of them back after it would leave what lay hidden below.
+/// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches, also
+/// where nothing came of it: taking one of them back after it would leave what lay hidden below.
 bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
     const Edit& later)
 {
     const auto* revise = std::get_if<ReviseStroke>(&later);
-    if (!revise || !sculptEdit(taken))
+    if (!revise || !(sculptEdit(taken) || std::holds_alternative<SegmentToLayer>(taken)))
         return false;
     for (const SculptEdit& form : formsOf(state.history, revise->row)) {
         const RowReach reach(plainEdit(form), state.document, {});
@@ -181,7 +181,9 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
         if (changesDocumentOnly(row.edit))
             return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
         if (changedPart(row.edit))
-            return refused(QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
+            return refused(changedPart(row.edit) == DocumentChange::What::Layers
+                    ? QStringLiteral("%1 changed the list of sculpt layers too").arg(titled(row))
+                    : QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
         std::set<RowId> decided;
         addDecided(state.history, id, decided);
         for (const RowId other : m_edit.rows) {

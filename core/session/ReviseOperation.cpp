@@ -5,6 +5,7 @@
 #include "core/session/RowReach.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace core {
@@ -96,11 +97,45 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
         earlier = firstDifference(
             standingStrokes(history, history.row(first).parent), before(m_strokes, first));
     }
+    if (const Result<void> checked = checkLayers(state, first); !checked)
+        return checked;
     m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(),
                         [first](const StandingStroke& s) { return s.row < first || s.removed; }),
         m_strokes.end());
     m_path.assign(std::find(path.begin(), path.end(), first), path.end());
     return {};
+}
+
+Result<void> ReviseOperation::checkLayers(const SessionState& state, RowId first) const
+{
+    const History& history = state.history;
+    const auto writes = [&](RowId row) {
+        const Edit& edit = history.row(row).edit;
+        return writesLayer(edit, layerOf(m_before.form))
+            || writesLayer(edit, layerOf(m_after.form));
+    };
+    const auto writers = [&](RowId at) {
+        std::vector<RowId> rows = history.standing(at);
+        rows.erase(
+            std::remove_if(rows.begin(), rows.end(), [&writes](RowId row) { return !writes(row); }),
+            rows.end());
+        return rows;
+    };
+    // Of those that are part of the ground none may be gone, and none may have come since.
+    const std::vector<RowId> ground = writers(history.row(first).parent);
+    const std::vector<RowId> now = writers(history.position());
+    std::vector<RowId> differing;
+    std::set_symmetric_difference(
+        ground.begin(), ground.end(), now.begin(), now.end(), std::back_inserter(differing));
+    if (differing.empty())
+        return {};
+    const RowId row = differing.back();
+    return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
+        QStringLiteral("row %1 cannot be worked out anew, because '%2' (row %3) has written its "
+                       "layer otherwise than by cutting")
+            .arg(m_edit.row)
+            .arg(history.row(row).name)
+            .arg(row));
 }
 
 void ReviseOperation::loadNext(SessionState& state)

@@ -17,6 +17,9 @@ namespace core {
 /// order of the history (carving: the deeper cut wins; restoring: what it leaves), on what was
 /// there before the first of them.
 ///
+/// Refused, naming the row, where something that is no stroke has written the layer since: a
+/// segment that was carved into it, a merger. Cuts alone would not make up what stands there.
+///
 /// Every stroke keeps the surface it started on: that of the row before it, whatever has become of
 /// earlier strokes since. Later strokes that would have met another surface are told
 /// (SessionState::lastRevision).
@@ -35,6 +38,8 @@ private:
     using Then = std::function<void(SessionState&, EngineResult&&)>;
 
     [[nodiscard]] Result<void> findStrokes(const SessionState& state);
+    /// @param first the row before which the ground is that cuts are laid on
+    [[nodiscard]] Result<void> checkLayers(const SessionState& state, RowId first) const;
     void loadNext(SessionState& state);
     void await(Ticket ticket, Then then);
     void cut(SessionState& state, const StandingStroke& stroke,

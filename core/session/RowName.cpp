@@ -156,6 +156,9 @@ QString changeName(const ChangeLayer& edit, const Document& document)
     const QString name = layerName(edit.layer, document);
     if (edit.name)
         return QStringLiteral("Rename layer %1 to %2").arg(name, quoted(*edit.name));
+    if (edit.solo)
+        return (*edit.solo ? QStringLiteral("Solo layer ") : QStringLiteral("End solo of layer "))
+            + name;
     return (edit.muted.value_or(false) ? QStringLiteral("Mute layer ")
                                        : QStringLiteral("Unmute layer "))
         + name;
@@ -172,6 +175,11 @@ QString listName(const Edit& edit, const Document& document)
         return QStringLiteral("Move layer %1 to place %2")
             .arg(layerName(move->layer, document))
             .arg(move->place);
+    if (const auto* remove = std::get_if<RemoveLayer>(&edit))
+        return QStringLiteral("Delete layer ") + layerName(remove->layer, document);
+    if (const auto* merge = std::get_if<MergeLayers>(&edit))
+        return QStringLiteral("Merge layer %1 into %2")
+            .arg(layerName(merge->from, document), layerName(merge->into, document));
     if (const auto* add = std::get_if<AddBookmark>(&edit))
         return QStringLiteral("Bookmark ") + quoted(add->name);
     if (const auto* remove = std::get_if<RemoveBookmark>(&edit)) {
@@ -198,6 +206,28 @@ QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,
         .arg(stroke.erase ? QStringLiteral("Erase") : QStringLiteral("Paint"),
             quoted(segmentName(stroke.segment, document)), millimetres(stroke.path.radiusMm),
             stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
+}
+
+QString targetName(const SegmentChoice& choice, const Document& document)
+{
+    return quoted(choice.segment ? segmentName(*choice.segment, document) : choice.name);
+}
+
+/// What passes between layers and segments; empty for other edits.
+QString passageName(const Edit& edit, const EditStatistics& statistics, const Document& document)
+{
+    const QString count = counted(statistics.voxelsChanged, "voxel");
+    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
+        return QStringLiteral("Layer %1 to segment %2, +%3")
+            .arg(layerName(carved->layer, document), targetName(carved->target, document), count);
+    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
+        return QStringLiteral("Segment what is seen as %1, +%2")
+            .arg(targetName(seen->target, document), count);
+    if (const auto* segment = std::get_if<SegmentToLayer>(&edit))
+        return QStringLiteral("Segment %1 to layer %2, %3")
+            .arg(quoted(segmentName(segment->segment, document)),
+                layerName(segment->layer, document), count);
+    return {};
 }
 
 /// A row without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2 mm".
@@ -291,6 +321,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return peelName(*peel, statistics);
     if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
         return scissorsName(*scissors, statistics);
+    if (const QString name = passageName(edit, statistics, document); !name.isEmpty())
+        return name;
     return drillName(std::get<DrillStroke>(edit), statistics);
 }
 

@@ -121,9 +121,37 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
                 bricks.keys.insert({Field::Coverage, std::uint8_t(brush->layer), brick});
         }
         m_reach = std::move(bricks);
+    } else if (std::optional<Fields> fields = wholeFields(edit, document)) {
+        m_reach = *fields;
     } else {
         m_reach = Bricks{{written.begin(), written.end()}};
     }
+}
+
+std::optional<RowReach::Fields> RowReach::wholeFields(const Edit& edit, const Document& document)
+{
+    const auto planeOf = [&document](std::optional<int> label) {
+        const Segment* segment = label ? document.segment(*label) : nullptr;
+        return segment ? segment->plane : std::uint8_t(0);
+    };
+    Fields fields;
+    if (const auto* carved = std::get_if<LayerToSegment>(&edit)) {
+        fields.plane = planeOf(carved->target.segment);
+        fields.layers.set(std::size_t(carved->layer));
+    } else if (const auto* seen = std::get_if<SegmentSeen>(&edit)) {
+        fields.plane = planeOf(seen->target.segment);
+        fields.layers.set();
+    } else if (const auto* covered = std::get_if<SegmentToLayer>(&edit)) {
+        fields.plane = planeOf(covered->segment);
+        fields.layers.set(std::size_t(covered->layer));
+    } else if (const auto* merge = std::get_if<MergeLayers>(&edit)) {
+        fields.layers.set(std::size_t(merge->from)).set(std::size_t(merge->into));
+    } else if (const auto* remove = std::get_if<RemoveLayer>(&edit)) {
+        fields.layers.set(std::size_t(remove->layer));
+    } else {
+        return std::nullopt;
+    }
+    return fields;
 }
 
 bool RowReach::covers(const BrickKey& key) const
@@ -139,6 +167,11 @@ bool RowReach::covers(const Bricks& bricks, const BrickKey& key)
 bool RowReach::covers(const Plane& plane, const BrickKey& key)
 {
     return key.field != Field::Coverage && key.plane == plane.plane;
+}
+
+bool RowReach::covers(const Fields& fields, const BrickKey& key)
+{
+    return key.field == Field::Coverage ? fields.layers[key.plane] : fields.plane == key.plane;
 }
 
 bool RowReach::covers(const SweptMask& mask, const BrickKey& key)

@@ -4,6 +4,9 @@
 #include "core/document/Document.h"
 #include "core/edits/Edits.h"
 
+#include <bitset>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <variant>
 #include <vector>
@@ -21,6 +24,13 @@ namespace core {
 /// - a peel, scissors: likewise, under a disc around the curve;
 /// - paint: the labels and seed words of the bricks under the brush;
 /// - a carve brush: the coverage of its own layer in the bricks under the brush;
+/// - a layer that became a segment: the coverage of that layer, and the labels and seed words of
+/// the
+///   segment's plane, since what other segments held decided too;
+/// - "segment what I see": the same, and the coverage of every layer;
+/// - a segment that became a layer: the labels and seed words of its plane, and the layer's
+/// coverage;
+/// - layers that were merged or deleted: all of their coverage;
 /// - "undo only": the bricks of the rows that it took back;
 /// - a revised stroke: the bricks that it wrote. (It also folds in what lay hidden there, which
 ///   RevertOperation looks after.)
@@ -39,6 +49,11 @@ private:
     struct Plane {
         std::uint8_t plane = 0;
     };
+    /// Whole fields.
+    struct Fields {
+        std::optional<std::uint8_t> plane; ///< labels and seed words
+        std::bitset<256> layers; ///< coverage
+    };
     /// In the plane of the drill's view.
     struct SweptMask {
         glm::dvec2 origin{0.0}; ///< of voxel (0, 0, 0), mm
@@ -54,8 +69,11 @@ private:
     [[nodiscard]] static bool covers(const Bricks& bricks, const BrickKey& key);
     [[nodiscard]] static bool covers(const Plane& plane, const BrickKey& key);
     [[nodiscard]] static bool covers(const SweptMask& mask, const BrickKey& key);
+    [[nodiscard]] static bool covers(const Fields& fields, const BrickKey& key);
+    [[nodiscard]] static std::optional<Fields> wholeFields(
+        const Edit& edit, const Document& document);
 
-    std::variant<Bricks, Plane, SweptMask> m_reach;
+    std::variant<Bricks, Plane, SweptMask, Fields> m_reach;
 };
 
 } // namespace core

@@ -155,7 +155,7 @@ void SessionState::muteLayers()
 {
     MuteLayers mute;
     for (const SculptLayer& layer : document.layers)
-        mute.muted[layer.id] = layer.muted;
+        mute.muted[layer.id] = !document.carves(layer);
     if (mute.muted == m_muted)
         return;
     m_muted = mute.muted;

@@ -105,6 +105,32 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(cut.error());
         return EngineEdit(*std::move(cut));
     }
+    if (const auto* carved = std::get_if<LayerToSegment>(&m_edit)) {
+        Result<LabelCarved> label = labelCarved(*carved, document);
+        if (!label)
+            return tl::unexpected(label.error());
+        return EngineEdit(*std::move(label));
+    }
+    if (const auto* seen = std::get_if<SegmentSeen>(&m_edit)) {
+        Result<LabelSeen> label = labelSeen(*seen, document);
+        if (!label)
+            return tl::unexpected(label.error());
+        return EngineEdit(*std::move(label));
+    }
+    if (const auto* segment = std::get_if<SegmentToLayer>(&m_edit)) {
+        Result<CoverLabel> cover = coverLabel(*segment, document);
+        if (!cover)
+            return tl::unexpected(cover.error());
+        return EngineEdit(*cover);
+    }
+    const auto* removed = std::get_if<RemoveLayer>(&m_edit);
+    const auto* merged = std::get_if<MergeLayers>(&m_edit);
+    if (removed || merged) {
+        // What waited in line may meet another document than the one it was checked against.
+        if (const Result<void> checked = checkAgainst(document, m_edit); !checked)
+            return tl::unexpected(checked.error());
+        return EngineEdit(removed ? foldLayer(*removed) : foldLayer(*merged));
+    }
     const auto& drill = std::get<DrillStroke>(m_edit);
     Result<DrillCut> cut = drillCut(drill, document);
     if (!cut)
@@ -245,7 +271,8 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.engine.submit(SwapBricks{imagesBefore(result.changes)});
     if (isGrowth())
         state.tell(DocumentChange::What::Growth);
-    const bool changed = !result.changes.empty() || changedPart(m_edit);
+    const bool changed =
+        !result.changes.empty() || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit));
     if (result.error || m_failed || !changed) {
         if (m_again != 0 && !result.error && !m_failed)
             state.fail({ErrorCode::SessionDamaged,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/EditTransaction.h"
 
+#include "gpu/edit/LayerWriter.h"
 #include "gpu/edit/ScissorsKernel.h"
 
 namespace gpu {
@@ -71,6 +72,39 @@ core::Result<void> check(const core::CapsuleCut& edit, const core::BrickGrid&)
     return {};
 }
 
+core::Result<void> check(const core::LabelTarget& target)
+{
+    if (target.label == 0)
+        return refusal("label", "0 is no segment");
+    return {};
+}
+
+core::Result<void> check(const core::LabelCarved& edit, const core::BrickGrid&)
+{
+    return check(edit.target);
+}
+
+core::Result<void> check(const core::LabelSeen& edit, const core::BrickGrid& grid)
+{
+    if (!core::areSound(edit.bounds, grid.volumeSize))
+        return refusal("bounds", "are not sound");
+    return check(edit.target);
+}
+
+core::Result<void> check(const core::CoverLabel& edit, const core::BrickGrid&)
+{
+    if (edit.label == 0)
+        return refusal("label", "0 is no segment");
+    return {};
+}
+
+core::Result<void> check(const core::FoldLayer& edit, const core::BrickGrid&)
+{
+    if (edit.into == edit.layer)
+        return refusal("into", "is the layer itself");
+    return {};
+}
+
 } // namespace
 
 tl::unexpected<core::Error> refusal(const char* field, const char* reason)
@@ -114,7 +148,7 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     } else if (const auto* drill = std::get_if<core::DrillCut>(&edit)) {
         transaction->m_drill.emplace(programs.mask, fields, before, *drill);
     } else if (const auto* erase = std::get_if<core::EraseLabel>(&edit)) {
-        transaction->m_erasedBricks = eraseLabel(programs.erase, fields, before, *erase);
+        transaction->m_wholeKeys = eraseLabel(programs.erase, fields, before, *erase);
     } else if (const auto* paint = std::get_if<core::PaintLabel>(&edit)) {
         transaction->m_capsule.emplace(programs.capsule, fields, before, *paint);
     } else if (const auto* cut = std::get_if<core::CapsuleCut>(&edit)) {
@@ -123,6 +157,14 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_peel.emplace(programs.mask, fields, before, *peel);
     } else if (const auto* scissors = std::get_if<core::MaskScissors>(&edit)) {
         transaction->m_scissoredBricks = cutWithScissors(programs.mask, fields, before, *scissors);
+    } else if (const auto* carved = std::get_if<core::LabelCarved>(&edit)) {
+        transaction->m_wholeKeys = labelCarved(programs.label, fields, before, *carved);
+    } else if (const auto* seen = std::get_if<core::LabelSeen>(&edit)) {
+        transaction->m_wholeKeys = labelSeen(programs.label, fields, before, *seen);
+    } else if (const auto* cover = std::get_if<core::CoverLabel>(&edit)) {
+        transaction->m_wholeKeys = coverLabel(programs.erase, fields, before, *cover);
+    } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {
+        transaction->m_wholeKeys = foldLayer(fields, before, *fold);
     }
     return transaction;
 }
@@ -173,7 +215,7 @@ void EditTransaction::advance(int rings)
 
 std::vector<core::BrickKey> EditTransaction::touchedKeys() const
 {
-    std::vector<core::BrickKey> keys = m_erasedBricks;
+    std::vector<core::BrickKey> keys = m_wholeKeys;
     const auto add = [&keys](core::Field field, std::uint8_t plane,
                          const std::vector<std::uint32_t>& bricks) {
         for (const std::uint32_t brick : bricks)

@@ -8,6 +8,7 @@
 #include "gpu/edit/DrillKernel.h"
 #include "gpu/edit/EraseKernel.h"
 #include "gpu/edit/GrowthKernel.h"
+#include "gpu/edit/LabelKernel.h"
 #include "gpu/edit/PeelKernel.h"
 
 #include <memory>
@@ -22,6 +23,7 @@ struct EditPrograms {
         , mask(library)
         , erase(library)
         , capsule(library)
+        , label(library)
     {
     }
 
@@ -29,6 +31,7 @@ struct EditPrograms {
     MaskPrograms mask;
     ErasePrograms erase;
     CapsulePrograms capsule;
+    LabelPrograms label;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -62,7 +65,7 @@ private:
     BeforeImages m_before;
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
-    std::vector<core::BrickKey> m_erasedBricks;
+    std::vector<core::BrickKey> m_wholeKeys; ///< of an edit that is done once it has begun
     std::vector<std::uint32_t> m_scissoredBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<DrillKernel> m_drill;

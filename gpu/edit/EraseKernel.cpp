@@ -75,6 +75,19 @@ ErasePrograms::ErasePrograms(const ShaderLibrary& library)
 {
 }
 
+std::vector<std::uint32_t> labelHolders(
+    ErasePrograms& programs, VoxelFields& fields, std::uint8_t plane, std::uint8_t label)
+{
+    const std::vector<std::uint32_t> bricks = fields.labelledBricks();
+    if (bricks.empty())
+        return {};
+    programs.labels.set("volumeSize", fields.grid().volumeSize)
+        .set("volumeBricks", fields.grid().bricks())
+        .set("label", unsigned(label));
+    fields.labels(plane).bindImage(0, GL_READ_WRITE);
+    return run(programs.labels, bricks, false);
+}
+
 std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::EraseLabel& erase)
 {

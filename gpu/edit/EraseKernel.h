@@ -17,6 +17,10 @@ struct ErasePrograms {
     Program seedWords;
 };
 
+/// The bricks in which a plane holds a label. Engine thread only.
+[[nodiscard]] std::vector<std::uint32_t> labelHolders(
+    ErasePrograms& programs, VoxelFields& fields, std::uint8_t plane, std::uint8_t label);
+
 /// Takes a label out of its plane and its seed map (EraseLabel in core/engine/EngineCommands.h).
 /// Bricks that hold it are looked for first; only those are captured and written. Returns their
 /// keys. Cost ∝ the bricks that have ever held a label or hold seed words. Engine thread only.

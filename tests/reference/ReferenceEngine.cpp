@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/ReferenceEngine.h"
 
+#include "tests/reference/LayerWrites.h"
 #include "tests/reference/Radiation.h"
 
 #include <algorithm>
@@ -161,6 +162,40 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CapsuleCut& edi
     if (!core::isSound(edit.frame))
         return refuse("frame", "is not sound");
     return Capsules(m_codes, m_fields, edit);
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelCarved& edit)
+{
+    if (edit.target.label == 0)
+        return refuse("label", "0 is no segment");
+    labelCarved(m_fields, edit);
+    return Done{};
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelSeen& edit)
+{
+    if (edit.target.label == 0)
+        return refuse("label", "0 is no segment");
+    if (!core::areSound(edit.bounds, m_codes.size))
+        return refuse("bounds", "are not sound");
+    labelSeen(m_codes, m_fields.composedCoverage(m_muted), m_fields, edit);
+    return Done{};
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CoverLabel& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    coverLabel(m_fields, edit);
+    return Done{};
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::FoldLayer& edit)
+{
+    if (edit.into == edit.layer)
+        return refuse("into", "is the layer itself");
+    foldLayer(m_fields, edit);
+    return Done{};
 }
 
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::BeginEdit& command)

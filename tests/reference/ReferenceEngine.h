@@ -59,6 +59,10 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::CapsuleCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::MaskPeel& edit);
     [[nodiscard]] core::Result<Work> begin(core::MaskScissors& edit);
+    [[nodiscard]] core::Result<Work> begin(core::LabelCarved& edit);
+    [[nodiscard]] core::Result<Work> begin(core::LabelSeen& edit);
+    [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
+    [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;

@@ -18,7 +18,7 @@ using namespace core;
 
 namespace {
 
-constexpr int greatestLayer = 3;
+constexpr int greatestLayer = 8;
 constexpr std::uint8_t truthLayer = 200; ///< where one cut is made alone
 
 /// All that an engine holds, empty bricks left out.
@@ -141,7 +141,9 @@ void HistoryTruth::add(const HistoryRow& row)
     } else if (std::holds_alternative<DrillStroke>(edit)
         || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<PeelCut>(edit)
         || std::holds_alternative<ScissorsCut>(edit) || std::holds_alternative<RevertRows>(edit)
-        || std::holds_alternative<ReviseStroke>(edit)) {
+        || std::holds_alternative<ReviseStroke>(edit)
+        || std::holds_alternative<SegmentToLayer>(edit) || std::holds_alternative<MergeLayers>(edit)
+        || std::holds_alternative<RemoveLayer>(edit)) {
         // Everything anew: what stands is grown again, and all cuts are laid over each other.
         const Bricks carved = carvedUntil(row.id);
         if (std::holds_alternative<RevertRows>(edit)) {
@@ -151,6 +153,7 @@ void HistoryTruth::add(const HistoryRow& row)
         }
         std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, true); });
         next.bricks.insert(carved.begin(), carved.end());
+        changeDocument(edit, next.document);
     } else {
         std::uint32_t generation = next.document.growths.front().generation;
         next.bricks = grown(next.bricks, edit, row.parent, &generation);
@@ -168,9 +171,17 @@ HistoryTruth::Bricks HistoryTruth::regrown(RowId row) const
         if (std::holds_alternative<SeedStroke>(done.edit)
             || std::holds_alternative<GrowSteps>(done.edit)
             || std::holds_alternative<PaintStroke>(done.edit)
-            || std::holds_alternative<RemoveSegment>(done.edit)) {
+            || std::holds_alternative<RemoveSegment>(done.edit)
+            || std::holds_alternative<LayerToSegment>(done.edit)
+            || std::holds_alternative<SegmentSeen>(done.edit)) {
+            // What was carved then is what it was chosen by.
+            for (const auto& [key, bytes] : m_states.at(done.parent).bricks) {
+                if (isOf(key, true))
+                    bricks[key] = bytes;
+            }
             std::uint32_t ignored = 0;
             bricks = grown(bricks, done.edit, done.parent, &ignored);
+            std::erase_if(bricks, [](const auto& each) { return isOf(each.first, true); });
         }
     }
     return bricks;
@@ -188,6 +199,10 @@ HistoryTruth::Bricks HistoryTruth::grown(
     if (const auto* paint = std::get_if<PaintStroke>(&edit))
         return after(before, *paintLabel(*paint, document),
             {CapsulePath{capsules(paint->path, m_study.volume.geometry)}}, nullptr);
+    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
+        return after(before, *labelCarved(*carved, document), {}, nullptr);
+    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
+        return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
     const auto& grow = std::get<GrowSteps>(edit);
     const int steps = grow.steps.value_or(GrowAdvance::toClosure);
     std::vector<EngineExtension> extensions;
@@ -249,12 +264,20 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
         }
     }
     Bricks carved;
-    for (const Stroke& stroke : strokes) {
-        if (stroke.removed)
+    for (const RowId id : standing(row)) {
+        const Edit& edit = m_rows.at(id).edit;
+        const auto stroke = std::find_if(
+            strokes.begin(), strokes.end(), [id](const Stroke& each) { return each.row == id; });
+        if (stroke == strokes.end()) {
+            writeLayer(edit, m_rows.at(id).parent, carved);
             continue;
-        const int layer = std::visit([](const auto& form) { return form.layer; }, stroke.form);
-        const bool restore = std::visit([](const auto& form) { return form.restore; }, stroke.form);
-        for (const auto& [brick, bytes] : cutOf(stroke)) {
+        }
+        if (stroke->removed)
+            continue;
+        const int layer = std::visit([](const auto& form) { return form.layer; }, stroke->form);
+        const bool restore =
+            std::visit([](const auto& form) { return form.restore; }, stroke->form);
+        for (const auto& [brick, bytes] : cutOf(*stroke)) {
             std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
             for (std::size_t i = 0; i < bytes.size(); ++i)
@@ -266,6 +289,45 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
         return std::count(each.second.begin(), each.second.end(), 0) == std::ssize(each.second);
     });
     return carved;
+}
+
+void HistoryTruth::writeLayer(const Edit& edit, RowId at, Bricks& carved) const
+{
+    const auto layer = [&carved](int id) {
+        Bricks found;
+        for (const auto& [key, bytes] : carved) {
+            if (key.plane == id)
+                found[key] = bytes;
+        }
+        return found;
+    };
+    const auto* merge = std::get_if<MergeLayers>(&edit);
+    const auto* remove = std::get_if<RemoveLayer>(&edit);
+    if (merge || remove) {
+        const int from = merge ? merge->from : remove->layer;
+        for (const auto& [key, bytes] : layer(from)) {
+            carved.erase(key);
+            if (!merge)
+                continue;
+            std::vector<std::uint8_t>& held =
+                carved[{Field::Coverage, std::uint8_t(merge->into), key.brick}];
+            held.resize(bytes.size(), 0);
+            for (std::size_t i = 0; i < bytes.size(); ++i)
+                held[i] = std::max(held[i], bytes[i]);
+        }
+    }
+    if (const auto* segment = std::get_if<SegmentToLayer>(&edit)) {
+        for (const auto& [key, bytes] : m_states.at(at).bricks) {
+            for (std::size_t i = 0; key.field == Field::Labels && i < bytes.size(); ++i) {
+                if (bytes[i] != segment->segment)
+                    continue;
+                std::vector<std::uint8_t>& held =
+                    carved[{Field::Coverage, std::uint8_t(segment->layer), key.brick}];
+                held.resize(bytes.size(), 0);
+                held[i] = 255;
+            }
+        }
+    }
 }
 
 HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
@@ -323,8 +385,11 @@ HistoryTruth::Bricks HistoryTruth::after(const Bricks& before, const EngineEdit&
     static_cast<void>(engine.openVolume(m_study.volume.geometry.size, m_study.codes));
     if (muting) {
         MuteLayers mute;
+        bool anySolo = false;
         for (const SculptLayer& layer : muting->layers)
-            mute.muted[layer.id] = layer.muted;
+            anySolo = anySolo || layer.solo;
+        for (const SculptLayer& layer : muting->layers)
+            mute.muted[layer.id] = layer.muted || (anySolo && !layer.solo);
         engine.submit(mute);
     }
     SwapBricks swap;
@@ -370,6 +435,23 @@ template <class T> void take(T& target, const std::optional<T>& value)
     target = value.value_or(target);
 }
 
+void removeLayer(int id, Document& document)
+{
+    document.layers.erase(with(document.layers, &SculptLayer::id, id));
+    document.greatestRemovedLayer = std::max(document.greatestRemovedLayer, id);
+}
+
+void addTarget(const SegmentChoice& choice, Document& document)
+{
+    if (choice.segment)
+        return;
+    int label = document.greatestRemovedLabel;
+    for (const Segment& segment : document.segments)
+        label = std::max<int>(label, segment.label);
+    document.segments.push_back(
+        {.label = std::uint8_t(label + 1), .name = choice.name, .rgb = choice.rgb});
+}
+
 } // namespace
 
 void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
@@ -396,13 +478,25 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         segments.erase(with(segments, &Segment::label, remove->segment));
         document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, remove->segment);
     } else if (const auto* layer = std::get_if<AddLayer>(&edit)) {
-        layers.push_back({.id = std::uint8_t(layers.size() + 1), .name = layer->name});
+        int id = document.greatestRemovedLayer;
+        for (const SculptLayer& each : layers)
+            id = std::max<int>(id, each.id);
+        layers.push_back({.id = std::uint8_t(id + 1), .name = layer->name});
     } else if (const auto* other = std::get_if<ChangeLayer>(&edit)) {
         SculptLayer& target = *with(layers, &SculptLayer::id, other->layer);
         take(target.name, other->name);
         take(target.muted, other->muted);
+        take(target.solo, other->solo);
     } else if (const auto* order = std::get_if<MoveLayer>(&edit)) {
         move(layers, &SculptLayer::id, order->layer, order->place);
+    } else if (const auto* gone = std::get_if<RemoveLayer>(&edit)) {
+        removeLayer(gone->layer, document);
+    } else if (const auto* merge = std::get_if<MergeLayers>(&edit)) {
+        removeLayer(merge->from, document);
+    } else if (const auto* carved = std::get_if<LayerToSegment>(&edit)) {
+        addTarget(carved->target, document);
+    } else if (const auto* seen = std::get_if<SegmentSeen>(&edit)) {
+        addTarget(seen->target, document);
     } else if (const auto* view = std::get_if<AddBookmark>(&edit)) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)
@@ -411,10 +505,11 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .name = view->name,
             .view = view->view,
             .crosshairLps = view->crosshairLps});
-    } else if (const auto* gone = std::get_if<RemoveBookmark>(&edit)) {
-        document.bookmarks.erase(with(document.bookmarks, &CameraBookmark::id, gone->bookmark));
+    } else if (const auto* forgotten = std::get_if<RemoveBookmark>(&edit)) {
+        document.bookmarks.erase(
+            with(document.bookmarks, &CameraBookmark::id, forgotten->bookmark));
         document.greatestRemovedBookmark =
-            std::max(document.greatestRemovedBookmark, gone->bookmark);
+            std::max(document.greatestRemovedBookmark, forgotten->bookmark);
     }
 }
 

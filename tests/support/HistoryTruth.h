@@ -51,9 +51,11 @@ private:
     [[nodiscard]] std::vector<core::RowId> path(core::RowId row) const;
     [[nodiscard]] std::set<core::RowId> standing(core::RowId row) const;
     void toggle(core::RowId row, bool stands, std::set<core::RowId>& rows) const;
-    /// Seeds, growths, paint and deletions that stand, one after the other.
+    /// Seeds, growths, paint, deletions and what came from layers that stand, one after the other.
     [[nodiscard]] Bricks regrown(core::RowId row) const;
     [[nodiscard]] Bricks carvedUntil(core::RowId row);
+    /// What writes layers otherwise than by cuts. @param at the row whose labels it met
+    void writeLayer(const core::Edit& edit, core::RowId at, Bricks& carved) const;
     [[nodiscard]] Cut cutOf(const Stroke& stroke);
     void changeDocument(const core::Edit& edit, core::Document& document) const;
     /// What an edit makes of bricks, by an oracle of its own.

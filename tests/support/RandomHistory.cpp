@@ -161,7 +161,9 @@ private:
             return randomLayer(document);
         if (dice < 34)
             return randomBookmark(document);
-        if (dice < 44)
+        if (dice < 38)
+            return randomPassage(document);
+        if (dice < 46)
             return randomSeeds(any(document.segments).label);
         if (dice < 56)
             return randomGrowth();
@@ -202,13 +204,48 @@ private:
     Edit randomLayer(const Document& document)
     {
         const SculptLayer& layer = any(document.layers);
-        if (document.layers.size() < 2 || (document.layers.size() < 3 && chance(30)))
+        const bool room = document.lastLayerGiven() < 8;
+        if (room && (document.layers.size() < 2 || (document.layers.size() < 3 && chance(30))))
             return AddLayer{.name = randomName()};
+        if (chance(10))
+            return RemoveLayer{.layer = layer.id};
+        if (chance(15))
+            return MergeLayers{.from = layer.id, .into = any(document.layers).id};
+        if (chance(20))
+            return ChangeLayer{.layer = layer.id, .solo = !layer.solo};
         if (chance(25))
             return MoveLayer{.layer = layer.id, .place = between(1, 3)};
         if (chance(25))
             return ChangeLayer{.layer = layer.id, .name = randomName()};
         return ChangeLayer{.layer = layer.id, .muted = !layer.muted};
+    }
+    /// Between layers and segments.
+    Edit randomPassage(const Document& document)
+    {
+        SegmentChoice target{.segment = any(document.segments).label};
+        if (document.segments.size() < 6 && chance(30))
+            target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
+        switch (between(0, 2)) {
+        case 0:
+            return LayerToSegment{.layer = any(document.layers).id,
+                .target = target,
+                .overwriteUnlocked = chance(40)};
+        case 1:
+            return SegmentToLayer{
+                .segment = any(document.segments).label, .layer = any(document.layers).id};
+        default:
+            break;
+        }
+        SegmentSeen seen{.target = target};
+        if (chance(70))
+            seen.lower = between(-200, 500);
+        if (chance(30))
+            seen.upper = between(0, 1200);
+        seen.overwriteUnlocked = chance(40);
+        for (int i = between(0, 2); i > 0; --i)
+            seen.clip.push_back({randomDrill().view.targetLps,
+                glm::dvec3(between(-10, 10), between(1, 10), between(-10, 10))});
+        return seen;
     }
     Edit randomBookmark(const Document& document)
     {

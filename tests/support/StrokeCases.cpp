@@ -530,6 +530,48 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"drill where a layer is heard again", volume,
         {layer, drill, mute, core::ChangeLayer{.layer = 1, .muted = false}}, other});
     cases.push_back({"bookmark", volume, {drill}, bookmark});
+
+    const core::SegmentChoice toFirst{.segment = 1};
+    const core::SegmentChoice toNew{.name = QStringLiteral("Carved"), .rgb = 0x4080C0};
+    const core::LayerToSegment carved{.layer = 1, .target = toNew};
+    const core::SegmentToLayer cover{.segment = 1, .layer = 2};
+    core::SegmentSeen seen{.target = toNew, .lower = 300.0};
+    core::SegmentSeen clipped{.target = toFirst, .overwriteUnlocked = true};
+    clipped.clip = {{geometry.toWorld({20.0, 16.0, 10.0}), glm::dvec3(0.3, -0.2, 1.0)},
+        {geometry.toWorld({12.0, 16.0, 10.0}), geometry.direction()[0]}};
+    const core::MergeLayers merge{.from = 1, .into = 2};
+    const core::RemoveLayer removeLayer{.layer = 2};
+    cases.push_back({"layer to a new segment", volume, {drill}, carved});
+    cases.push_back({"layer to a segment", volume, {first, seeds, all, second, peel},
+        core::LayerToSegment{.layer = 1, .target = {.segment = 2}, .overwriteUnlocked = true}});
+    cases.push_back({"nothing to a new segment", volume, {layer}, carved});
+    cases.push_back({"muted layer to a segment", volume, {layer, drill, mute}, carved});
+    cases.push_back({"segment to layer", volume, {first, seeds, some, layer, drill, other}, cover});
+    cases.push_back({"empty segment to layer", volume, {first, layer}, cover});
+    cases.push_back({"segment what is seen", volume, {first, paint, drill}, seen});
+    cases.push_back(
+        {"segment what is seen in a clip region", volume, {first, second, taker, peel}, clipped});
+    cases.push_back(
+        {"nothing is seen", volume, {}, core::SegmentSeen{.target = toNew, .lower = 1e9}});
+    cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
+    cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
+    cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
+    cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});
+    cases.push_back({"delete a muted layer", volume,
+        {layer, other, core::ChangeLayer{.layer = 2, .muted = true}}, removeLayer});
+    cases.push_back({"add a layer after a deletion", volume, {layer, removeLayer}, layer});
+    cases.push_back(
+        {"solo", volume, {layer, drill, other}, core::ChangeLayer{.layer = 2, .solo = true}});
+    cases.push_back({"drill into a solo layer", volume,
+        {layer, drill, core::ChangeLayer{.layer = 2, .solo = true}}, other});
+    cases.push_back({"undo only a segment to layer", volume,
+        {first, seeds, all, layer, cover, lock}, core::RevertRows{{5}}});
+    cases.push_back({"undo only a layer to segment", volume,
+        {first, drill, core::LayerToSegment{.layer = 1, .target = toFirst}, drillBack},
+        core::RevertRows{{3}}});
+    cases.push_back({"revise a drill on a carved segment", volume,
+        {first, seeds, all, core::SegmentToLayer{.segment = 1, .layer = 1}, drill, beside},
+        core::ReviseStroke{.row = 5, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"remove a bookmark", volume, {bookmark}, core::RemoveBookmark{.bookmark = 1}});
 
     for (int number = 0; number < randomCount; ++number)

@@ -62,19 +62,29 @@ QVariant LayerListModel::data(const QModelIndex& index, int role) const
     const core::SculptLayer* layer = layerAt(index);
     if (!layer)
         return {};
+    const bool carves = m_workspace.session()->document().carves(*layer);
     switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
         return layer->name;
     case Qt::AccessibleTextRole:
-        return tr("%1, %2").arg(layer->name, layer->muted ? tr("muted") : tr("carves"));
+        return tr("%1, %2").arg(layer->name,
+            layer->muted      ? tr("muted")
+                : !carves     ? tr("left out")
+                : layer->solo ? tr("solo")
+                              : tr("carves"));
     case Qt::ToolTipRole:
         return layer->muted ? tr("%1 is muted: what it carves is shown").arg(layer->name)
-                            : tr("%1\nThe eye mutes it").arg(layer->name);
+            : !carves       ? tr("%1 is left out while another layer is solo").arg(layer->name)
+                            : tr("%1\nThe eye mutes it; Alt: solo").arg(layer->name);
     case IdRole:
         return int(layer->id);
     case MutedRole:
         return layer->muted;
+    case SoloRole:
+        return layer->solo;
+    case CarvesRole:
+        return carves;
     case ActiveRole:
         return layer->id == m_workspace.activeLayer();
     default:
@@ -96,6 +106,8 @@ bool LayerListModel::setData(const QModelIndex& index, const QVariant& value, in
         edit.name = name;
     } else if (role == MutedRole) {
         edit.muted = value.toBool();
+    } else if (role == SoloRole) {
+        edit.solo = value.toBool();
     } else {
         return false;
     }

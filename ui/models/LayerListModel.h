@@ -19,6 +19,8 @@ public:
         IdRole = Qt::UserRole, ///< int
         MutedRole, ///< bool; can be set
         ActiveRole, ///< bool: tools carve this one
+        SoloRole, ///< bool; can be set
+        CarvesRole, ///< bool: neither muted nor left out
     };
 
     explicit LayerListModel(Workspace& workspace, QObject* parent = nullptr);

@@ -38,6 +38,8 @@ void LayerDelegate::paint(
     const QRect row = option.rect;
     const bool active = index.data(LayerListModel::ActiveRole).toBool();
     const bool muted = index.data(LayerListModel::MutedRole).toBool();
+    const bool solo = index.data(LayerListModel::SoloRole).toBool();
+    const bool carves = index.data(LayerListModel::CarvesRole).toBool();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     if (active || option.state.testFlag(QStyle::State_MouseOver))
@@ -48,19 +50,21 @@ void LayerDelegate::paint(
     }
     painter->drawPixmap(eyeRect(row),
         tintedIcon(muted ? QStringLiteral("eye-off") : QStringLiteral("eye"),
-            muted ? theme::secondary : theme::text, 20, painter->device()->devicePixelRatioF()));
+            carves ? theme::text : theme::secondary, 20, painter->device()->devicePixelRatioF()));
     painter->setFont(option.font);
-    painter->setPen(muted ? theme::secondary : theme::text);
+    painter->setPen(carves ? theme::text : theme::secondary);
     painter->drawText(nameRect(row), Qt::AlignLeft | Qt::AlignVCenter,
         QFontMetrics(option.font)
             .elidedText(index.data().toString(), Qt::ElideRight, nameRect(row).width() - 4));
     painter->setFont(theme::smallFont());
-    // An active layer that is muted takes no stroke: the user must know why.
-    painter->setPen(muted && active ? theme::caution : theme::secondary);
+    // An active layer that does not carve takes no stroke: the user must know why.
+    painter->setPen(!carves && active ? theme::caution : solo ? theme::accent : theme::secondary);
     painter->drawText(row.adjusted(0, 0, -10, 0), Qt::AlignRight | Qt::AlignVCenter,
-        muted        ? tr("muted")
-            : active ? tr("carved")
-                     : QString());
+        muted         ? tr("muted")
+            : !carves ? tr("left out")
+            : solo    ? tr("solo")
+            : active  ? tr("carved")
+                      : QString());
     painter->restore();
 }
 
@@ -76,9 +80,12 @@ bool LayerDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
             eyeRect(option.rect).adjusted(-6, -4, 8, 4).contains(mouse->position().toPoint());
         if (mouse->button() == Qt::LeftButton && eye) {
             // On release, so that a click begun elsewhere does nothing; a double click is two.
-            if (release)
-                model->setData(index, !index.data(LayerListModel::MutedRole).toBool(),
-                    LayerListModel::MutedRole);
+            if (release) {
+                const int role = mouse->modifiers().testFlag(Qt::AltModifier)
+                    ? LayerListModel::SoloRole
+                    : LayerListModel::MutedRole;
+                model->setData(index, !index.data(role).toBool(), role);
+            }
             return true;
         }
     }

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A row of the list of sculpt layers: eye, name, "carves" on the active one. A click on the eye
-/// mutes or unmutes.
+/// A row of the list of sculpt layers: eye, name, "carved" on the active one. A click on the eye
+/// mutes or unmutes; with Alt it has the layer count alone (solo).
 class LayerDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -64,8 +64,13 @@ QString LayersPanel::summary() const
 {
     const int count = m_model->rowCount();
     int muted = 0;
-    for (int row = 0; row < count; ++row)
+    int solo = 0;
+    for (int row = 0; row < count; ++row) {
         muted += m_model->index(row).data(LayerListModel::MutedRole).toBool() ? 1 : 0;
+        solo += m_model->index(row).data(LayerListModel::SoloRole).toBool() ? 1 : 0;
+    }
+    if (solo > 0)
+        return tr("%1 of %2 solo").arg(solo).arg(count);
     if (muted > 0)
         return tr("%1 of %2 muted").arg(muted).arg(count);
     return count == 0 ? QString() : count == 1 ? tr("1 layer") : tr("%1 layers").arg(count);
@@ -107,12 +112,46 @@ void LayersPanel::showMenu(const QPoint& position)
     menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
     menu.addAction(muted ? tr("Unmute") : tr("Mute"), this,
         [this, index, muted] { m_model->setData(index, !muted, LayerListModel::MutedRole); });
+    const bool solo = index.data(LayerListModel::SoloRole).toBool();
+    menu.addAction(solo ? tr("End solo") : tr("Solo"), this,
+        [this, index, solo] { m_model->setData(index, !solo, LayerListModel::SoloRole); });
+    menu.addSeparator();
+    addPassages(menu, index.data(LayerListModel::IdRole).toInt());
     menu.addSeparator();
     QAction* up = menu.addAction(tr("Move up"), this, [this, index] { move(index, -1); });
     up->setEnabled(index.row() > 0);
     QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
     down->setEnabled(index.row() + 1 < m_model->rowCount());
+    menu.addSeparator();
+    QAction* away = menu.addAction(tr("Delete layer"), this,
+        [this, index] { removeLayer(m_workspace, index.data(LayerListModel::IdRole).toInt()); });
+    away->setEnabled(m_model->rowCount() > 1);
     menu.exec(m_view->viewport()->mapToGlobal(position));
+}
+
+void LayersPanel::addPassages(QMenu& menu, int layer)
+{
+    const core::Document& document = m_workspace.session()->document();
+    menu.addAction(tr("Make it a new segment"), this,
+        [this, layer] { layerToSegment(m_workspace, layer, std::nullopt); });
+    const core::Segment* segment = document.segment(m_workspace.activeSegment());
+    QAction* add = menu.addAction(
+        segment ? tr("Add it to segment '%1'").arg(segment->name) : tr("Add it to the segment"),
+        this, [this, layer] { layerToSegment(m_workspace, layer, m_workspace.activeSegment()); });
+    add->setEnabled(segment && !segment->locked);
+    QAction* carve = menu.addAction(segment ? tr("Carve segment '%1' into it").arg(segment->name)
+                                            : tr("Carve the segment into it"),
+        this, [this, layer] { segmentToLayer(m_workspace, m_workspace.activeSegment(), layer); });
+    carve->setEnabled(segment && document.carves(*document.layer(layer)));
+    QMenu* merge = menu.addMenu(tr("Merge into"));
+    for (const core::SculptLayer& other : document.layers) {
+        if (other.id == layer)
+            continue;
+        QAction* into = merge->addAction(other.name, this,
+            [this, layer, id = int(other.id)] { mergeLayers(m_workspace, layer, id); });
+        into->setEnabled(document.carves(other) == document.carves(*document.layer(layer)));
+    }
+    merge->setEnabled(!merge->isEmpty());
 }
 
 } // namespace ui

@@ -4,6 +4,7 @@
 #include "ui/panels/Panel.h"
 
 class QListView;
+class QMenu;
 
 namespace ui {
 
@@ -26,6 +27,7 @@ private:
     void add();
     void move(const QModelIndex& index, int by);
     void showMenu(const QPoint& position);
+    void addPassages(QMenu& menu, int layer);
     void refresh();
 
     Workspace& m_workspace;

@@ -2,6 +2,7 @@
 #include "ui/panels/SegmentsPanel.h"
 
 #include "ui/Icons.h"
+#include "ui/LayerActions.h"
 #include "ui/SegmentActions.h"
 #include "ui/Theme.h"
 #include "ui/UndoOnly.h"
@@ -162,6 +163,8 @@ void SegmentsPanel::showMenu(const QPoint& position)
         m_model->setData(index, !visible, SegmentListModel::VisibleRole);
     });
     menu.addSeparator();
+    addPassages(menu, index);
+    menu.addSeparator();
     menu.addAction(tr("Undo its last step only"), this, [this, index] {
         undoOnlyLast(m_workspace, {.segment = index.data(SegmentListModel::LabelRole).toInt()},
             tr("in '%1'").arg(index.data().toString()));
@@ -176,6 +179,26 @@ void SegmentsPanel::showMenu(const QPoint& position)
     away->setShortcutContext(Qt::WidgetShortcut);
     away->setEnabled(!locked);
     menu.exec(m_view->viewport()->mapToGlobal(position));
+}
+
+void SegmentsPanel::addPassages(QMenu& menu, const QModelIndex& index)
+{
+    const int label = index.data(SegmentListModel::LabelRole).toInt();
+    const bool locked = index.data(SegmentListModel::LockedRole).toBool();
+    QAction* seen = menu.addAction(
+        tr("Add what I see in 3D"), this, [this, label] { segmentWhatIsSeen(m_workspace, label); });
+    seen->setEnabled(!locked);
+    const core::Document& document = m_workspace.session()->document();
+    const core::SculptLayer* layer = document.layer(m_workspace.activeLayer());
+    if (!layer)
+        return;
+    const int id = layer->id;
+    QAction* add = menu.addAction(tr("Add what '%1' has carved").arg(layer->name), this,
+        [this, label, id] { layerToSegment(m_workspace, id, label); });
+    add->setEnabled(!locked);
+    QAction* carve = menu.addAction(tr("Carve it into layer '%1'").arg(layer->name), this,
+        [this, label, id] { segmentToLayer(m_workspace, label, id); });
+    carve->setEnabled(document.carves(*layer));
 }
 
 } // namespace ui

@@ -5,6 +5,7 @@
 
 class QAction;
 class QListView;
+class QMenu;
 class QLabel;
 
 namespace ui {
@@ -27,6 +28,7 @@ private:
     void chooseCode(const QModelIndex& index);
     void move(const QModelIndex& index, int by);
     void showMenu(const QPoint& position);
+    void addPassages(QMenu& menu, const QModelIndex& index);
     void remove(const QModelIndex& index);
     void refresh();
 

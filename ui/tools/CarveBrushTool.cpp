@@ -47,6 +47,8 @@ QString CarveBrushTool::action(bool inverted) const
         return {};
     if (layer->muted)
         return tr("layer %1 is muted").arg(layer->name);
+    if (!session->document().carves(*layer))
+        return tr("layer %1 is left out").arg(layer->name);
     return (inverted ? tr("restores layer %1") : tr("carves layer %1")).arg(layer->name);
 }
 

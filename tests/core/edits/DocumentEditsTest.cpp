@@ -113,6 +113,12 @@ private Q_SLOTS:
             "moveLayer.layer");
         row("bookmark", RemoveBookmark{.bookmark = 3}, ErrorCode::InvalidField,
             "removeBookmark.bookmark");
+        row("layer to delete", RemoveLayer{.layer = 3}, ErrorCode::InvalidField,
+            "removeLayer.layer");
+        row("layer to merge", MergeLayers{.from = 3, .into = 1}, ErrorCode::InvalidField,
+            "mergeLayers.from");
+        row("layer to merge into", MergeLayers{.from = 1, .into = 3}, ErrorCode::InvalidField,
+            "mergeLayers.into");
         AddBookmark nowhere = bookmark("Nowhere");
         nowhere.view.eyeLps = nowhere.view.targetLps;
         row("view of nothing", nowhere, ErrorCode::InvalidField, "addBookmark.view");

@@ -87,6 +87,30 @@ private Q_SLOTS:
         QVERIFY(!std::get<ChangeSegment>(*change).rgb);
     }
 
+    void readsWhatPassesBetweenLayersAndSegments()
+    {
+        const Result<Edit> carved = editFromJson(
+            parse("{'edit':'layerToSegment','layer':1,'name':'Skull cap','color':'#e0c068'}"));
+        QVERIFY(carved);
+        QVERIFY(!std::get<LayerToSegment>(*carved).target.segment);
+        QCOMPARE(std::get<LayerToSegment>(*carved).target.name, QStringLiteral("Skull cap"));
+        const Result<Edit> seen =
+            editFromJson(parse("{'edit':'segmentSeen','segment':2,'lower':300,"
+                               "'clip':[{'pointLps':[1,2,3.0001],'normalLps':[0,0,1]}]}"));
+        QVERIFY(seen);
+        QCOMPARE(*std::get<SegmentSeen>(*seen).target.segment, 2);
+        QCOMPARE(std::get<SegmentSeen>(quantised(*seen)).clip.at(0).pointLps, glm::dvec3(1, 2, 3));
+        for (const Edit& edit : {*carved, *seen})
+            QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
+        for (const char* wrong : {"{'edit':'layerToSegment','layer':1}",
+                 "{'edit':'layerToSegment','layer':1,'segment':2,'name':'Both'}",
+                 "{'edit':'segmentSeen','segment':2,'clip':[{'pointLps':[1,2,3]}]}",
+                 "{'edit':'segmentSeen','segment':2,'clip':[{'pointLps':[1,2,3],"
+                 "'normalLps':[0,0,0]}]}",
+                 "{'edit':'segmentSeen','segment':2,'clip':{}}", "{'edit':'mergeLayers','from':1}"})
+            QVERIFY2(!editFromJson(parse(wrong)), wrong);
+    }
+
     void readsBrushes()
     {
         const Result<Edit> paint = editFromJson(

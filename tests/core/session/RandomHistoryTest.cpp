@@ -38,6 +38,7 @@ private Q_SLOTS:
         for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "removeSegment",
                  "addLayer", "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed",
                  "grow", "drill", "paint", "brush", "peel", "scissors", "revert", "reviseStroke",
+                 "removeLayer", "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen",
                  "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done.count(QLatin1String(kind)) > 0, kind);
         for (const auto& [kind, count] : m_done)

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+// What passes between sculpt layers and segments, in integers. Both engines follow the rules to the
+// bit; each voxel decides for itself, so neither order nor company matters.
+
+/// Index positions with normal · voxel ≤ offset.
+struct VoxelBound {
+    /// |normal[axis]| · size[axis] < 2²⁹ on each axis of the volume, so that no sum overflows.
+    glm::ivec3 normal{0};
+    std::int32_t offset = 0;
+    bool operator==(const VoxelBound&) const = default;
+};
+
+/// Give a label to voxels. A voxel that is chosen, and that the plane holds 0, the label or a label
+/// in `overwritable` at, receives the label; a seed word there that bears another label (a member's
+/// or a pending seed's) becomes unvisited. So no growth goes on from what this took, and none
+/// counts it as its own.
+struct LabelTarget {
+    std::uint8_t plane = 0;
+    std::uint8_t label = 0;
+    std::bitset<256> overwritable{};
+};
+
+/// Chosen: coverage of the layer ≥ 128, muted or not.
+struct LabelCarved {
+    LabelTarget target{};
+    std::uint8_t layer = 0;
+};
+
+/// Chosen: what is seen, from wherever: coverage < 128 in all layers that are not muted, lowCode ≤
+/// code ≤ highCode, and within every bound.
+struct LabelSeen {
+    LabelTarget target{};
+    int lowCode = 0;
+    int highCode = 65535;
+    std::vector<VoxelBound> bounds{};
+};
+
+/// Coverage of the layer = 255 wherever the plane holds the label.
+struct CoverLabel {
+    std::uint8_t layer = 0;
+    std::uint8_t plane = 0;
+    std::uint8_t label = 0;
+};
+
+/// Empty a layer. With `into`, another one: there coverage = max(coverage, that of the layer).
+struct FoldLayer {
+    std::uint8_t layer = 0;
+    std::optional<std::uint8_t> into{};
+};
+
+/// Whether every normal is short enough for a volume of this size.
+[[nodiscard]] inline bool areSound(const std::vector<VoxelBound>& bounds, const glm::ivec3& size)
+{
+    for (const VoxelBound& bound : bounds) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t reach = std::int64_t(bound.normal[axis]) * size[axis];
+            if (reach <= -(std::int64_t(1) << 29) || reach >= std::int64_t(1) << 29)
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace core

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/VoxelFields.h"
+
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels that give a label to chosen voxels (chooseLabel.comp).
+struct LabelPrograms {
+    explicit LabelPrograms(const ShaderLibrary& library);
+
+    Program carved;
+    Program seen;
+};
+
+/// Carries out LabelCarved or LabelSeen (core/sculpt/LayerWrites.h). Bricks in which something
+/// changes are looked for first; only those are captured and written. Returns the keys of what
+/// changed. Cost ∝ the bricks that the layer holds, or the volume. Engine thread only.
+std::vector<core::BrickKey> labelCarved(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelCarved& edit);
+std::vector<core::BrickKey> labelSeen(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelSeen& edit);
+
+} // namespace gpu

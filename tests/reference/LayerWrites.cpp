@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/LayerWrites.h"
+
+#include "core/growth/SeedWord.h"
+
+#include <algorithm>
+
+namespace reference {
+
+namespace seedWord = core::seedWord;
+
+namespace {
+
+template <class Visit> void forEachVoxel(const glm::ivec3& size, Visit visit)
+{
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                visit(glm::ivec3(x, y, z));
+}
+
+void give(DenseFields& fields, const core::LabelTarget& target, const glm::ivec3& voxel)
+{
+    std::uint8_t& held = fields.labels(target.plane).at(voxel);
+    if (held != 0 && held != target.label && !target.overwritable[held])
+        return;
+    held = target.label;
+    std::uint32_t& word = fields.seedWords(target.plane).at(voxel);
+    const bool bears = seedWord::isMember(word) || seedWord::isPendingSeed(word);
+    if (bears && seedWord::label(word) != target.label)
+        word = seedWord::unvisited;
+}
+
+bool within(const std::vector<core::VoxelBound>& bounds, const glm::ivec3& voxel)
+{
+    return std::all_of(bounds.begin(), bounds.end(), [&voxel](const core::VoxelBound& bound) {
+        std::int64_t sum = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            sum += std::int64_t(bound.normal[axis]) * voxel[axis];
+        return sum <= bound.offset;
+    });
+}
+
+} // namespace
+
+void labelCarved(DenseFields& fields, const core::LabelCarved& edit)
+{
+    const DenseArray<std::uint8_t> coverage = fields.coverage(edit.layer);
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        if (coverage.at(voxel) >= 128)
+            give(fields, edit.target, voxel);
+    });
+}
+
+void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
+    DenseFields& fields, const core::LabelSeen& edit)
+{
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        const int code = codes.at(voxel);
+        if (carved.at(voxel) < 128 && code >= edit.lowCode && code <= edit.highCode
+            && within(edit.bounds, voxel))
+            give(fields, edit.target, voxel);
+    });
+}
+
+void coverLabel(DenseFields& fields, const core::CoverLabel& edit)
+{
+    const DenseArray<std::uint8_t> labels = fields.labels(edit.plane);
+    DenseArray<std::uint8_t>& coverage = fields.coverage(edit.layer);
+    for (std::size_t i = 0; i < labels.values.size(); ++i) {
+        if (labels.values[i] == edit.label)
+            coverage.values[i] = 255;
+    }
+}
+
+void foldLayer(DenseFields& fields, const core::FoldLayer& edit)
+{
+    std::vector<std::uint8_t>& from = fields.coverage(edit.layer).values;
+    if (edit.into) {
+        std::vector<std::uint8_t>& into = fields.coverage(*edit.into).values;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            into[i] = std::max(into[i], from[i]);
+    }
+    std::fill(from.begin(), from.end(), std::uint8_t(0));
+}
+
+} // namespace reference

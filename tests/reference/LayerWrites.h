@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/LayerWrites.h"
+#include "tests/reference/DenseFields.h"
+
+namespace reference {
+
+// What passes between layers and segments (core/sculpt/LayerWrites.h), voxel by voxel.
+
+void labelCarved(DenseFields& fields, const core::LabelCarved& edit);
+/// @param carved coverage of the layers that are not muted, composed
+void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
+    DenseFields& fields, const core::LabelSeen& edit);
+void coverLabel(DenseFields& fields, const core::CoverLabel& edit);
+void foldLayer(DenseFields& fields, const core::FoldLayer& edit);
+
+} // namespace reference
