@@ -62,6 +62,25 @@ const CameraBookmark* Document::bookmark(int id) const
     return found == bookmarks.end() ? nullptr : &*found;
 }
 
+const Piece* Document::piece(int id) const
+{
+    const auto found = std::find_if(
+        pieces.begin(), pieces.end(), [id](const Piece& candidate) { return candidate.id == id; });
+    return found == pieces.end() ? nullptr : &*found;
+}
+
+Piece* Document::piece(int id)
+{
+    return const_cast<Piece*>(std::as_const(*this).piece(id));
+}
+
+const Piece* Document::pieceOfLayer(int layer) const
+{
+    const auto found = std::find_if(pieces.begin(), pieces.end(),
+        [layer](const Piece& candidate) { return candidate.layer == layer; });
+    return found == pieces.end() ? nullptr : &*found;
+}
+
 int Document::lastLabelGiven() const
 {
     int last = greatestRemovedLabel;
@@ -83,6 +102,14 @@ int Document::lastLayerGiven() const
     int last = greatestRemovedLayer;
     for (const SculptLayer& layer : layers)
         last = std::max<int>(last, layer.id);
+    return last;
+}
+
+int Document::lastPieceGiven() const
+{
+    int last = greatestRemovedPiece;
+    for (const Piece& piece : pieces)
+        last = std::max(last, piece.id);
     return last;
 }
 
@@ -147,6 +174,27 @@ QJsonObject Document::hashedState() const
     }
     if (!bookmarkList.isEmpty())
         state.insert(QStringLiteral("bookmarks"), bookmarkList);
+    QJsonArray pieceList;
+    for (const Piece& piece : pieces) {
+        QJsonObject entry{
+            {QStringLiteral("id"), piece.id},
+            {QStringLiteral("name"), piece.name},
+            {QStringLiteral("offsetMm"), json(piece.pose.offsetMm)},
+            {QStringLiteral("rotationDegrees"), json(piece.pose.rotationDegrees)},
+            {QStringLiteral("zoom"), piece.pose.zoom},
+        };
+        if (piece.layer > 0)
+            entry.insert(QStringLiteral("layer"), piece.layer);
+        if (piece.segment > 0)
+            entry.insert(QStringLiteral("segment"), piece.segment);
+        if (piece.pivotLps)
+            entry.insert(QStringLiteral("pivotLps"), json(*piece.pivotLps));
+        pieceList.append(entry);
+    }
+    if (!pieceList.isEmpty())
+        state.insert(QStringLiteral("pieces"), pieceList);
+    if (greatestRemovedPiece > 0 && greatestRemovedPiece == lastPieceGiven())
+        state.insert(QStringLiteral("lastPiece"), greatestRemovedPiece);
     if (greatestRemovedBookmark > 0 && greatestRemovedBookmark == lastBookmarkGiven())
         state.insert(QStringLiteral("lastBookmark"), greatestRemovedBookmark);
     if (greatestRemovedLabel > 0 && greatestRemovedLabel == lastLabelGiven())

@@ -3,6 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/document/OrthographicView.h"
+#include "core/document/Piece.h"
 #include "core/volume/Volume.h"
 
 #include <QJsonObject>
@@ -65,9 +66,11 @@ struct Document {
     std::vector<SculptLayer> layers; ///< in the order of their list, which decides nothing
     std::vector<Growth> growths;
     std::vector<CameraBookmark> bookmarks;
+    std::vector<Piece> pieces; ///< by id, which decides nothing
     int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
     int greatestRemovedBookmark = 0; ///< likewise
     int greatestRemovedLayer = 0; ///< likewise
+    int greatestRemovedPiece = 0;
 
     [[nodiscard]] const Segment* segment(int label) const;
     [[nodiscard]] Segment* segment(int label);
@@ -78,10 +81,15 @@ struct Document {
     /// Why it does not, in words ("is muted"); empty if it does.
     [[nodiscard]] QString whyItDoesNotCarve(const SculptLayer& layer) const;
     [[nodiscard]] const CameraBookmark* bookmark(int id) const;
+    [[nodiscard]] const Piece* piece(int id) const;
+    [[nodiscard]] Piece* piece(int id);
+    /// The piece that this sculpt layer cut; null: none.
+    [[nodiscard]] const Piece* pieceOfLayer(int layer) const;
     /// The last that was given to a segment, present or not; 0: none.
     [[nodiscard]] int lastLabelGiven() const;
     [[nodiscard]] int lastBookmarkGiven() const;
     [[nodiscard]] int lastLayerGiven() const;
+    [[nodiscard]] int lastPieceGiven() const;
     /// The growth of a label plane; null if nothing has grown there.
     [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
@@ -96,6 +104,7 @@ struct DocumentChange {
         Segments,
         Layers,
         Bookmarks,
+        Pieces,
         Labels,
         Coverage,
         Growth,

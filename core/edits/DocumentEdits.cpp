@@ -12,6 +12,7 @@ namespace core {
 namespace {
 
 constexpr int lastLabel = 255;
+constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
 Result<bool> apply(const AddSegment& edit, Document& document)
@@ -79,6 +80,16 @@ Result<bool> apply(const MoveSegment& edit, Document& document)
     return move(segments, segments.begin() + (segment - segments.data()), edit.place);
 }
 
+/// With what they are made of.
+template <class Which> void removePieces(Document& document, const Which& which)
+{
+    for (const Piece& piece : document.pieces) {
+        if (which(piece))
+            document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+    }
+    std::erase_if(document.pieces, which);
+}
+
 Result<bool> apply(const RemoveSegment& edit, Document& document)
 {
     const Segment* segment = document.segment(edit.segment);
@@ -87,6 +98,7 @@ Result<bool> apply(const RemoveSegment& edit, Document& document)
     if (segment->locked)
         return failure(ErrorCode::SegmentLocked, segment->name);
     document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
+    removePieces(document, [&](const Piece& piece) { return piece.segment == edit.segment; });
     document.segments.erase(document.segments.begin() + (segment - document.segments.data()));
     return true;
 }
@@ -116,6 +128,7 @@ Result<bool> apply(const ChangeLayer& edit, Document& document)
 void remove(const SculptLayer* layer, Document& document)
 {
     document.greatestRemovedLayer = std::max<int>(document.greatestRemovedLayer, layer->id);
+    removePieces(document, [id = layer->id](const Piece& piece) { return piece.layer == id; });
     document.layers.erase(document.layers.begin() + (layer - document.layers.data()));
 }
 
@@ -199,6 +212,76 @@ Result<bool> apply(const RemoveBookmark& edit, Document& document)
             QStringLiteral("there is no bookmark %1").arg(edit.bookmark));
     document.greatestRemovedBookmark = std::max(document.greatestRemovedBookmark, edit.bookmark);
     document.bookmarks.erase(document.bookmarks.begin() + (bookmark - document.bookmarks.data()));
+    return true;
+}
+
+Result<bool> append(Piece piece, const char* edit, Document& document)
+{
+    if (std::ssize(document.pieces) >= mostPieces)
+        return failure(ErrorCode::InvalidField, QLatin1String(edit),
+            QStringLiteral("there are at most %1 pieces").arg(mostPieces));
+    piece.id = document.lastPieceGiven() + 1;
+    document.pieces.push_back(std::move(piece));
+    return true;
+}
+
+Result<bool> apply(const CutPiece& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("cutPiece.layer", edit.layer);
+    if (const Piece* other = document.pieceOfLayer(edit.layer))
+        return failure(ErrorCode::InvalidField, QStringLiteral("cutPiece.layer"),
+            QStringLiteral("sculpt layer '%1' is the piece '%2' already")
+                .arg(layer->name, other->name));
+    return append(
+        {.name = edit.name, .layer = edit.layer, .pivotLps = edit.pivotLps}, "cutPiece", document);
+}
+
+Result<bool> apply(const PastePiece& edit, Document& document)
+{
+    if (!document.segment(edit.segment))
+        return unknownSegment(edit.segment);
+    return append(
+        {.name = edit.name, .segment = edit.segment, .pivotLps = edit.pivotLps, .pose = edit.pose},
+        "pastePiece", document);
+}
+
+tl::unexpected<Error> unknownPiece(const char* field, int id)
+{
+    return failure(ErrorCode::InvalidField, QLatin1String(field),
+        QStringLiteral("there is no piece %1").arg(id));
+}
+
+Result<bool> apply(const ChangePiece& edit, Document& document)
+{
+    Piece* piece = document.piece(edit.piece);
+    if (!piece)
+        return unknownPiece("changePiece.piece", edit.piece);
+    bool changed = assign(piece->name, edit.name);
+    changed |= assign(piece->pose.offsetMm, edit.offsetMm);
+    changed |= assign(piece->pose.rotationDegrees, edit.rotationDegrees);
+    changed |= assign(piece->pose.zoom, edit.zoom);
+    return changed;
+}
+
+Result<bool> apply(const SendPiecesHome&, Document& document)
+{
+    bool changed = false;
+    for (Piece& piece : document.pieces) {
+        changed |= !piece.pose.isHome();
+        piece.pose = {};
+    }
+    return changed;
+}
+
+Result<bool> apply(const RemovePiece& edit, Document& document)
+{
+    const Piece* piece = document.piece(edit.piece);
+    if (!piece)
+        return unknownPiece("removePiece.piece", edit.piece);
+    document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, edit.piece);
+    document.pieces.erase(document.pieces.begin() + (piece - document.pieces.data()));
     return true;
 }
 
@@ -301,6 +384,9 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
                 return What::Layers;
             else if constexpr (isOneOf<E, AddBookmark, RemoveBookmark>)
                 return What::Bookmarks;
+            else if constexpr (isOneOf<E, CutPiece, PastePiece, ChangePiece, SendPiecesHome,
+                                   RemovePiece>)
+                return What::Pieces;
             else
                 return std::nullopt;
         },

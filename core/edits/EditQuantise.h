@@ -12,6 +12,8 @@ namespace quantum {
 constexpr double perMillimetre = 1024.0; ///< positions, radii, depths: multiples of 1/1024 mm
 constexpr double perDirection = 1048576.0; ///< components of a direction: multiples of 2⁻²⁰
 constexpr double perPressure = 65535.0; ///< pressure: multiples of 1/65535
+constexpr double perDegree = 1024.0; ///< turns of pieces
+constexpr double perZoom = 1024.0; ///< of pieces
 constexpr double perSecond = 10000.0; ///< time: multiples of 0.1 ms
 // Modality values (bounds, thresholds) are not rounded: they become integer codes by an exact
 // search (VoxelEncoding), and JSON holds every double exactly.

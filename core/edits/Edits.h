@@ -122,6 +122,38 @@ struct RemoveBookmark {
     int bookmark = 0; ///< id
 };
 
+/// Make what a sculpt layer has cut out a piece, which can be shown elsewhere.
+struct CutPiece {
+    int layer = 1; ///< id; not of another piece
+    QString name{};
+    std::optional<glm::dvec3> pivotLps{}; ///< none: the middle of the volume
+};
+
+/// Show a segment as a piece of its own, besides where it is.
+struct PastePiece {
+    int segment = 0; ///< label
+    QString name{};
+    std::optional<glm::dvec3> pivotLps{};
+    PiecePose pose{};
+};
+
+/// Rename, move, turn or zoom a piece; absent fields stay.
+struct ChangePiece {
+    int piece = 0; ///< id
+    std::optional<QString> name{};
+    std::optional<glm::dvec3> offsetMm{};
+    std::optional<glm::dvec3> rotationDegrees{};
+    std::optional<double> zoom{};
+};
+
+/// Show every piece at its true place and in its true size.
+struct SendPiecesHome { };
+
+/// A piece is one no more. What cut it stays cut.
+struct RemovePiece {
+    int piece = 0; ///< id
+};
+
 /// Sketched seeds: the voxels nearest to these points.
 struct SeedStroke {
     int segment = 0;
@@ -258,6 +290,7 @@ struct ReviseStroke {
 using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
-    MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen>;
+    MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
+    SendPiecesHome, RemovePiece>;
 
 } // namespace core

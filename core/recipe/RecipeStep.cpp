@@ -87,10 +87,14 @@ QString stepName(const RecipeStep& step)
 bool isBoundToStudy(const RecipeStep& step)
 {
     const auto* edit = std::get_if<Edit>(&step);
+    if (const auto* cut = edit ? std::get_if<CutPiece>(edit) : nullptr)
+        return cut->pivotLps.has_value();
+    if (const auto* paste = edit ? std::get_if<PastePiece>(edit) : nullptr)
+        return paste->pivotLps.has_value();
     return !edit || std::holds_alternative<SeedStroke>(*edit)
         || std::holds_alternative<DrillStroke>(*edit) || std::holds_alternative<PaintStroke>(*edit)
-        || std::holds_alternative<BrushStroke>(*edit)
-        || std::holds_alternative<PeelCut>(*edit) || std::holds_alternative<ScissorsCut>(*edit) || std::holds_alternative<AddBookmark>(*edit)
+        || std::holds_alternative<BrushStroke>(*edit) || std::holds_alternative<PeelCut>(*edit)
+        || std::holds_alternative<ScissorsCut>(*edit) || std::holds_alternative<AddBookmark>(*edit)
         || std::holds_alternative<RevertRows>(*edit) || std::holds_alternative<ReviseStroke>(*edit);
 }
 

@@ -164,6 +164,58 @@ QString changeName(const ChangeLayer& edit, const Document& document)
         + name;
 }
 
+QString pieceName(int id, const Document& document)
+{
+    const Piece* piece = document.piece(id);
+    return quoted(piece ? piece->name : QString::number(id));
+}
+
+QString millimetres(double mm);
+
+/// "Move piece 'Skull cap' 42.0 mm, turn it 35°".
+QString changeName(const ChangePiece& edit, const Document& document)
+{
+    const QString name = pieceName(edit.piece, document);
+    if (edit.name)
+        return QStringLiteral("Rename piece %1 to %2").arg(name, quoted(*edit.name));
+    const Piece* piece = document.piece(edit.piece);
+    PiecePose pose = piece ? piece->pose : PiecePose();
+    pose.offsetMm = edit.offsetMm.value_or(pose.offsetMm);
+    pose.rotationDegrees = edit.rotationDegrees.value_or(pose.rotationDegrees);
+    pose.zoom = edit.zoom.value_or(pose.zoom);
+    if (pose.isHome())
+        return QStringLiteral("Send piece %1 home").arg(name);
+    // What it differs in from where it was: that is what the hand did.
+    QStringList did;
+    if (edit.offsetMm && (!piece || piece->pose.offsetMm != pose.offsetMm))
+        did += QStringLiteral("Move piece %1 ") + millimetres(glm::length(pose.offsetMm));
+    if (edit.rotationDegrees && (!piece || piece->pose.rotationDegrees != pose.rotationDegrees))
+        did += (did.isEmpty() ? QStringLiteral("Turn piece %1 ") : QStringLiteral("turn it "))
+            + QString::number(std::lround(glm::length(pose.rotationDegrees))) + QStringLiteral("°");
+    if (edit.zoom && (!piece || piece->pose.zoom != pose.zoom))
+        did += (did.isEmpty() ? QStringLiteral("Zoom piece %1 ") : QStringLiteral("zoom it "))
+            + QString::number(pose.zoom, 'g', 3) + QStringLiteral("×");
+    return did.join(QStringLiteral(", ")).arg(name);
+}
+
+/// What changes pieces; empty for other edits.
+QString pieceRowName(const Edit& edit, const Document& document)
+{
+    if (const auto* cut = std::get_if<CutPiece>(&edit))
+        return QStringLiteral("Lift %1 off layer %2")
+            .arg(quoted(cut->name), layerName(cut->layer, document));
+    if (const auto* paste = std::get_if<PastePiece>(&edit))
+        return QStringLiteral("Paste segment %1 as piece %2")
+            .arg(quoted(segmentName(paste->segment, document)), quoted(paste->name));
+    if (const auto* change = std::get_if<ChangePiece>(&edit))
+        return changeName(*change, document);
+    if (std::holds_alternative<SendPiecesHome>(edit))
+        return QStringLiteral("Send all pieces home");
+    if (const auto* remove = std::get_if<RemovePiece>(&edit))
+        return QStringLiteral("Remove piece ") + pieceName(remove->piece, document);
+    return {};
+}
+
 /// What changes layers or bookmarks; empty for other edits.
 QString listName(const Edit& edit, const Document& document)
 {
@@ -298,6 +350,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
     if (const auto* remove = std::get_if<RemoveSegment>(&edit))
         return removeName(*remove, statistics, changes, document);
     if (const QString name = listName(edit, document); !name.isEmpty())
+        return name;
+    if (const QString name = pieceRowName(edit, document); !name.isEmpty())
         return name;
     if (std::holds_alternative<SeedStroke>(edit))
         return QStringLiteral("Seed stroke for '%1', %2")

@@ -81,6 +81,7 @@ void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> c
     tell(DocumentChange::What::Segments);
     tell(DocumentChange::What::Layers);
     tell(DocumentChange::What::Bookmarks);
+    tell(DocumentChange::What::Pieces);
     tell(DocumentChange::What::Growth);
     tell(DocumentChange::What::History);
 }

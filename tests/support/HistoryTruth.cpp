@@ -437,6 +437,13 @@ template <class T> void take(T& target, const std::optional<T>& value)
 
 void removeLayer(int id, Document& document)
 {
+    for (std::size_t i = document.pieces.size(); i-- > 0;) {
+        const Piece piece = document.pieces[i];
+        if (piece.layer != id)
+            continue;
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        document.pieces.erase(document.pieces.begin() + std::ptrdiff_t(i));
+    }
     document.layers.erase(with(document.layers, &SculptLayer::id, id));
     document.greatestRemovedLayer = std::max(document.greatestRemovedLayer, id);
 }
@@ -450,6 +457,36 @@ void addTarget(const SegmentChoice& choice, Document& document)
         label = std::max<int>(label, segment.label);
     document.segments.push_back(
         {.label = std::uint8_t(label + 1), .name = choice.name, .rgb = choice.rgb});
+}
+
+void changePieces(const Edit& edit, Document& document)
+{
+    std::vector<Piece>& pieces = document.pieces;
+    int last = document.greatestRemovedPiece;
+    for (const Piece& piece : pieces)
+        last = std::max(last, piece.id);
+    if (const auto* cut = std::get_if<CutPiece>(&edit)) {
+        pieces.push_back(
+            {.id = last + 1, .name = cut->name, .layer = cut->layer, .pivotLps = cut->pivotLps});
+    } else if (const auto* paste = std::get_if<PastePiece>(&edit)) {
+        pieces.push_back({.id = last + 1,
+            .name = paste->name,
+            .segment = paste->segment,
+            .pivotLps = paste->pivotLps,
+            .pose = paste->pose});
+    } else if (const auto* change = std::get_if<ChangePiece>(&edit)) {
+        Piece& piece = *with(pieces, &Piece::id, change->piece);
+        take(piece.name, change->name);
+        take(piece.pose.offsetMm, change->offsetMm);
+        take(piece.pose.rotationDegrees, change->rotationDegrees);
+        take(piece.pose.zoom, change->zoom);
+    } else if (std::holds_alternative<SendPiecesHome>(edit)) {
+        for (Piece& piece : pieces)
+            piece.pose = PiecePose{};
+    } else if (const auto* gone = std::get_if<RemovePiece>(&edit)) {
+        pieces.erase(with(pieces, &Piece::id, gone->piece));
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, gone->piece);
+    }
 }
 
 } // namespace
@@ -477,6 +514,14 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
     } else if (const auto* remove = std::get_if<RemoveSegment>(&edit)) {
         segments.erase(with(segments, &Segment::label, remove->segment));
         document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, remove->segment);
+        std::vector<Piece> left;
+        for (const Piece& piece : document.pieces) {
+            if (piece.segment != remove->segment)
+                left.push_back(piece);
+            else
+                document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        }
+        document.pieces = left;
     } else if (const auto* layer = std::get_if<AddLayer>(&edit)) {
         int id = document.greatestRemovedLayer;
         for (const SculptLayer& each : layers)
@@ -510,6 +555,8 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             with(document.bookmarks, &CameraBookmark::id, forgotten->bookmark));
         document.greatestRemovedBookmark =
             std::max(document.greatestRemovedBookmark, forgotten->bookmark);
+    } else {
+        changePieces(edit, document);
     }
 }
 

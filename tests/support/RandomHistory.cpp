@@ -159,11 +159,13 @@ private:
             return RemoveSegment{.segment = any(document.segments).label};
         if (dice < 30)
             return randomLayer(document);
-        if (dice < 34)
+        if (dice < 32)
             return randomBookmark(document);
         if (dice < 38)
             return randomPassage(document);
-        if (dice < 46)
+        if (dice < 42)
+            return randomPiece(document);
+        if (dice < 49)
             return randomSeeds(any(document.segments).label);
         if (dice < 56)
             return randomGrowth();
@@ -254,6 +256,27 @@ private:
         return AddBookmark{.name = randomName(),
             .view = randomDrill().view,
             .crosshairLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
+    }
+    Edit randomPiece(const Document& document)
+    {
+        const auto turn = [this] { return glm::dvec3(between(-90, 90), between(-90, 90), 12.5); };
+        const auto away = [this] { return glm::dvec3(between(-40, 40), 3.25, between(-9, 9)); };
+        const int dice = document.pieces.empty() ? between(0, 29) : between(0, 99);
+        if (dice < 15)
+            return CutPiece{.layer = any(document.layers).id, .name = randomName()};
+        if (dice < 30)
+            return PastePiece{.segment = any(document.segments).label,
+                .name = randomName(),
+                .pivotLps = away(),
+                .pose = {.offsetMm = away(), .zoom = between(1, 9) / 2.0}};
+        const int piece = any(document.pieces).id;
+        if (dice < 40)
+            return RemovePiece{.piece = piece};
+        if (dice < 62)
+            return SendPiecesHome{};
+        if (dice < 66)
+            return ChangePiece{.piece = piece, .name = randomName()};
+        return ChangePiece{.piece = piece, .offsetMm = away(), .rotationDegrees = turn()};
     }
     Edit randomSeeds(int segment)
     {

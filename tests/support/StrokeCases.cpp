@@ -574,6 +574,22 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         core::ReviseStroke{.row = 5, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"remove a bookmark", volume, {bookmark}, core::RemoveBookmark{.bookmark = 1}});
 
+    const core::Edit lift = core::CutPiece{.layer = 1, .name = QStringLiteral("Lid")};
+    const core::Edit aside = core::ChangePiece{.piece = 1,
+        .offsetMm = glm::dvec3(12.5, -3, 0),
+        .rotationDegrees = glm::dvec3(0, 30, 0),
+        .zoom = 1.5};
+    cases.push_back({"piece", volume, {drill}, lift});
+    cases.push_back({"move a piece", volume, {drill, lift}, aside});
+    cases.push_back({"drill into a piece's layer", volume, {drill, lift, aside}, drill});
+    cases.push_back({"pieces home", volume, {drill, lift, aside}, core::SendPiecesHome{}});
+    cases.push_back({"remove a piece", volume, {drill, lift}, core::RemovePiece{.piece = 1}});
+    cases.push_back({"piece of a segment", volume, {first},
+        core::PastePiece{.segment = 1, .name = QStringLiteral("Copy")}});
+    cases.push_back({"delete a segment with its piece", volume,
+        {first, core::PastePiece{.segment = 1, .name = QStringLiteral("Copy")}},
+        core::RemoveSegment{.segment = 1}});
+
     for (int number = 0; number < randomCount; ++number)
         cases.push_back(randomLists(number));
     for (int number = 0; number < randomCount; ++number) {

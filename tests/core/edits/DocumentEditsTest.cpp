@@ -28,6 +28,11 @@ AddBookmark bookmark(const char* name)
     return add;
 }
 
+CutPiece lift(int layer, const char* name)
+{
+    return {.layer = layer, .name = QLatin1String(name)};
+}
+
 /// Two segments, two layers, two bookmarks.
 Document furnished()
 {
@@ -119,6 +124,13 @@ private Q_SLOTS:
             "mergeLayers.from");
         row("layer to merge into", MergeLayers{.from = 1, .into = 3}, ErrorCode::InvalidField,
             "mergeLayers.into");
+        row("layer to lift", CutPiece{.layer = 3}, ErrorCode::InvalidField, "cutPiece.layer");
+        row("layer that is lifted", CutPiece{.layer = 1}, ErrorCode::InvalidField,
+            "cutPiece.layer");
+        row("segment to paste", PastePiece{.segment = 3}, ErrorCode::UnknownSegment, "3");
+        row("piece", ChangePiece{.piece = 3}, ErrorCode::InvalidField, "changePiece.piece");
+        row("piece to remove", RemovePiece{.piece = 3}, ErrorCode::InvalidField,
+            "removePiece.piece");
         AddBookmark nowhere = bookmark("Nowhere");
         nowhere.view.eyeLps = nowhere.view.targetLps;
         row("view of nothing", nowhere, ErrorCode::InvalidField, "addBookmark.view");
@@ -133,6 +145,7 @@ private Q_SLOTS:
         QFETCH(QString, argument);
         Document document = furnished();
         QVERIFY(applyToDocument(ChangeSegment{.segment = 2, .locked = true}, document));
+        QVERIFY(applyToDocument(lift(1, "Lid"), document));
         const QByteArray before = stateOf(document);
         const Result<bool> changed = applyToDocument(edit, document);
         QVERIFY(!changed);
@@ -210,6 +223,71 @@ private Q_SLOTS:
         QVERIFY(muted.error().arguments.value(1).contains(QStringLiteral("'Approach' is muted")));
     }
 
+    void piecesFollowWhatTheyAreMadeOf()
+    {
+        Document document = furnished();
+        const QByteArray before = stateOf(document);
+        const PastePiece copy{.segment = 2, .name = QStringLiteral("Copy")};
+        QVERIFY(applyToDocument(lift(2, "Lid"), document));
+        QVERIFY(applyToDocument(copy, document));
+        QVERIFY(applyToDocument(copy, document)); // as many of one segment as one likes
+        QCOMPARE(document.pieces.size(), std::size_t(3));
+        QCOMPARE(document.pieceOfLayer(2)->name, QStringLiteral("Lid"));
+        QVERIFY(!document.pieceOfLayer(1));
+        QVERIFY(applyToDocument(RemoveSegment{.segment = 2}, document));
+        QCOMPARE(document.pieces.size(), std::size_t(1));
+        QVERIFY(stateOf(document).contains("\"lastPiece\":3"));
+        QVERIFY(
+            applyToDocument(PastePiece{.segment = 1, .name = QStringLiteral("Other")}, document));
+        QCOMPARE(document.pieces.back().id, 4);
+        QVERIFY(!stateOf(document).contains("lastPiece"));
+        QVERIFY(before != stateOf(document));
+
+        const ChangePiece aside{.piece = 1,
+            .offsetMm = glm::dvec3(40, 0, 0),
+            .rotationDegrees = glm::dvec3(0, 0, 90),
+            .zoom = 2.0};
+        QVERIFY(*applyToDocument(aside, document));
+        QVERIFY(!*applyToDocument(aside, document));
+        QVERIFY(stateOf(document).contains(
+            "\"pieces\":[{\"id\":1,\"layer\":2,\"name\":\"Lid\",\"offsetMm\":[40,0,0],"
+            "\"rotationDegrees\":[0,0,90],\"zoom\":2}"));
+        QVERIFY(*applyToDocument(SendPiecesHome{}, document));
+        QVERIFY(!*applyToDocument(SendPiecesHome{}, document));
+        QVERIFY(document.piece(1)->pose.isHome());
+    }
+
+    void piecesRunOut()
+    {
+        Document document = furnished();
+        const PastePiece copy{.segment = 1, .name = QStringLiteral("Copy")};
+        for (int i = 0; i < 64; ++i)
+            QVERIFY(applyToDocument(copy, document));
+        const Result<bool> one = applyToDocument(copy, document);
+        QVERIFY(!one);
+        QCOMPARE(one.error().arguments.value(0), QStringLiteral("pastePiece"));
+    }
+
+    void posesAreTurnsAboutThePivot()
+    {
+        VolumeGeometry geometry;
+        geometry.size = {11, 21, 31};
+        Piece piece{.id = 1, .layer = 1};
+        QVERIFY(shownFromTrue(piece, geometry) == glm::dmat4(1.0));
+        piece.pose.rotationDegrees = {0, 0, 90};
+        piece.pose.zoom = 2.0;
+        piece.pose.offsetMm = {100, 0, 0};
+        // The middle (5, 10, 15) goes to itself; x runs to y, twice as far.
+        const glm::dvec4 shown = shownFromTrue(piece, geometry) * glm::dvec4(8, 10, 15, 1);
+        QVERIFY(glm::distance(shown, glm::dvec4(105, 16, 15, 1)) < 1e-12);
+        piece.pivotLps = glm::dvec3(8, 10, 15);
+        const glm::dvec4 fixed = shownFromTrue(piece, geometry) * glm::dvec4(8, 10, 15, 1);
+        QVERIFY(glm::distance(fixed, glm::dvec4(108, 10, 15, 1)) < 1e-12);
+        for (const glm::dvec3& turn : {glm::dvec3(10, -20, 30), glm::dvec3(0, 0, 179),
+                 glm::dvec3(-120, 100, 5), glm::dvec3(1e-7, 0, 0), glm::dvec3(0)})
+            QVERIFY(glm::distance(rotationDegrees(rotationMatrix(turn)), turn) < 1e-9);
+    }
+
     /// Files of a time that knew neither bookmarks nor deleted segments keep their hashes.
     void theHashedStateSaysNoMoreThanItMust()
     {
@@ -220,7 +298,7 @@ private Q_SLOTS:
                        "\"segments\":[]}"));
         QVERIFY(applyToDocument(segment("Skull"), document));
         const QByteArray one = stateOf(document);
-        QVERIFY(!one.contains("last") && !one.contains("bookmarks"));
+        QVERIFY(!one.contains("last") && !one.contains("bookmarks") && !one.contains("piece"));
         QVERIFY(applyToDocument(segment("Brain"), document));
         QVERIFY(applyToDocument(RemoveSegment{.segment = 2}, document));
         QVERIFY(stateOf(document).contains("\"lastLabel\":2"));
@@ -245,6 +323,7 @@ private Q_SLOTS:
         QVERIFY(changedPart(RemoveSegment{}) == What::Segments);
         QVERIFY(changedPart(MoveLayer{}) == What::Layers);
         QVERIFY(changedPart(AddBookmark{}) == What::Bookmarks);
+        QVERIFY(changedPart(SendPiecesHome{}) == What::Pieces);
         QVERIFY(!changedPart(DrillStroke{}) && !changedPart(RevertRows{}));
         QVERIFY(changesDocumentOnly(ChangeLayer{}) && changesDocumentOnly(RemoveBookmark{}));
         QVERIFY(!changesDocumentOnly(RemoveSegment{}) && !changesDocumentOnly(GrowSteps{}));

@@ -90,6 +90,17 @@ private Q_SLOTS:
         QCOMPARE(bench.lastName(), QStringLiteral("Bookmark 'Orbit from the left'"));
         bench.run(RemoveBookmark{.bookmark = 1});
         QCOMPARE(bench.lastName(), QStringLiteral("Remove bookmark 'Orbit from the left'"));
+
+        bench.run(CutPiece{.layer = 2, .name = QStringLiteral("Skull cap")});
+        QCOMPARE(bench.lastName(), QStringLiteral("Lift 'Skull cap' off layer 'Way in'"));
+        bench.run(ChangePiece{.piece = 1, .offsetMm = glm::dvec3(0, 0, 42)});
+        QCOMPARE(bench.lastName(), QStringLiteral("Move piece 'Skull cap' 42.0 mm"));
+        bench.run(ChangePiece{.piece = 1, .rotationDegrees = glm::dvec3(0, 30.4, 0), .zoom = 1.5});
+        QCOMPARE(bench.lastName(), QStringLiteral("Turn piece 'Skull cap' 30°, zoom it 1.5×"));
+        bench.run(SendPiecesHome{});
+        QCOMPARE(bench.lastName(), QStringLiteral("Send all pieces home"));
+        bench.run(RemovePiece{.piece = 1});
+        QCOMPARE(bench.lastName(), QStringLiteral("Remove piece 'Skull cap'"));
     }
 
     void whatChangesNothingLeavesNoRow()
