@@ -24,6 +24,7 @@
 #include "ui/tools/CarveBrushTool.h"
 #include "ui/tools/ClipTool.h"
 #include "ui/tools/DrillTool.h"
+#include "ui/tools/LaserTool.h"
 #include "ui/tools/PaintTool.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/ScissorsTool.h"
@@ -69,6 +70,7 @@ void Application::makeWindow()
 {
     ui::MainWindow& window = *m_window;
     auto* drill = new ui::DrillTool(*m_workspace, &window);
+    auto* laser = new ui::LaserTool(*m_workspace, &window);
     auto* peel = new ui::PeelTool(*m_workspace, &window);
     auto* scissors = new ui::ScissorsTool(*m_workspace, &window);
     auto* carve = new ui::CarveBrushTool(*m_workspace, &window);
@@ -78,6 +80,7 @@ void Application::makeWindow()
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
+    window.addTool(*laser, window.sculptMenu(), QKeySequence(QStringLiteral("A")));
     window.addTool(*peel, window.sculptMenu(), QKeySequence(QStringLiteral("O")));
     window.addTool(*scissors, window.sculptMenu(), QKeySequence(QStringLiteral("K")));
     window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
@@ -102,7 +105,8 @@ void Application::makeWindow()
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
-    const std::vector<ui::Tool*> tools{drill, peel, scissors, carve, clip, seed, paint, undoHere};
+    const std::vector<ui::Tool*> tools{
+        drill, laser, peel, scissors, carve, clip, seed, paint, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

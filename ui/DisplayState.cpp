@@ -315,7 +315,9 @@ QJsonObject DisplayState::composed() const
                 {QStringLiteral("shape"), int(drill.shape)},
                 {QStringLiteral("heightRatio"), drill.heightRatio},
                 {QStringLiteral("rotationDegrees"), drill.rotationDegrees},
-                {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate}}},
+                {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate},
+                {QStringLiteral("laserDepthMm"), drill.laserDepthMm},
+                {QStringLiteral("sweep"), int(drill.sweep)}}},
         {QStringLiteral("paint"), toJson(m_workspace.brushSettings(Workspace::Brush::Paint))},
         {QStringLiteral("carve"), toJson(m_workspace.brushSettings(Workspace::Brush::Carve))},
         {QStringLiteral("growth"),
@@ -393,6 +395,12 @@ void DisplayState::applyTools(const QJsonObject& state)
     bool rate = false;
     read(drillJson[QLatin1String("rate")], rate);
     drill.mode = rate ? core::DrillMode::Rate : core::DrillMode::Limit;
+    read(drillJson[QLatin1String("laserDepthMm")], drill.laserDepthMm);
+    drill.laserDepthMm =
+        std::clamp(drill.laserDepthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
+    const int sweep = drillJson[QLatin1String("sweep")].toInt();
+    if (sweep >= 0 && sweep <= int(Workspace::Sweep::Pen))
+        drill.sweep = Workspace::Sweep(sweep);
     m_workspace.setDrillSettings(drill);
 
     for (const auto& [name, brush] : brushes) {

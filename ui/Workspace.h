@@ -25,6 +25,9 @@ class Workspace : public QObject {
     Q_OBJECT
 
 public:
+    /// Which way a drill goes in.
+    enum class Sweep { View, Normal, LeftRight, FrontBack, UpDown, Pen };
+    /// Of drill and laser: they share the tip.
     struct DrillSettings {
         double radiusMm = 8.0; ///< of other shapes than the circle: half the width
         double depthMm = 8.0; ///< mode Rate: a second
@@ -34,6 +37,8 @@ public:
         double rotationDegrees = 0.0;
         core::DrillMode mode = core::DrillMode::Limit;
         double floorMm = 30.0; ///< mode Rate
+        double laserDepthMm = 15.0; ///< the laser's depthMm
+        Sweep sweep = Sweep::View; ///< the drill's
         bool operator==(const DrillSettings&) const = default;
     };
     /// Of paint and of the carve brush, each its own.

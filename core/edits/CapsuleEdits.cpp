@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EngineEdits.h"
 
+#include "core/edits/HiddenSides.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -259,6 +261,7 @@ Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& documen
     cut.layer = std::uint8_t(stroke.layer);
     cut.restore = stroke.restore;
     cut.frame = *frame;
+    cut.hidden = hiddenHalves(stroke.hidden, document.volumes.front().geometry);
     return cut;
 }
 

@@ -298,6 +298,10 @@ Result<bool> apply(const DrillStroke&, Document&)
 {
     return false;
 }
+Result<bool> apply(const LaserStroke&, Document&)
+{
+    return false;
+}
 Result<bool> apply(const RevertRows&, Document&)
 {
     return false;
@@ -424,6 +428,12 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
             !checked)
             return checked;
         return discardValue(drillCut(*drill, document));
+    }
+    if (const auto* laser = std::get_if<LaserStroke>(&edit)) {
+        if (const Result<void> checked = checkLayer("laser.layer", laser->layer, document);
+            !checked)
+            return checked;
+        return discardValue(laserCut(*laser, document));
     }
     if (const auto* paint = std::get_if<PaintStroke>(&edit))
         return discardValue(paintLabel(*paint, document));

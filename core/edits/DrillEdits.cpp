@@ -53,7 +53,8 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
                       .maskReachMm = reachMm(stroke.mask),
                       .maxDepthMm = rate ? stroke.floorMm : stroke.depthMm,
                       .throughGaps = stroke.throughGaps,
-                      .restore = stroke.restore},
+                      .restore = stroke.restore,
+                      .hidden = stroke.hidden},
             document, QStringLiteral("drill"));
     if (!frame)
         return tl::unexpected(frame.error());
@@ -66,12 +67,11 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
         cut.maskRadius = mm16(stroke.mask.radiusMm);
         return cut;
     }
-    // Under a sample the outline stands in the middle of the element that the sample lies in.
-    Result<MaskRaster> mask = maskOf(outlineMm(stroke.mask, frame->pitch / 65536.0), frame->pitch,
-        glm::dvec2(0.5), QStringLiteral("drill.mask"));
+    Result<MaskRaster> mask =
+        maskUnderSample(stroke.mask, frame->pitch, QStringLiteral("drill.mask"));
     if (!mask)
         return tl::unexpected(mask.error());
-    cut.mask = softened(*mask, (std::int64_t(mm16(stroke.mask.softnessMm)) << 8) / frame->pitch);
+    cut.mask = *std::move(mask);
     return cut;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/edits/EditQuantise.h"
 #include "core/edits/MaskFrames.h"
+#include "core/edits/ToolMasks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,16 +34,14 @@ std::int64_t between(std::int64_t a, std::int64_t b, std::int64_t part, std::int
     return a + (scaled >= 0 ? (scaled + whole / 2) / whole : -((-scaled + whole / 2) / whole));
 }
 
-std::int64_t pointSpacing(const DrillStroke& stroke, const DrillCut& cut)
+std::int64_t pointSpacing(const MaskShape& mask, std::int64_t pitch)
 {
-    const std::int64_t pitch = cut.frame.pitch;
-    if (cut.mask.empty())
-        return std::max<std::int64_t>(cut.maskRadius / 4, pitch / 2);
-    if (stroke.mask.polygonMm)
+    if (isRound(mask))
+        return std::max<std::int64_t>(mm16(mask.radiusMm) / 4, pitch / 2);
+    if (mask.polygonMm)
         return 2 * pitch; // it may have thin parts anywhere
-    const double thinnest = stroke.mask.kind == MaskShape::Kind::Square
-        ? stroke.mask.widthMm
-        : std::min(stroke.mask.widthMm, stroke.mask.heightMm);
+    const double thinnest =
+        mask.kind == MaskShape::Kind::Square ? mask.widthMm : std::min(mask.widthMm, mask.heightMm);
     return std::max<std::int64_t>(mm16(thinnest / 8.0), pitch / 2);
 }
 
@@ -54,7 +53,17 @@ DrillPathSampler::DrillPathSampler(const DrillStroke& stroke, const DrillCut& cu
     , m_exponent(stroke.pressureExponent)
     , m_fullDepth(mm16(stroke.depthMm))
     , m_grid(std::max(cut.frame.pitch / 4, 1))
-    , m_spacing(pointSpacing(stroke, cut))
+    , m_spacing(pointSpacing(stroke.mask, cut.frame.pitch))
+{
+}
+
+DrillPathSampler::DrillPathSampler(const LaserStroke& stroke, const LaserCut& cut)
+    : m_byTime(stroke.byTime || cut.mode == DrillMode::Rate)
+    , m_rate(cut.mode == DrillMode::Rate)
+    , m_exponent(stroke.pressureExponent)
+    , m_fullDepth(mm16(stroke.depthMm))
+    , m_grid(std::max(cut.frame.pitch / 4, 1))
+    , m_spacing(pointSpacing(stroke.mask, cut.frame.pitch))
 {
 }
 
@@ -178,13 +187,26 @@ std::vector<PenSample> soundSamples(const std::vector<PenSample>& samples, doubl
     return sound;
 }
 
-std::vector<DrillSample> drillPath(const DrillStroke& stroke, const DrillCut& cut)
+namespace {
+
+std::vector<DrillSample> wholePath(DrillPathSampler sampler, const std::vector<PenSample>& samples)
 {
-    DrillPathSampler sampler(stroke, cut);
-    std::vector<DrillSample> path = sampler.add(stroke.samples);
+    std::vector<DrillSample> path = sampler.add(samples);
     const std::vector<DrillSample> rest = sampler.finish();
     path.insert(path.end(), rest.begin(), rest.end());
     return path;
+}
+
+} // namespace
+
+std::vector<DrillSample> drillPath(const DrillStroke& stroke, const DrillCut& cut)
+{
+    return wholePath(DrillPathSampler(stroke, cut), stroke.samples);
+}
+
+std::vector<DrillSample> laserPath(const LaserStroke& stroke, const LaserCut& cut)
+{
+    return wholePath(DrillPathSampler(stroke, cut), stroke.samples);
 }
 
 } // namespace core

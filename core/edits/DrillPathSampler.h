@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/edits/Edits.h"
-#include "core/sculpt/DrillCut.h"
+#include "core/sculpt/LaserCut.h"
 
 #include <optional>
 #include <vector>
 
 namespace core {
 
-/// Makes the samples of a drill stroke from what the pen reports, piece by piece as it comes; how
-/// it is cut into pieces does not matter.
+/// Makes the samples of a stroke of drill or laser from what the pen reports, piece by piece as it
+/// comes; how it is cut into pieces does not matter.
 ///
 /// By time (DrillStroke::byTime, and always in mode Rate): the path is looked at 120 times a
 /// second, counted from its first sample, straight in between; places are rounded to quarters of an
@@ -23,6 +23,7 @@ namespace core {
 class DrillPathSampler {
 public:
     DrillPathSampler(const DrillStroke& stroke, const DrillCut& cut);
+    DrillPathSampler(const LaserStroke& stroke, const LaserCut& cut);
 
     [[nodiscard]] std::vector<DrillSample> add(const std::vector<PenSample>& samples);
     /// The pen is lifted: what is left since the last look. Once, at the end.
@@ -63,5 +64,6 @@ private:
 
 /// The whole path of a stroke.
 [[nodiscard]] std::vector<DrillSample> drillPath(const DrillStroke& stroke, const DrillCut& cut);
+[[nodiscard]] std::vector<DrillSample> laserPath(const LaserStroke& stroke, const LaserCut& cut);
 
 } // namespace core

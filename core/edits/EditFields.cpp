@@ -18,8 +18,10 @@ namespace {
 constexpr int maxListLength = 1000000;
 constexpr int maxOutlineLength = 100000;
 constexpr int maxTextLength = 256;
+constexpr int maxHiddenSides = 16;
 
 const Number sampleMillimetres{"mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
+const Number sideNormal{"", -1.0, 1.0, quantum::perDirection};
 const Number samplePressure{"", 0.0, 1.0, quantum::perPressure};
 const Number sampleSeconds{"s", 0.0, 86400.0, quantum::perSecond};
 
@@ -343,6 +345,60 @@ Outline::Value Outline::rounded(const Value& value) const
     result.reserve(value.size());
     for (const glm::dvec2& point : value)
         result.emplace_back(component.rounded(point.x), component.rounded(point.y));
+    return result;
+}
+
+// --- HiddenSideList
+// ------------------------------------------------------------------------------------
+
+QJsonValue HiddenSideList::write(const Value& value) const
+{
+    QJsonArray array;
+    for (const HiddenSide& side : value)
+        array.append(
+            QJsonArray{side.normalLps.x, side.normalLps.y, side.normalLps.z, side.offsetMm});
+    return array;
+}
+
+QString HiddenSideList::read(const QJsonValue& json, Value& value) const
+{
+    if (!json.isArray())
+        return QStringLiteral("must be a list of planes [x, y, z, offset]");
+    const QJsonArray array = json.toArray();
+    value.clear();
+    for (int i = 0; i < array.size(); ++i) {
+        double numbers[4]{};
+        if (const QString reason = readNumbers(array[i], numbers, 4); !reason.isEmpty())
+            return at(i, reason);
+        value.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
+    }
+    return {};
+}
+
+QString HiddenSideList::check(const Value& value) const
+{
+    if (value.empty() || value.size() > std::size_t(maxHiddenSides))
+        return QStringLiteral("needs 1 to %1 entries").arg(maxHiddenSides);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const HiddenSide& side = value[i];
+        for (const QString& reason :
+            {sideNormal.check(side.normalLps.x), sideNormal.check(side.normalLps.y),
+                sideNormal.check(side.normalLps.z), sampleMillimetres.check(side.offsetMm)}) {
+            if (!reason.isEmpty())
+                return at(int(i), reason);
+        }
+        if (!(glm::length(side.normalLps) > 0.01))
+            return at(int(i), QStringLiteral("has no direction"));
+    }
+    return {};
+}
+
+HiddenSideList::Value HiddenSideList::rounded(const Value& value) const
+{
+    Value result;
+    for (const HiddenSide& side : value)
+        result.push_back(
+            {Point{sideNormal}.rounded(side.normalLps), sampleMillimetres.rounded(side.offsetMm)});
     return result;
 }
 

@@ -181,6 +181,18 @@ struct Outline {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
+/// [[x, y, z, offset], …]: sides of planes, at least one, at most 16.
+struct HiddenSideList {
+    using Value = std::vector<HiddenSide>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z, offset], …]"); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("direction, mm"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
 /// [[x, y, pressure, t], …], at least one, t never falling.
 struct SampleList {
     using Value = std::vector<PenSample>;

@@ -54,6 +54,7 @@ template <> inline constexpr const char* editName<PastePiece> = "pastePiece";
 template <> inline constexpr const char* editName<ChangePiece> = "changePiece";
 template <> inline constexpr const char* editName<SendPiecesHome> = "sendPiecesHome";
 template <> inline constexpr const char* editName<RemovePiece> = "removePiece";
+template <> inline constexpr const char* editName<LaserStroke> = "laser";
 
 template <class E> inline constexpr const char* editMeaning = nullptr;
 template <>
@@ -149,6 +150,9 @@ inline constexpr const char* editMeaning<SendPiecesHome> =
 template <>
 inline constexpr const char* editMeaning<RemovePiece> =
     "Makes a piece one no more; what cut it stays cut.";
+template <>
+inline constexpr const char* editMeaning<LaserStroke> =
+    "Carves with a mask that stands across the visible surface and goes in along its normal.";
 
 inline constexpr editFields::WholeNumber segmentNumber{1, 255};
 inline constexpr editFields::WholeNumber layerNumber{1, 254};
@@ -388,6 +392,15 @@ template <class Visitor> void visitSurface(Visitor& visit, double& threshold)
     });
 }
 
+/// What a clip box or planes hid when the cut was made.
+template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
+{
+    visit.maybe("hidden", hidden, editFields::HiddenSideList{},
+        "what is not seen, so that the cut neither starts nor cuts there: where normal · place > "
+        "offset, patient coordinates (LPS)",
+        "nothing");
+}
+
 /// What is pressed into the volume.
 template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
 {
@@ -462,6 +475,38 @@ template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
         "corners; in mode rate they always are");
     visit.field("samples", Presence::Required, edit.samples, SampleList{},
         "pen path in the view plane, relative to the target: right, up, pressure, time");
+    visitHidden(visit, edit.hidden);
+}
+
+template <class Visitor> void visitFields(Visitor& visit, LaserStroke& edit)
+{
+    using namespace editFields;
+    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+    visitView(visit, edit.view);
+    visitMask(visit, edit.mask);
+    visit.field("mode", Presence::Optional, edit.mode, Choice<DrillMode, 2>{{"limit", "rate"}},
+        "whether depthMm is the most that one stroke cuts, or what it cuts a second");
+    visit.field("depthMm", Presence::Required, edit.depthMm, drillDepth,
+        "depth along the surface's normal at full pressure");
+    visit.when(edit.mode == DrillMode::Rate, [&] {
+        visit.field("floorMm", Presence::Optional, edit.floorMm, drillDepth,
+            "no deeper than this below the surface (mode rate)");
+    });
+    visit.field("pressureExponent", Presence::Optional, edit.pressureExponent, WholeNumber{1, 3},
+        "depth = depthMm · pressure to this power");
+    visitSurface(visit, edit.surfaceThreshold);
+    visit.field("throughGaps", Presence::Optional, edit.throughGaps, Flag{},
+        "whether it goes on behind a gap in the material");
+    visit.field("restore", Presence::Optional, edit.restore, Flag{},
+        "whether it fills again what was carved, from the surface outwards");
+    visit.field("byTime", Presence::Optional, edit.byTime, Flag{},
+        "whether samples are points of a path in time, as a pen reports them, rather than its "
+        "corners; in mode rate they always are");
+    visit.field("samples", Presence::Required, edit.samples, SampleList{},
+        "path of the mask's middle in the view plane, relative to the target: right, up, pressure, "
+        "time");
+    visitHidden(visit, edit.hidden);
 }
 
 template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
@@ -524,6 +569,7 @@ template <class Visitor> void visitFields(Visitor& visit, BrushStroke& edit)
     visitPath(visit, edit.path);
     visit.field("restore", Presence::Optional, edit.restore, editFields::Flag{},
         "whether carved voxels come back instead");
+    visitHidden(visit, edit.hidden);
 }
 
 template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
@@ -544,6 +590,7 @@ template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
         "peeled; 0: all of them");
     visit.field("restore", Presence::Optional, edit.restore, Flag{},
         "whether it fills again what was carved, from the surface outwards");
+    visitHidden(visit, edit.hidden);
 }
 
 template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
@@ -561,6 +608,7 @@ template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
     visitSurface(visit, edit.surfaceThreshold);
     visit.field("restore", Presence::Optional, edit.restore, Flag{},
         "whether it fills again what was carved");
+    visitHidden(visit, edit.hidden);
 }
 
 } // namespace core::editSchema

@@ -168,6 +168,16 @@ struct GrowSteps {
     bool overwriteUnlocked = false;
 };
 
+/// Hidden are the places with dot(normal, place) > offset: what a clip box or plane hides without
+/// carving it.
+struct HiddenSide {
+    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< about a unit vector
+    double offsetMm = 0.0;
+    bool operator==(const HiddenSide&) const = default;
+};
+/// What a cut did not see: it neither starts nor cuts there.
+using HiddenSides = std::optional<std::vector<HiddenSide>>;
+
 struct PenSample {
     double xMm = 0.0; ///< in the view plane, right of the target
     double yMm = 0.0; ///< up from the target
@@ -208,6 +218,24 @@ struct DrillStroke {
     /// Resampled by time, so that the device's report rate does not matter. Mode Rate always is.
     bool byTime = false;
     std::vector<PenSample> samples{};
+    HiddenSides hidden{};
+};
+
+/// As a drill, but the mask stands across the surface and goes in along its normal (seed A §4.3).
+struct LaserStroke {
+    int layer = 1;
+    OrthographicView view{};
+    MaskShape mask{};
+    DrillMode mode = DrillMode::Limit;
+    double depthMm = 15.0; ///< at full pressure; in mode Rate a second
+    double floorMm = 30.0; ///< mode Rate: no deeper
+    int pressureExponent = 2;
+    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    bool throughGaps = false;
+    bool restore = false;
+    bool byTime = false; ///< as DrillStroke's
+    std::vector<PenSample> samples{};
+    HiddenSides hidden{};
 };
 
 /// Where a brush went: all that lies within its radius of the path, which runs straight from point
@@ -241,6 +269,7 @@ struct BrushStroke {
     int layer = 1;
     BrushPath path{};
     bool restore = false;
+    HiddenSides hidden{};
 };
 
 /// Takes a shell of even thickness off the part of the surface that a closed curve surrounds.
@@ -255,6 +284,7 @@ struct PeelCut {
     /// surface, and only the largest is peeled; 0: all of them.
     double jumpMm = 4.0;
     bool restore = false;
+    HiddenSides hidden{};
 };
 
 /// Cuts out what lies under a closed curve, along the view.
@@ -266,6 +296,7 @@ struct ScissorsCut {
     bool firstLayerOnly = false; ///< only to the first gap in the material
     double surfaceThreshold = 0.0; ///< modality units: what is seen
     bool restore = false;
+    HiddenSides hidden{};
 };
 
 /// "Undo only here": takes back older rows of the history and leaves what came after them. Their
@@ -291,6 +322,6 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
-    SendPiecesHome, RemovePiece>;
+    SendPiecesHome, RemovePiece, LaserStroke>;
 
 } // namespace core

@@ -36,6 +36,11 @@ namespace core {
 /// InvalidField (also a mask that is too small).
 [[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
 
+/// A laser stroke without its path, likewise. Errors: InvalidField (also a mask that is too small).
+[[nodiscard]] Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document);
+/// How far from the path a laser can look or cut at most, in whatever direction.
+[[nodiscard]] double laserReachMm(const LaserCut& cut);
+
 /// A peel without its depth, and its depth. Errors: InvalidField (also a curve that is too small).
 [[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
 [[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);

@@ -2,6 +2,7 @@
 #include "core/edits/MaskFrames.h"
 
 #include "core/edits/EngineEdits.h"
+#include "core/edits/HiddenSides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,7 @@ Result<MaskFrame> maskFrame(
     frame.gapSamples = std::max(int(std::llround(gapMm * fixed16 / frame.zPerSample)), 1);
     frame.throughGaps = options.throughGaps;
     frame.restore = options.restore;
+    frame.hidden = hiddenHalves(options.hidden, geometry);
 
     const glm::dmat3 indexToPlane = worldToPlane * glm::dmat3(geometry.indexToWorld);
     frame.planeOrigin = toFixed30(worldToPlane * (geometry.originLps() - view.targetLps));

@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/edits/Edits.h"
 #include "core/sculpt/MaskFrame.h"
 
 namespace core {
@@ -15,6 +16,7 @@ struct MaskFrameOptions {
     double maxDepthMm = 0.0;
     bool throughGaps = false;
     bool restore = false;
+    HiddenSides hidden{};
 };
 
 /// Half the finest spacing resolves a mask; one that spans more than 512 elements needs no finer

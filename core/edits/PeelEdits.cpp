@@ -56,7 +56,8 @@ Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document)
             .surfaceThreshold = peel.surfaceThreshold,
             .maxDepthMm = farthestPeelMm,
             .throughGaps = peel.throughGaps,
-            .restore = peel.restore},
+            .restore = peel.restore,
+            .hidden = peel.hidden},
         document, QStringLiteral("peel"));
     if (!plane)
         return tl::unexpected(plane.error());
@@ -83,7 +84,8 @@ Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& docume
             .surfaceThreshold = cut.surfaceThreshold,
             .maxDepthMm = std::min(cut.depthMm.value_or(wholeVolumeMm), wholeVolumeMm),
             .throughGaps = !cut.firstLayerOnly,
-            .restore = cut.restore},
+            .restore = cut.restore,
+            .hidden = cut.hidden},
         document, QStringLiteral("scissors"));
     if (!plane)
         return tl::unexpected(plane.error());

@@ -29,6 +29,15 @@ Result<WholeCut> cutAlone(const DrillStroke& stroke, const Document& document, s
     return alone(*std::move(cut), layer, std::move(path));
 }
 
+Result<WholeCut> cutAlone(const LaserStroke& stroke, const Document& document, std::uint8_t layer)
+{
+    Result<LaserCut> cut = laserCut(stroke, document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    DrillPath path{laserPath(stroke, *cut)};
+    return alone(*std::move(cut), layer, std::move(path));
+}
+
 Result<WholeCut> cutAlone(const BrushStroke& stroke, const Document& document, std::uint8_t layer)
 {
     Result<CapsuleCut> cut = capsuleCut(stroke, document);
@@ -60,7 +69,7 @@ Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document,
 
 /// Shows the layer of a cut, and what else of it can be revised, to a visitor: layer(), radius(),
 /// depth(), softness(), throughGaps().
-template <class Visitor> void visitParameters(Visitor& visit, DrillStroke& stroke)
+template <class Visitor, class Pressed> void visitPressed(Visitor& visit, Pressed& stroke)
 {
     visit.layer(stroke.layer);
     if (isRound(stroke.mask))
@@ -68,6 +77,16 @@ template <class Visitor> void visitParameters(Visitor& visit, DrillStroke& strok
     visit.depth(stroke.depthMm);
     visit.softness(stroke.mask.softnessMm);
     visit.throughGaps(stroke.throughGaps);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, DrillStroke& stroke)
+{
+    visitPressed(visit, stroke);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, LaserStroke& stroke)
+{
+    visitPressed(visit, stroke);
 }
 
 template <class Visitor> void visitParameters(Visitor& visit, BrushStroke& stroke)

@@ -13,7 +13,7 @@ namespace core {
 
 /// The edits that write the coverage of a sculpt layer: each by the greater value where it carves,
 /// by the lesser where it restores.
-using SculptEdit = std::variant<DrillStroke, BrushStroke, PeelCut, ScissorsCut>;
+using SculptEdit = std::variant<DrillStroke, BrushStroke, PeelCut, ScissorsCut, LaserStroke>;
 
 [[nodiscard]] std::optional<SculptEdit> sculptEdit(const Edit& edit);
 [[nodiscard]] Edit plainEdit(const SculptEdit& edit);

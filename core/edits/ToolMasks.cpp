@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/ToolMasks.h"
 
+#include "core/edits/MaskFrames.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -120,6 +122,15 @@ Result<MaskRaster> maskOf(const std::vector<glm::dvec2>& outlineMm, std::int32_t
             QStringLiteral("is too small: it covers less than the %1 mm that a cut resolves")
                 .arg(pitch / fixed16, 0, 'f', 2));
     return smoothed(filled);
+}
+
+Result<MaskRaster> maskUnderSample(const MaskShape& shape, std::int32_t pitch, const QString& field)
+{
+    Result<MaskRaster> mask =
+        maskOf(outlineMm(shape, pitch / fixed16), pitch, glm::dvec2(0.5), field);
+    if (mask)
+        *mask = softened(*mask, (std::int64_t(mm16(shape.softnessMm)) << 8) / pitch);
+    return mask;
 }
 
 } // namespace core

@@ -27,4 +27,9 @@ namespace core {
 [[nodiscard]] Result<MaskRaster> maskOf(const std::vector<glm::dvec2>& outlineMm,
     std::int32_t pitch, const glm::dvec2& origin, const QString& field);
 
+/// The mask of a tool that is pressed into the volume, its soft edge included: the outline stands
+/// in the middle of element (0, 0). Errors: as above.
+[[nodiscard]] Result<MaskRaster> maskUnderSample(
+    const MaskShape& shape, std::int32_t pitch, const QString& field);
+
 } // namespace core

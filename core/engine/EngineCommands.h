@@ -5,6 +5,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
+#include "core/sculpt/LaserCut.h"
 #include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/MaskPeel.h"
 #include "core/sculpt/MaskScissors.h"
@@ -22,18 +23,18 @@ using Ticket = std::uint64_t;
 
 // --- Edits as an engine sees them: integers only, everything they read is in them. -------------
 
-/// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word is
-/// not a member's.
+/// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word
+/// is not a member's.
 struct SeedPlacement {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
-    std::vector<glm::ivec3> voxels {}; ///< inside the volume
+    std::vector<glm::ivec3> voxels{}; ///< inside the volume
 };
 
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
 ///
-/// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label plane
-/// as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
+/// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label
+/// plane as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
 /// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
 /// was one, the generation is now one more. Then each step: every voxel that is no member and has a
 /// face neighbour that was a member before the step and whose label it accepts becomes
@@ -51,8 +52,8 @@ struct GrowBurst {
     int highCode = -1;
     int connectivity = 6;
     std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
-    std::bitset<256> overwritable {};
-    std::bitset<256> frozen {}; ///< labels that do not grow: locked segments
+    std::bitset<256> overwritable{};
+    std::bitset<256> frozen{}; ///< labels that do not grow: locked segments
 };
 
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
@@ -63,8 +64,8 @@ struct EraseLabel {
     std::uint8_t label = 0;
 };
 
-/// Paint a label along a path, or erase it. Looked at are the voxels inside (CapsuleSweep.h, rule 4)
-/// with lowCode ≤ code ≤ highCode; "bears" is said of words of members and of pending seeds.
+/// Paint a label along a path, or erase it. Looked at are the voxels inside (CapsuleSweep.h, rule
+/// 4) with lowCode ≤ code ≤ highCode; "bears" is said of words of members and of pending seeds.
 ///
 /// Paint: a voxel that the plane holds 0, the label or a label in `overwritable` at receives the
 /// label. Of these voxels' seed words: with `seeds` each that is no member of the label becomes
@@ -76,7 +77,7 @@ struct EraseLabel {
 struct PaintLabel {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
-    std::bitset<256> overwritable {};
+    std::bitset<256> overwritable{};
     bool erase = false;
     bool seeds = false;
     int lowCode = 0;
@@ -85,21 +86,24 @@ struct PaintLabel {
 };
 
 /// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5; to
-/// restore, coverage = min(coverage, 255 − cut).
+/// restore, coverage = min(coverage, 255 − cut). Nothing happens to voxels that are hidden.
 struct CapsuleCut {
     std::uint8_t layer = 0;
     bool restore = false;
     CapsuleFrame frame;
+    std::vector<HiddenHalf> hidden{};
 };
 
 /// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
-/// sculpt layer with a mask that is pressed into the volume along the view. LabelCarved, LabelSeen,
-/// CoverLabel, FoldLayer (sculpt/LayerWrites.h): between layers and segments, whole at once.
-using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut,
-    MaskPeel, MaskScissors, LabelCarved, LabelSeen, CoverLabel, FoldLayer>;
+/// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
+/// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
+/// layers and segments, whole at once.
+using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel,
+    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, CoverLabel, FoldLayer>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
+/// More of the path of DrillCut or LaserCut.
 struct DrillPath {
     std::vector<DrillSample> samples;
 };
@@ -126,16 +130,18 @@ struct PeelDepth {
 
 using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth>;
 
-// --- Commands -------------------------------------------------------------------------------------
+// --- Commands
+// -------------------------------------------------------------------------------------
 
-// A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField: BeginEdit
-// while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of another kind
-// of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is open; a brick or voxel that the volume
-// does not have; an image that is neither empty nor whole; a connectivity other than 6; a segment
-// label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a brush's that is
-// not sound (isSound()); bounds that are not (areSound()); a layer folded into itself; a table of
-// opacities of another length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is
-// open too.
+// A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField:
+// BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
+// another kind of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is
+// open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
+// connectivity other than 6; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or
+// gapSamples is below 1; a laser, a brush's frame or what is hidden that is not sound (isSound());
+// bounds that are not (areSound()); a layer folded into itself; a table of opacities of another
+// length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is open
+// too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -151,8 +157,8 @@ enum class Ending : std::uint8_t { Commit, Rollback };
 struct EndEdit {
     Ending ending = Ending::Commit;
 };
-/// Put these images in place of what the bricks hold (undo, redo, opening a session). Each key stands
-/// once. The result lists the bricks that differ, with statistics, as EndEdit does.
+/// Put these images in place of what the bricks hold (undo, redo, opening a session). Each key
+/// stands once. The result lists the bricks that differ, with statistics, as EndEdit does.
 struct SwapBricks {
     std::vector<BrickImage> bricks;
 };
@@ -160,7 +166,7 @@ struct SwapBricks {
 /// strokes, picks and pictures, is that of the greatest coverage of all others. Their own coverage
 /// stays, and can be cut, read and swapped. Opening a volume unmutes all. The result is empty.
 struct MuteLayers {
-    std::bitset<256> muted {};
+    std::bitset<256> muted{};
 };
 /// Fetch bricks; the result lists each with `after` filled and `before` empty, in this order.
 struct ReadBricks {
@@ -174,39 +180,40 @@ struct ProbeVoxels {
 
 /// How a ray finds what the user sees.
 enum class SeenBy : std::uint8_t {
-    Surface,     ///< first sample that is material (MaskFrame.h rule 3)
-    Opacity,     ///< first sample where accumulated opacity reaches one half
+    Surface, ///< first sample that is material (MaskFrame.h rule 3)
+    Opacity, ///< first sample where accumulated opacity reaches one half
     BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
 };
 
 /// Cast rays into what is seen; integers, so a pick is the same everywhere.
 /// A hit names the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and
-/// Z are those of rule 3 in MaskFrame.h, with the radiation as it stands at this command (what an open
-/// stroke has cut so far included). Opacity: each sample inside and not carved adds
-/// o = opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from
-/// T = 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.
+/// Z are those of rule 3 in MaskFrame.h, with the radiation as it stands at this command (what an
+/// open stroke has cut so far included). Opacity: each sample inside and not carved adds o =
+/// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
+/// 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.
 struct PickVoxels {
     struct Ray {
-        glm::ivec3 origin {0}; ///< index16 at sample 0
-        glm::ivec3 step {0};   ///< index16 per sample
+        glm::ivec3 origin{0}; ///< index16 at sample 0
+        glm::ivec3 step{0}; ///< index16 per sample
         int samples = 0;
     };
-    std::vector<Ray> rays {};
+    std::vector<Ray> rays{};
     SeenBy seenBy = SeenBy::Surface;
     int thresholdCode = 0;
-    std::vector<std::uint32_t> opacityOfCode {}; ///< 256 entries, only for Opacity
+    std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
 };
 
 using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
     ReadBricks, ProbeVoxels, PickVoxels>;
 
-// --- Results ----------------------------------------------------------------------------------------
+// --- Results
+// ----------------------------------------------------------------------------------------
 
 struct EditStatistics {
     std::int64_t voxelsChanged = 0; ///< values that differ, over all fields but seed words
-    int bricks = 0;                 ///< changed, all fields but seed words
-    int generations = 0;            ///< steps a growth advanced (its opening included)
-    double milliseconds = 0.0;      ///< engine time; never part of a hash
+    int bricks = 0; ///< changed, all fields but seed words
+    int generations = 0; ///< steps a growth advanced (its opening included)
+    double milliseconds = 0.0; ///< engine time; never part of a hash
 };
 
 struct ProbedVoxel {
@@ -221,8 +228,8 @@ struct EngineResult {
     /// Sorted by key, only bricks that differ; an image that is all empty has no bytes.
     std::vector<BrickChange> changes;
     EditStatistics statistics;
-    std::uint32_t generation = 0;     ///< EndEdit of a growth: the counter at its end
-    bool atClosure = false;           ///< EndEdit of a growth: a step was asked for and found nothing
+    std::uint32_t generation = 0; ///< EndEdit of a growth: the counter at its end
+    bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::vector<ProbedVoxel> probes;
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
 };
@@ -233,7 +240,7 @@ struct GrowthProgress {
     bool running = false;
     bool atClosure = false;
     std::uint32_t generation = 0;
-    std::int64_t members = 0;             ///< added since the burst was opened
+    std::int64_t members = 0; ///< added since the burst was opened
     std::vector<std::uint32_t> frontSizes; ///< voxels added per generation, the opening's first
 };
 

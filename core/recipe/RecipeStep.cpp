@@ -94,8 +94,9 @@ bool isBoundToStudy(const RecipeStep& step)
     return !edit || std::holds_alternative<SeedStroke>(*edit)
         || std::holds_alternative<DrillStroke>(*edit) || std::holds_alternative<PaintStroke>(*edit)
         || std::holds_alternative<BrushStroke>(*edit) || std::holds_alternative<PeelCut>(*edit)
-        || std::holds_alternative<ScissorsCut>(*edit) || std::holds_alternative<AddBookmark>(*edit)
-        || std::holds_alternative<RevertRows>(*edit) || std::holds_alternative<ReviseStroke>(*edit);
+        || std::holds_alternative<ScissorsCut>(*edit) || std::holds_alternative<LaserStroke>(*edit)
+        || std::holds_alternative<AddBookmark>(*edit) || std::holds_alternative<RevertRows>(*edit)
+        || std::holds_alternative<ReviseStroke>(*edit);
 }
 
 std::vector<EditDocumentation> recipeStepDocumentation()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/sculpt/HiddenHalf.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <glm/glm.hpp>
@@ -30,6 +31,8 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    nothing (it lies far from the volume). The position at sample n plus q sixteenths is
 ///    P(n, q) = P₀ + n·S + ((q·S) >> 4), its height z(n, q) = zStart + n·zPerSample +
 ///    ((q·zPerSample) >> 4).
+///    Samples n whose P(n, 0) is hidden (HiddenHalf.h) are passed over by rules 4 and 5, as if the
+///    ray had none there: it has those from the first that is seen to the last, f ≤ n < e.
 /// 3. Material at P (index16). Outside unless 0 ≤ P ≤ (size − 1)·2¹⁶ in every component.
 ///    i = P >> 16, f = (P & 0xFFFF) >> 8, neighbours clamped to size − 1. Codes are interpolated
 ///    along x, y, z: X = (c₀(256−f) + c₁f) >> 4, Y = (X₀(256−f) + X₁f) >> 4, Z = Y₀(256−f) + Y₁f,
@@ -37,14 +40,15 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    Radiation (see Radiation.h) *as it was when the edit began* is interpolated alike without the
 ///    shifts; carved iff the result ≥ 128·2²⁴, while restoring ≥ 64·2²⁴ (beside a wall too, or the
 ///    last row of a cut would never come back). Material = inside, dense and not carved.
-/// 4. Surface. n₀ = the first sample 0 ≤ n < sampleCount with material at (n, 0); none: the element
-///    cuts nothing. For n₀ > 0 four bisections of [(n₀−1)·16, n₀·16] in sixteenths (middle =
-///    (low + high) / 2; material → high, else low), else (0, 0); zSurface = z(high / 16, high % 16).
-///    Restoring: n_c = the last sample before n₀ (before sampleCount where there is no n₀) that is
+/// 4. Surface. n₀ = the first sample f ≤ n < e with material at (n, 0); none: the element cuts
+///    nothing. For n₀ > f four bisections of [(n₀−1)·16, n₀·16] in sixteenths (middle =
+///    (low + high) / 2; material → high, else low), else (0, 0);
+///    zSurface = z(high / 16, high % 16).
+///    Restoring: n_c = the last sample before n₀ (before e where there is no n₀) that is
 ///    inside, dense and carved at (n, 0); none: the element restores nothing. Where n₀ = n_c + 1,
 ///    zSurface is as above; else, where what was carved ends at a gap or all is drilled through,
 ///    zSurface = z(n_c + 1, 0).
-/// 5. Gap. From n₀ + 1 on, while n < sampleCount and z(n, 0) ≤ zSurface + maxDepth: the first run
+/// 5. Gap. From n₀ + 1 on, while n < e and z(n, 0) ≤ zSurface + maxDepth: the first run
 ///    of gapSamples consecutive samples without material (at (n, 0)) ends the cut at
 ///    z(first of the run, 0) =: zExit. A run cut short by the end of the march does not count. No
 ///    such run, throughGaps, or restoring: zExit = 2³¹ − 1.
@@ -55,6 +59,7 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    none, and then nothing happens. With r = rampHalfWidth,
 ///    ramp(t) = ((clamp(t, −r, r) + r)·255) / (2r),
 ///    cut = min(weight, ramp(zTo − z), ramp(z − zFrom)).
+///    Nothing happens to a voxel that is hidden.
 ///    Laying::Carve: coverage = max(coverage, cut). Laying::Refill: coverage = min(coverage,
 ///    255 − cut).
 struct MaskFrame {
@@ -76,6 +81,7 @@ struct MaskFrame {
     std::int32_t gapSamples = 0; ///< ≥ 1
     bool throughGaps = false;
     bool restore = false; ///< the tool backwards: rule 4, and the columns that the tools make
+    std::vector<HiddenHalf> hidden{}; ///< what a clip box or planes hide
 };
 
 /// What an element met: rules 4 and 5.

@@ -175,7 +175,8 @@ Result<void> EditSession::begin(const Edit& edit)
     const Edit rounded = quantised(edit);
     const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
         || std::holds_alternative<PaintStroke>(rounded)
-        || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded);
+        || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded)
+        || std::holds_alternative<LaserStroke>(rounded);
     if (!isStroke && !std::holds_alternative<GrowSteps>(rounded))
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));

@@ -85,8 +85,8 @@ public:
     Result<void> apply(const Edit& edit);
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
-    /// DrillStroke without samples, PaintStroke or BrushStroke with the first point, PeelCut,
-    /// or GrowSteps
+    /// DrillStroke or LaserStroke without samples, PaintStroke or BrushStroke with the first point,
+    /// PeelCut, or GrowSteps
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
     /// Of a PaintStroke or BrushStroke. @param lifted the path begins anew at the first of these

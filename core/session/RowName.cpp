@@ -4,6 +4,7 @@
 #include "core/edits/SculptEdits.h"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 
@@ -78,7 +79,7 @@ QString whatGrew(const std::vector<BrickChange>& changes, const Document& docume
     return QStringLiteral("'%1' ").arg(segmentName(label, document));
 }
 
-double deepestMm(const DrillStroke& stroke)
+template <class Stroke> double deepestMm(const Stroke& stroke)
 {
     double pressure = 0.0;
     for (const PenSample& sample : stroke.samples)
@@ -86,11 +87,13 @@ double deepestMm(const DrillStroke& stroke)
     return stroke.depthMm * std::pow(pressure, stroke.pressureExponent);
 }
 
-/// "Drill 6.2 mm, 214 bricks".
-QString drillName(const DrillStroke& stroke, const EditStatistics& statistics)
+/// "Drill 6.2 mm, 214 bricks"; @param verbs carving and restoring
+template <class Stroke>
+QString pressedName(
+    const Stroke& stroke, const std::array<const char*, 2>& verbs, const EditStatistics& statistics)
 {
     const QString depth = QString::number(deepestMm(stroke), 'f', 1);
-    return (stroke.restore ? QStringLiteral("Restore ") : QStringLiteral("Drill "))
+    return QLatin1String(verbs[stroke.restore ? 1 : 0])
         + (stroke.mode == DrillMode::Rate ? QStringLiteral("%1 mm/s, ") : QStringLiteral("%1 mm, "))
               .arg(depth)
         + counted(statistics.bricks, "brick");
@@ -377,7 +380,9 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return scissorsName(*scissors, statistics);
     if (const QString name = passageName(edit, statistics, document); !name.isEmpty())
         return name;
-    return drillName(std::get<DrillStroke>(edit), statistics);
+    if (const auto* laser = std::get_if<LaserStroke>(&edit))
+        return pressedName(*laser, {"Laser ", "Restore laser "}, statistics);
+    return pressedName(std::get<DrillStroke>(edit), {"Drill ", "Restore "}, statistics);
 }
 
 } // namespace core

@@ -95,6 +95,12 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
             path.emplace_back(sample.xMm, sample.yMm);
         if (const Result<DrillCut> cut = drillCut(*drill, document))
             m_reach = sweptMask(cut->frame, grid, std::move(path), reachMm(drill->mask));
+    } else if (const auto* laser = std::get_if<LaserStroke>(&edit)) {
+        std::vector<glm::dvec2> path;
+        for (const PenSample& sample : laser->samples)
+            path.emplace_back(sample.xMm, sample.yMm);
+        if (const Result<LaserCut> cut = laserCut(*laser, document))
+            m_reach = sweptMask(cut->frame, grid, std::move(path), laserReachMm(*cut));
     } else if (const auto* peel = std::get_if<PeelCut>(&edit)) {
         if (const Result<MaskPeel> cut = maskPeel(*peel, document))
             m_reach = sweptOutline(cut->frame, grid, peel->polygonMm);

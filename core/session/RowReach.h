@@ -21,6 +21,7 @@ namespace core {
 /// - a segment that was deleted: likewise, since its label must not come back without it;
 /// - a drill stroke: the coverage that its rays can meet, one brick of blur around (seed A §4.2):
 ///   all layers, muted or not, from front to back under the swept mask;
+/// - a laser: likewise, and as far as its beams reach sideways;
 /// - a peel, scissors: likewise, under a disc around the curve;
 /// - paint: the labels and seed words of the bricks under the brush;
 /// - a carve brush: the coverage of its own layer in the bricks under the brush;

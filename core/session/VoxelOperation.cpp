@@ -34,6 +34,15 @@ bool openingAdmittedSeeds(const std::vector<BrickChange>& changes, std::uint32_t
     return false;
 }
 
+/// The samples of a stroke of drill or laser; null for other edits.
+std::vector<PenSample>* samplesOf(Edit& edit)
+{
+    if (auto* drill = std::get_if<DrillStroke>(&edit))
+        return &drill->samples;
+    auto* laser = std::get_if<LaserStroke>(&edit);
+    return laser ? &laser->samples : nullptr;
+}
+
 /// The way of a brush; null for other edits.
 BrushPath* pathOf(Edit& edit)
 {
@@ -131,6 +140,13 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(checked.error());
         return EngineEdit(removed ? foldLayer(*removed) : foldLayer(*merged));
     }
+    if (const auto* laser = std::get_if<LaserStroke>(&m_edit)) {
+        Result<LaserCut> cut = laserCut(*laser, document);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        m_path.emplace(*laser, *cut);
+        return EngineEdit(*std::move(cut));
+    }
     const auto& drill = std::get<DrillStroke>(m_edit);
     Result<DrillCut> cut = drillCut(drill, document);
     if (!cut)
@@ -146,7 +162,7 @@ bool VoxelOperation::foresee(Document& document) const
 
 void VoxelOperation::start(SessionState& state)
 {
-    const auto* drill = std::get_if<DrillStroke>(&m_edit);
+    const std::vector<PenSample>* samples = samplesOf(m_edit);
     const auto* grow = std::get_if<GrowSteps>(&m_edit);
     Result<EngineEdit> edit = engineEdit(state.document);
     if (!edit) {
@@ -156,8 +172,8 @@ void VoxelOperation::start(SessionState& state)
         return;
     }
     // Samples of a stroke that had to wait in line are all in the edit by now.
-    if (drill && !drill->samples.empty())
-        m_waiting.push_front(DrillPath{m_path->add(drill->samples)});
+    if (samples && !samples->empty())
+        m_waiting.push_front(DrillPath{m_path->add(*samples)});
     if (const auto* peel = std::get_if<PeelCut>(&m_edit))
         m_waiting.push_front(peelDepth(*peel));
     if (const BrushPath* path = pathOf(m_edit))
@@ -174,14 +190,14 @@ void VoxelOperation::start(SessionState& state)
 
 void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSample>& samples)
 {
-    auto* drill = std::get_if<DrillStroke>(&m_edit);
-    if (!drill || !open() || samples.empty())
+    std::vector<PenSample>* told = samplesOf(m_edit);
+    if (!told || !open() || samples.empty())
         return;
-    const double last = drill->samples.empty() ? 0.0 : drill->samples.back().tSeconds;
+    const double last = told->empty() ? 0.0 : told->back().tSeconds;
     const std::vector<PenSample> sound = soundSamples(samples, last);
     if (m_path)
         m_waiting.push_back(DrillPath{m_path->add(sound)});
-    drill->samples.insert(drill->samples.end(), sound.begin(), sound.end());
+    told->insert(told->end(), sound.begin(), sound.end());
     submitWaiting(state);
 }
 

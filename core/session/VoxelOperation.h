@@ -48,7 +48,7 @@ private:
     Edit m_edit;
     Kind m_kind;
     RowId m_again = 0;
-    std::optional<DrillPathSampler> m_path; ///< of a drill stroke
+    std::optional<DrillPathSampler> m_path; ///< of a stroke of drill or laser
     std::uint32_t m_firstGeneration = 0;
     std::deque<EngineExtension> m_waiting;
     std::optional<Ending> m_ending;

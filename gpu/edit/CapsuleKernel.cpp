@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/CapsuleKernel.h"
 
+#include "gpu/edit/HiddenBricks.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -104,7 +106,8 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     , m_frame(cut.frame)
 {
     setFrame(m_programs.cut);
-    m_programs.cut.set("rampHalfWidth", m_frame.rampHalfWidth).set("restore", cut.restore);
+    m_programs.cut.set("rampHalfWidth", m_frame.rampHalfWidth).set("refill", cut.restore);
+    setHidden(m_programs.cut, cut.hidden);
 }
 
 void CapsuleKernel::setFrame(Program& each) const
@@ -250,6 +253,8 @@ void CapsuleKernel::cut(const core::CapsuleCut& cut, const Candidates& candidate
     coverage.ensure(fresh);
     coverage.pageTable().bindUnit(1);
     coverage.atlas().bindImage(0, GL_READ_WRITE);
+    const Buffer hidden = hiddenBases(cut.hidden, m_fields.grid(), candidates.bricks);
+    hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
     const std::vector<std::uint32_t> found = run(m_programs.cut, candidates, capsules);
 
     std::vector<std::uint32_t> changed;

@@ -31,6 +31,17 @@ core::Result<void> check(const core::MaskFrame& frame)
 {
     if (frame.pitch < 1 || frame.rampHalfWidth < 1 || frame.gapSamples < 1)
         return refusal("frame", "pitch, rampHalfWidth and gapSamples are at least 1");
+    if (!core::isSound(frame.hidden))
+        return refusal("hidden", "is not sound");
+    return {};
+}
+
+core::Result<void> check(const core::LaserCut& edit, const core::BrickGrid&)
+{
+    if (const core::Result<void> checked = check(edit.frame); !checked)
+        return checked;
+    if (!core::isSound(edit))
+        return refusal("laser", "is not sound");
     return {};
 }
 
@@ -69,6 +80,8 @@ core::Result<void> check(const core::CapsuleCut& edit, const core::BrickGrid&)
 {
     if (!core::isSound(edit.frame))
         return refusal("frame", "is not sound");
+    if (!core::isSound(edit.hidden))
+        return refusal("hidden", "is not sound");
     return {};
 }
 
@@ -147,6 +160,8 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_growth->open();
     } else if (const auto* drill = std::get_if<core::DrillCut>(&edit)) {
         transaction->m_drill.emplace(programs.mask, fields, before, *drill);
+    } else if (const auto* laser = std::get_if<core::LaserCut>(&edit)) {
+        transaction->m_laser.emplace(programs.laser, fields, before, *laser);
     } else if (const auto* erase = std::get_if<core::EraseLabel>(&edit)) {
         transaction->m_wholeKeys = eraseLabel(programs.erase, fields, before, *erase);
     } else if (const auto* paint = std::get_if<core::PaintLabel>(&edit)) {
@@ -172,9 +187,12 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
 core::Result<void> EditTransaction::extend(const core::EngineExtension& extension)
 {
     if (const auto* path = std::get_if<core::DrillPath>(&extension)) {
-        if (!m_drill)
-            return refusal("extension", "the open edit is no drill stroke");
-        m_drill->extend(path->samples);
+        if (!m_drill && !m_laser)
+            return refusal("extension", "the open edit is no stroke of drill or laser");
+        if (m_drill)
+            m_drill->extend(path->samples);
+        else
+            m_laser->extend(path->samples);
         return {};
     }
     if (const auto* path = std::get_if<core::CapsulePath>(&extension)) {
@@ -230,6 +248,8 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
     }
     if (const auto* drill = std::get_if<core::DrillCut>(&m_edit))
         add(core::Field::Coverage, drill->layer, m_drill->touchedBricks());
+    if (const auto* laser = std::get_if<core::LaserCut>(&m_edit))
+        add(core::Field::Coverage, laser->layer, m_laser->touchedBricks());
     if (const auto* peel = std::get_if<core::MaskPeel>(&m_edit))
         add(core::Field::Coverage, peel->layer, m_peel->touchedBricks());
     if (const auto* scissors = std::get_if<core::MaskScissors>(&m_edit))

@@ -9,6 +9,7 @@
 #include "gpu/edit/EraseKernel.h"
 #include "gpu/edit/GrowthKernel.h"
 #include "gpu/edit/LabelKernel.h"
+#include "gpu/edit/LaserKernel.h"
 #include "gpu/edit/PeelKernel.h"
 
 #include <memory>
@@ -24,6 +25,7 @@ struct EditPrograms {
         , erase(library)
         , capsule(library)
         , label(library)
+        , laser(library)
     {
     }
 
@@ -32,6 +34,7 @@ struct EditPrograms {
     ErasePrograms erase;
     CapsulePrograms capsule;
     LabelPrograms label;
+    LaserPrograms laser;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -69,6 +72,7 @@ private:
     std::vector<std::uint32_t> m_scissoredBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<DrillKernel> m_drill;
+    std::optional<LaserKernel> m_laser;
     std::optional<PeelKernel> m_peel;
     std::optional<CapsuleKernel> m_capsule;
     int m_stepsLeft = 0; ///< negative: to closure

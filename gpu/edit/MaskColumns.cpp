@@ -72,7 +72,7 @@ void MaskColumns::clear()
     m_changed.clear();
 }
 
-std::vector<MaskColumns::PlaneBox> MaskColumns::takeChanged()
+std::vector<PlaneBox> MaskColumns::takeChanged()
 {
     std::vector<PlaneBox> boxes;
     for (const auto& entry : m_changed)

@@ -3,6 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/MaskFrame.h"
+#include "gpu/edit/PlaneBricks.h"
 #include "gpu/gl/Buffer.h"
 
 #include <map>
@@ -18,12 +19,6 @@ class MaskColumns {
 public:
     static constexpr int tileSide = 16;
 
-    /// A stretch of plane space whose voxels may change, mm16.
-    struct PlaneBox {
-        glm::ivec3 minimum{0};
-        glm::ivec3 maximum{0};
-    };
-
     MaskColumns(const core::MaskFrame& frame, const core::BrickGrid& grid);
 
     /// The elements that there is room for.
@@ -35,7 +30,7 @@ public:
     void set(const glm::ivec2& element, const core::MaskColumn& column);
     /// Forgets every column.
     void clear();
-    /// Where columns were set since the last call, a box a tile.
+    /// Where columns were set since the last call, a box a tile: voxels there may change.
     [[nodiscard]] std::vector<PlaneBox> takeChanged();
 
     /// Binds tile slots and columns as storage buffers, up to date.

@@ -25,17 +25,24 @@ SurfaceCaster::SurfaceCaster(Program& cast, VoxelFields& fields, const core::Mas
     , m_snapshots({.label = "radiation snapshots", .bytes = brickBytes})
 {
     m_snapshotSlots.fill(0);
-    m_cast.set("volumeSize", fields.grid().volumeSize)
-        .set("volumeBricks", fields.grid().bricks())
-        .set("stepPerSample", round14(frame.rayPerSample))
-        .set("sampleCount", frame.sampleCount)
+    m_cast.set("stepPerSample", round14(frame.rayPerSample))
         .set("zStart", frame.zStart)
         .set("zPerSample", frame.zPerSample)
-        .set("thresholdCode", frame.thresholdCode)
         .set("maxDepth", frame.maxDepth)
         .set("gapSamples", frame.gapSamples)
-        .set("throughGaps", frame.throughGaps)
-        .set("restore", frame.restore);
+        .set("throughGaps", frame.throughGaps);
+}
+
+void SurfaceCaster::show(Program& program) const
+{
+    program.set("volumeSize", m_fields.grid().volumeSize)
+        .set("volumeBricks", m_fields.grid().bricks())
+        .set("thresholdCode", m_frame.thresholdCode)
+        .set("restore", m_frame.restore);
+    m_fields.codes().bindUnit(0);
+    m_fields.radiation().bindUnit(1);
+    m_snapshotSlots.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    m_snapshots.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
 }
 
 std::vector<core::SurfaceHit> SurfaceCaster::cast(std::span<const glm::ivec2> elements)
@@ -43,6 +50,8 @@ std::vector<core::SurfaceHit> SurfaceCaster::cast(std::span<const glm::ivec2> el
     std::vector<core::SurfaceHit> hits(elements.size());
     std::vector<std::size_t> places;
     std::vector<glm::ivec4> rays;
+    std::vector<glm::ivec2> seen;
+    const glm::ivec3 step = round14(m_frame.rayPerSample);
     for (std::size_t place = 0; place < elements.size(); ++place) {
         const glm::ivec2& at = elements[place];
         glm::ivec4 origin(0);
@@ -57,6 +66,9 @@ std::vector<core::SurfaceHit> SurfaceCaster::cast(std::span<const glm::ivec2> el
         if (near) {
             places.push_back(place);
             rays.push_back(origin);
+            const core::SeenSamples samples =
+                core::seenSamples(m_frame.hidden, glm::ivec3(origin), step, m_frame.sampleCount);
+            seen.emplace_back(samples.first, samples.end);
         }
     }
     if (rays.empty())
@@ -65,12 +77,12 @@ std::vector<core::SurfaceHit> SurfaceCaster::cast(std::span<const glm::ivec2> el
     Buffer rayBuffer({.label = "mask rays", .bytes = rays.size() * sizeof(glm::ivec4)});
     rayBuffer.write(std::span<const glm::ivec4>(rays));
     Buffer hitBuffer({.label = "mask hits", .bytes = rays.size() * sizeof(glm::ivec2)});
-    m_fields.codes().bindUnit(0);
-    m_fields.radiation().bindUnit(1);
+    Buffer seenBuffer({.label = "mask rays seen", .bytes = seen.size() * sizeof(glm::ivec2)});
+    seenBuffer.write(std::span<const glm::ivec2>(seen));
+    show(m_cast);
     rayBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     hitBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    m_snapshotSlots.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    m_snapshots.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+    seenBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
     m_cast.set("rayCount", unsigned(rays.size()));
     m_cast.dispatch({unsigned(rays.size() + 63) / 64, 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);

@@ -19,6 +19,9 @@ public:
 
     /// What each element meets. Waits; cost ∝ elements.
     [[nodiscard]] std::vector<core::SurfaceHit> cast(std::span<const glm::ivec2> elements);
+    /// Makes a program with asItBegan.glsl see the same: its uniforms, units 0 and 1, buffers 2
+    /// and 3.
+    void show(Program& program) const;
     /// Keeps the radiation that a change of these bricks' coverage is about to change: call it
     /// before VoxelFields::noteChanged().
     void keepRadiation(std::span<const std::uint32_t> bricks);

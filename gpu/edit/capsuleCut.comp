@@ -5,12 +5,10 @@ layout(local_size_x = 64) in;
 
 #include "edit/bricks.glsl"
 #include "edit/capsule.glsl"
-
-layout(binding = 1) uniform usampler3D pageTable;
-layout(binding = 0, r8ui) uniform uimage3D coverage; // atlas
+#include "edit/coverageWrite.glsl"
+#include "edit/hidden.glsl"
 
 uniform int rampHalfWidth;
-uniform bool restore;
 
 uint squareRoot(uint value)
 {
@@ -41,16 +39,9 @@ void main()
         if (!inside(origin + local, volumeSize))
             continue;
         uint squared = leastDistance(candidate, local);
-        if (squared == farAway)
+        if (squared == farAway || isHidden(gl_WorkGroupID.x, local))
             continue;
-        uint cut = cutAt(squared);
-        ivec3 texel = atlasTexel(entry, origin + local);
-        uint held = imageLoad(coverage, texel).r;
-        uint wanted = restore ? min(held, 255u - cut) : max(held, cut);
-        if (wanted != held) {
-            imageStore(coverage, texel, uvec4(wanted));
-            any = true;
-        }
+        any = writeCut(entry, origin + local, cutAt(squared)) || any;
     }
     if (any)
         changed[gl_WorkGroupID.x] = 1u;

@@ -4,9 +4,9 @@
 layout(local_size_x = 64) in;
 
 #include "edit/bricks.glsl"
+#include "edit/coverageWrite.glsl"
+#include "edit/hidden.glsl"
 
-layout(binding = 1) uniform usampler3D pageTable;
-layout(binding = 0, r8ui) uniform uimage3D coverage; // atlas
 struct Candidate {
     ivec4 planeBase; // x, y, z of the brick's first voxel, mm16; w: the brick
 };
@@ -29,7 +29,6 @@ uniform int pitch;
 uniform int rampHalfWidth;
 uniform ivec2 firstTile; // in tiles of 16 × 16 elements
 uniform ivec2 tileCount;
-uniform bool refill;
 
 uint ramp(int t)
 {
@@ -67,15 +66,9 @@ void main()
             continue;
         uint cut = cutAt(candidate.planeBase.xyz + local.x * planePerI + local.y * planePerJ
             + local.z * planePerK);
-        if (cut == 0u)
+        if (cut == 0u || isHidden(gl_WorkGroupID.x, local))
             continue;
-        ivec3 texel = atlasTexel(entry, origin + local);
-        uint held = imageLoad(coverage, texel).r;
-        uint value = refill ? min(held, 255u - cut) : max(held, cut);
-        if (value != held) {
-            imageStore(coverage, texel, uvec4(value));
-            any = true;
-        }
+        any = writeCut(entry, origin + local, cut) || any;
     }
     if (any)
         changed[gl_WorkGroupID.x] = 1u;

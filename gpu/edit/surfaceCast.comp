@@ -3,57 +3,21 @@
 
 layout(local_size_x = 64) in;
 
-#include "edit/bricks.glsl"
+#include "edit/asItBegan.glsl"
 
-layout(binding = 0) uniform usampler3D codes;
-layout(binding = 1) uniform usampler3D radiation;
 layout(binding = 0, std430) readonly buffer Rays { ivec4 rays[]; };     // index16 at sample 0
 layout(binding = 1, std430) writeonly buffer Hits { ivec2 hits[]; };    // zSurface, zExit (mm16)
-// Radiation at the beginning of the bricks that this edit has changed since: slot + 1 a brick, 0 none.
-layout(binding = 2, std430) readonly buffer SnapshotSlots { uint snapshotSlots[]; };
-layout(binding = 3, std430) readonly buffer Snapshots { uint snapshots[]; };
+layout(binding = 4, std430) readonly buffer Seen { ivec2 seen[]; };     // first sample, one past the last
 
-uniform ivec3 volumeSize;
-uniform ivec3 volumeBricks;
 uniform uint rayCount;
 uniform ivec3 stepPerSample; // index16
-uniform int sampleCount;
 uniform int zStart;
 uniform int zPerSample;
-uniform int thresholdCode;
 uniform int maxDepth;
 uniform int gapSamples;
 uniform bool throughGaps;
-uniform bool restore;
 
 const int nowhere = 0x7FFFFFFF;
-
-uint codeAt(ivec3 voxel)
-{
-    return texelFetch(codes, voxel, 0).r;
-}
-
-uint radiationAt(ivec3 voxel)
-{
-    uint slot = snapshotSlots[brickIndex(voxel >> 4, volumeBricks)];
-    if (slot == 0u)
-        return texelFetch(radiation, voxel, 0).r;
-    ivec3 local = voxel & 15;
-    uint offset = (slot - 1u) * 4096u + uint(local.x + 16 * (local.y + 16 * local.z));
-    return snapshots[offset >> 2] >> ((offset & 3u) * 8u) & 0xFFu;
-}
-
-#include "edit/interpolate.glsl"
-
-bool carvedHere(ivec3 p)
-{
-    return interpolatedRadiation(p) >= (restore ? 64u : 128u) << 24;
-}
-
-bool materialHere(ivec3 p)
-{
-    return dense(p, thresholdCode) && !carvedHere(p);
-}
 
 ivec3 at(ivec3 origin, int n, int sixteenths)
 {
@@ -66,9 +30,9 @@ int heightAt(int n, int sixteenths)
 }
 
 // Samples whose position can lie inside the volume: others need not be looked at.
-ivec2 samplesInside(ivec3 origin)
+ivec2 samplesInside(ivec3 origin, ivec2 range)
 {
-    ivec2 range = ivec2(0, sampleCount);
+    ivec2 all = range;
     for (int axis = 0; axis < 3; ++axis) {
         float perSample = float(stepPerSample[axis]);
         float low = float(-origin[axis]);
@@ -81,8 +45,8 @@ ivec2 samplesInside(ivec3 origin)
         float a = low / perSample;
         float b = high / perSample;
         // Two samples of margin are far more than the rounding of floats here.
-        range.x = max(range.x, int(clamp(floor(min(a, b)) - 2.0, 0.0, float(sampleCount))));
-        range.y = min(range.y, int(clamp(ceil(max(a, b)) + 3.0, 0.0, float(sampleCount))));
+        range.x = max(range.x, int(clamp(floor(min(a, b)) - 2.0, 0.0, float(all.y))));
+        range.y = min(range.y, int(clamp(ceil(max(a, b)) + 3.0, 0.0, float(all.y))));
     }
     return range;
 }
@@ -93,7 +57,7 @@ void main()
     if (ray >= rayCount)
         return;
     ivec3 origin = rays[ray].xyz;
-    ivec2 range = samplesInside(origin);
+    ivec2 range = samplesInside(origin, seen[ray]);
     int first = range.x;
     int lastCarved = -1;
     for (; first < range.y; ++first) {
@@ -114,7 +78,7 @@ void main()
     }
     int low = (first - 1) * 16;
     int high = first * 16;
-    for (int halving = 0; halving < 4 && first > 0; ++halving) {
+    for (int halving = 0; halving < 4 && first > seen[ray].x; ++halving) {
         int middle = (low + high) / 2;
         if (materialHere(at(origin, middle / 16, middle % 16)))
             high = middle;
@@ -125,7 +89,7 @@ void main()
 
     int exit = nowhere;
     int run = 0;
-    for (int n = first + 1; !throughGaps && !restore && n < sampleCount && heightAt(n, 0) <= surface + maxDepth;
+    for (int n = first + 1; !throughGaps && !restore && n < seen[ray].y && heightAt(n, 0) <= surface + maxDepth;
          ++n) {
         if (materialHere(at(origin, n, 0))) {
             run = 0;

@@ -2,6 +2,7 @@
 #include "tests/reference/Capsules.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/reference/Rays.h"
 
 #include <algorithm>
 #include <utility>
@@ -128,6 +129,8 @@ void Capsules::extend(const std::vector<core::Capsule>& capsules)
 
 void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared)
 {
+    if (hidesVoxel(cut.hidden, voxel))
+        return;
     const std::int64_t r = m_frame.rampHalfWidth;
     const std::int64_t t = m_frame.radius - (squareRoot(squared) << m_frame.shift);
     const std::int64_t value = (std::clamp(t, -r, r) + r) * 255 / (2 * r);

@@ -63,6 +63,12 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) co
             position[axis] = start[axis] + n * step[axis] + ((q * step[axis]) >> 4);
         return tissue.material(position, m_frame.thresholdCode);
     };
+    const auto seenAt = [&](std::int64_t n) {
+        Index16 position;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            position[axis] = start[axis] + n * step[axis];
+        return !hidesPosition(m_frame.hidden, position);
+    };
     const auto height = [&](std::int64_t n, std::int64_t q) {
         return m_frame.zStart + n * m_frame.zPerSample + ((q * m_frame.zPerSample) >> 4);
     };
@@ -80,23 +86,29 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) co
             return std::nullopt;
     }
 
-    std::int64_t first = 0;
-    while (first < m_frame.sampleCount && !materialAt(first, 0))
+    std::int64_t begin = 0;
+    while (begin < m_frame.sampleCount && !seenAt(begin))
+        ++begin;
+    std::int64_t end = begin;
+    while (end < m_frame.sampleCount && seenAt(end))
+        ++end;
+    std::int64_t first = begin;
+    while (first < end && !materialAt(first, 0))
         ++first;
     if (m_frame.restore) {
         std::int64_t carved = first - 1;
-        while (carved >= 0 && !carvedAt(carved))
+        while (carved >= begin && !carvedAt(carved))
             --carved;
-        if (carved < 0)
+        if (carved < begin)
             return std::nullopt;
-        if (first >= m_frame.sampleCount || carved + 1 < first)
+        if (first >= end || carved + 1 < first)
             return Hit{height(carved + 1, 0), never};
     }
-    if (first >= m_frame.sampleCount)
+    if (first >= end)
         return std::nullopt;
 
     std::int64_t high = first * 16;
-    if (first > 0) {
+    if (first > begin) {
         std::int64_t low = (first - 1) * 16;
         for (int bisection = 0; bisection < 4; ++bisection) {
             const std::int64_t middle = (low + high) / 2;
@@ -108,8 +120,8 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) co
     if (m_frame.throughGaps || m_frame.restore)
         return hit;
     int run = 0;
-    for (std::int64_t n = first + 1;
-         n < m_frame.sampleCount && height(n, 0) <= hit.zSurface + m_frame.maxDepth; ++n) {
+    for (std::int64_t n = first + 1; n < end && height(n, 0) <= hit.zSurface + m_frame.maxDepth;
+         ++n) {
         run = materialAt(n, 0) ? 0 : run + 1;
         if (run == m_frame.gapSamples) {
             hit.zExit = height(n - run + 1, 0);
@@ -146,7 +158,8 @@ void MaskPlane::lay(const std::map<Place, Column>& columns, core::Laying laying)
                     };
                     const auto column = columns.find({floorDivide(plane(0), m_frame.pitch),
                         floorDivide(plane(1), m_frame.pitch)});
-                    if (column == columns.end())
+                    if (column == columns.end()
+                        || hidesVoxel(m_frame.hidden, o + glm::ivec3(i, j, k)))
                         continue;
                     const Column& c = column->second;
                     const std::int64_t z = plane(2);

@@ -57,6 +57,25 @@ glm::ivec3 nearestVoxel(const Index16& position)
 
 } // namespace
 
+bool hidesPosition(const std::vector<core::HiddenHalf>& hidden, const Index16& position)
+{
+    for (const core::HiddenHalf& half : hidden) {
+        std::int64_t beyond = -half.offset * 65536;
+        for (int axis = 0; axis < 3; ++axis)
+            beyond += half.perVoxel[axis] * position[std::size_t(axis)];
+        if (beyond > 0)
+            return true;
+    }
+    return false;
+}
+
+bool hidesVoxel(const std::vector<core::HiddenHalf>& hidden, const glm::ivec3& voxel)
+{
+    return hidesPosition(hidden,
+        {std::int64_t(voxel.x) * 65536, std::int64_t(voxel.y) * 65536,
+            std::int64_t(voxel.z) * 65536});
+}
+
 bool Tissue::inside(const Index16& position) const
 {
     for (int axis = 0; axis < 3; ++axis) {

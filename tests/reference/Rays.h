@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace reference {
 
@@ -27,6 +28,11 @@ struct Tissue {
 
     int carvedFrom = 128; ///< of radiation
 };
+
+/// core/sculpt/HiddenHalf.h.
+[[nodiscard]] bool hidesVoxel(const std::vector<core::HiddenHalf>& hidden, const glm::ivec3& voxel);
+[[nodiscard]] bool hidesPosition(
+    const std::vector<core::HiddenHalf>& hidden, const Index16& position);
 
 /// The voxel that one ray of a pick finds.
 [[nodiscard]] std::optional<glm::ivec3> pick(

@@ -114,14 +114,28 @@ bool isSound(const core::MaskFrame& frame)
     return frame.pitch >= 1 && frame.rampHalfWidth >= 1 && frame.gapSamples >= 1;
 }
 
+constexpr const char* unsoundHidden = "is not sound";
 constexpr const char* unsound = "pitch, rampHalfWidth and gapSamples are at least 1";
 
 } // namespace
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LaserCut& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
+    if (!core::isSound(edit))
+        return refuse("laser", "is not sound");
+    return Laser(m_codes, carved(), m_fields, edit);
+}
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskPeel& edit)
 {
     if (!isSound(edit.frame))
         return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
     return Peel(m_codes, carved(), m_fields, edit);
 }
 
@@ -129,6 +143,8 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskScissors& e
 {
     if (!isSound(edit.frame))
         return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
     cutWithScissors(m_codes, carved(), m_fields, edit);
     return Done{};
 }
@@ -137,6 +153,8 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::DrillCut& edit)
 {
     if (!isSound(edit.frame))
         return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
     return Drill(m_codes, carved(), m_fields, edit);
 }
 
@@ -161,6 +179,8 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CapsuleCut& edi
 {
     if (!core::isSound(edit.frame))
         return refuse("frame", "is not sound");
+    if (!core::isSound(edit.hidden))
+        return refuse("hidden", unsoundHidden);
     return Capsules(m_codes, m_fields, edit);
 }
 
@@ -216,9 +236,13 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
         return refuse("transaction", "no edit is open");
     if (const auto* path = std::get_if<core::DrillPath>(&command.extension)) {
         Drill* drill = std::get_if<Drill>(&m_open->work);
-        if (!drill)
-            return refuse("extension", "the open edit is no drill stroke");
-        drill->extend(path->samples);
+        Laser* laser = std::get_if<Laser>(&m_open->work);
+        if (!drill && !laser)
+            return refuse("extension", "the open edit is no stroke of drill or laser");
+        if (drill)
+            drill->extend(path->samples);
+        else
+            laser->extend(path->samples);
         return std::nullopt;
     }
     if (const auto* path = std::get_if<core::CapsulePath>(&command.extension)) {

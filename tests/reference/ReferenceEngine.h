@@ -6,6 +6,7 @@
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/Drill.h"
 #include "tests/reference/Growth.h"
+#include "tests/reference/Laser.h"
 #include "tests/reference/Peel.h"
 
 #include <optional>
@@ -34,7 +35,7 @@ public:
 private:
     /// An edit that is done once it has begun.
     struct Done { };
-    using Work = std::variant<Done, Growth, Drill, Capsules, Peel>;
+    using Work = std::variant<Done, Growth, Drill, Capsules, Peel, Laser>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;
@@ -63,6 +64,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::LabelSeen& edit);
     [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);
+    [[nodiscard]] core::Result<Work> begin(core::LaserCut& edit);
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;

@@ -238,6 +238,7 @@ core::BrushStroke randomBrush(const core::Document& document, Random& random)
     stroke.layer = randomInt(random, 1, 2);
     stroke.path = randomPath(document, random);
     stroke.restore = random() % 3 == 0;
+    stroke.hidden = randomHidden(document, random);
     return stroke;
 }
 

@@ -120,6 +120,7 @@ core::PeelCut randomPeel(const core::Document& document, Random& random)
     peel.throughGaps = from.throughGaps;
     peel.jumpMm = random() % 3 ? 0.5 + 4.0 * randomUnit(random) : 0.0;
     peel.restore = random() % 3 == 0;
+    peel.hidden = from.hidden;
     if (!core::maskPeel(peel, document))
         peel.polygonMm = largeOutline;
     return peel;
@@ -137,9 +138,47 @@ core::ScissorsCut randomScissors(const core::Document& document, Random& random)
         cut.depthMm = 1.0 + from.mask.radiusMm * randomUnit(random);
     cut.restore = random() % 3 == 0;
     cut.firstLayerOnly = !cut.restore && random() % 2;
+    cut.hidden = from.hidden;
     if (!core::maskScissors(cut, document))
         cut.polygonMm = largeOutline;
     return cut;
+}
+
+core::HiddenSides randomHidden(const core::Document& document, Random& random)
+{
+    if (random() % 4 != 0)
+        return std::nullopt;
+    const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    std::vector<core::HiddenSide> sides;
+    for (int i = randomInt(random, 1, 3); i > 0; --i) {
+        const glm::dvec3 normal =
+            random() % 2 ? randomDirection(random) : geometry.direction()[randomInt(random, 0, 2)];
+        const glm::dvec3 place = geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)));
+        sides.push_back({normal, glm::dot(normal, place)});
+    }
+    return sides;
+}
+
+core::LaserStroke randomLaser(const core::Document& document, Random& random)
+{
+    const core::DrillStroke from = randomDrill(document, random);
+    core::LaserStroke laser;
+    laser.layer = from.layer;
+    laser.view = from.view;
+    laser.mask = from.mask;
+    laser.mode = from.mode;
+    laser.depthMm = from.depthMm;
+    laser.floorMm = from.floorMm;
+    laser.pressureExponent = from.pressureExponent;
+    laser.surfaceThreshold = from.surfaceThreshold;
+    laser.throughGaps = from.throughGaps;
+    laser.restore = from.restore;
+    laser.byTime = from.byTime;
+    laser.samples = from.samples;
+    laser.hidden = from.hidden;
+    if (!core::laserCut(laser, document)) // too small a mask for these voxels
+        laser.mask = {.radiusMm = 3.0};
+    return laser;
 }
 
 core::DrillStroke randomDrill(const core::Document& document, Random& random)
@@ -170,6 +209,7 @@ core::DrillStroke randomDrill(const core::Document& document, Random& random)
         yMm += (randomUnit(random) - 0.5) * reach;
     }
     randomise(stroke, reach, random);
+    stroke.hidden = randomHidden(document, random);
     if (!core::drillCut(stroke, document)) // too small a mask for these voxels
         stroke.mask = {.radiusMm = stroke.mask.radiusMm};
     return stroke;

@@ -19,6 +19,12 @@ namespace test {
 /// A drill stroke at a document's volume from a random direction, with a random path.
 [[nodiscard]] core::DrillStroke randomDrill(const core::Document& document, Random& random);
 
+/// The same of the laser.
+[[nodiscard]] core::LaserStroke randomLaser(const core::Document& document, Random& random);
+
+/// Sides of planes through a document's volume, or, more often than not, nothing.
+[[nodiscard]] core::HiddenSides randomHidden(const core::Document& document, Random& random);
+
 /// Brushes, on and off a document's volume; some rest, some leave it far behind.
 [[nodiscard]] core::BrushPath randomPath(const core::Document& document, Random& random);
 [[nodiscard]] core::PaintStroke randomPaint(const core::Document& document, Random& random);
@@ -38,6 +44,7 @@ namespace test {
 // The cases of the conformance suite, named and adversarial ones first, then random ones.
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> laserCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> peelCases(int randomCount); ///< and scissors
 [[nodiscard]] std::vector<EngineCase> pickCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> eraseCases(int randomCount);

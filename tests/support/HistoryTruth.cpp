@@ -140,8 +140,8 @@ void HistoryTruth::add(const HistoryRow& row)
         changeDocument(edit, next.document);
     } else if (std::holds_alternative<DrillStroke>(edit)
         || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<PeelCut>(edit)
-        || std::holds_alternative<ScissorsCut>(edit) || std::holds_alternative<RevertRows>(edit)
-        || std::holds_alternative<ReviseStroke>(edit)
+        || std::holds_alternative<ScissorsCut>(edit) || std::holds_alternative<LaserStroke>(edit)
+        || std::holds_alternative<RevertRows>(edit) || std::holds_alternative<ReviseStroke>(edit)
         || std::holds_alternative<SegmentToLayer>(edit) || std::holds_alternative<MergeLayers>(edit)
         || std::holds_alternative<RemoveLayer>(edit)) {
         // Everything anew: what stands is grown again, and all cuts are laid over each other.
@@ -213,15 +213,18 @@ HistoryTruth::Bricks HistoryTruth::grown(
 
 SculptEdit HistoryTruth::formAfter(const Edit& drawn, const ReviseStroke& revise)
 {
-    if (const auto* drill = std::get_if<DrillStroke>(&drawn)) {
-        DrillStroke form = *drill;
+    const auto pressed = [&revise](auto form) {
         form.mask.radiusMm = revise.radiusMm.value_or(form.mask.radiusMm);
         form.mask.softnessMm = revise.softnessMm.value_or(form.mask.softnessMm);
         form.depthMm = revise.depthMm.value_or(form.depthMm);
         form.layer = revise.layer.value_or(form.layer);
         form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
-        return form;
-    }
+        return SculptEdit(form);
+    };
+    if (const auto* drill = std::get_if<DrillStroke>(&drawn))
+        return pressed(*drill);
+    if (const auto* laser = std::get_if<LaserStroke>(&drawn))
+        return pressed(*laser);
     if (const auto* brush = std::get_if<BrushStroke>(&drawn)) {
         BrushStroke form = *brush;
         form.path.radiusMm = revise.radiusMm.value_or(form.path.radiusMm);
@@ -255,6 +258,8 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
             strokes.push_back({.row = id, .form = *peel});
         if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
             strokes.push_back({.row = id, .form = *scissors});
+        if (const auto* laser = std::get_if<LaserStroke>(&edit))
+            strokes.push_back({.row = id, .form = *laser});
         const auto* revise = std::get_if<ReviseStroke>(&edit);
         for (Stroke& stroke : strokes) {
             if (!revise || stroke.row != revise->row)
@@ -356,6 +361,12 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
         alone.layer = truthLayer;
         alone.restore = false;
         paths.push_back(CapsulePath{capsules(brush->path, m_study.volume.geometry)});
+        edit = alone;
+    } else if (const auto* laser = std::get_if<LaserStroke>(&stroke.form)) {
+        LaserCut alone = *laserCut(*laser, before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
+        paths.push_back(DrillPath{laserPath(*laser, alone)});
         edit = alone;
     } else if (const auto* peel = std::get_if<PeelCut>(&stroke.form)) {
         MaskPeel alone = *maskPeel(*peel, before.document);

@@ -173,8 +173,10 @@ private:
             return randomPaint(any(document.segments).label);
         if (dice < 68)
             return randomBrush();
-        if (dice < 74 || rows.empty())
+        if (dice < 72 || rows.empty())
             return randomDrill();
+        if (dice < 74)
+            return randomLaser();
         if (dice < 77)
             return randomOutlined();
         if (dice < 87)
@@ -328,7 +330,27 @@ private:
         stroke.byTime = chance(50);
         if (chance(30))
             stroke.guardMm = between(1, 40) / 10.0;
+        if (chance(20)) // what lies before a plane through about the surface
+            stroke.hidden = {{{glm::normalize(stroke.view.eyeLps - middle), 0.0}}};
+        if (stroke.hidden)
+            stroke.hidden->front().offsetMm =
+                glm::dot(stroke.hidden->front().normalLps, middle) + between(0, 60) / 2.0;
         return stroke;
+    }
+    LaserStroke randomLaser()
+    {
+        const DrillStroke drill = randomDrill();
+        LaserStroke laser{.layer = drill.layer, .view = drill.view, .mask = drill.mask};
+        laser.mode = drill.mode;
+        laser.depthMm = drill.depthMm;
+        laser.floorMm = drill.floorMm;
+        laser.surfaceThreshold = drill.surfaceThreshold;
+        laser.throughGaps = drill.throughGaps;
+        laser.restore = drill.restore;
+        laser.byTime = drill.byTime;
+        laser.samples = drill.samples;
+        laser.hidden = drill.hidden;
+        return laser;
     }
     /// From a place that drills reach; on one slice now and then.
     BrushPath randomPath()
@@ -377,7 +399,8 @@ private:
                 .depthMm = std::min(stroke.depthMm, 40.0),
                 .surfaceThreshold = stroke.surfaceThreshold,
                 .throughGaps = stroke.throughGaps,
-                .restore = stroke.restore};
+                .restore = stroke.restore,
+                .hidden = stroke.hidden};
         ScissorsCut cut{.layer = stroke.layer, .view = stroke.view, .polygonMm = outline};
         cut.surfaceThreshold = stroke.surfaceThreshold;
         cut.restore = stroke.restore;

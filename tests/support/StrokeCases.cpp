@@ -51,14 +51,18 @@ QByteArray settledHash(EditSession& session)
 /// As the pen tells a stroke and the panel a growth; nothing for edits that are made at once.
 bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending ending)
 {
-    if (const auto* drill = std::get_if<core::DrillStroke>(&edit)) {
-        core::DrillStroke stroke = *drill;
-        stroke.samples.clear();
+    const auto* drill = std::get_if<core::DrillStroke>(&edit);
+    const auto* laser = std::get_if<core::LaserStroke>(&edit);
+    if (drill || laser) {
+        core::Edit stroke = edit;
+        std::vector<core::PenSample>& told = drill ? std::get<core::DrillStroke>(stroke).samples
+                                                   : std::get<core::LaserStroke>(stroke).samples;
+        const std::vector<core::PenSample> samples = std::exchange(told, {});
         require(session.begin(stroke), "begin");
-        for (std::size_t first = 0; first < drill->samples.size(); first += 2) {
-            const std::size_t last = std::min(first + 2, drill->samples.size());
-            session.extendDrill({drill->samples.begin() + std::ptrdiff_t(first),
-                drill->samples.begin() + std::ptrdiff_t(last)});
+        for (std::size_t first = 0; first < samples.size(); first += 2) {
+            const std::size_t last = std::min(first + 2, samples.size());
+            session.extendDrill(
+                {samples.begin() + std::ptrdiff_t(first), samples.begin() + std::ptrdiff_t(last)});
             session.poll();
         }
     } else if (std::holds_alternative<core::PaintStroke>(edit)
@@ -273,7 +277,12 @@ StrokeCase randomLists(int number)
 
 core::Edit randomEdit(const core::Document& document, Random& random)
 {
-    switch (random() % 9) {
+    switch (random() % 10) {
+    case 9: {
+        core::LaserStroke stroke = randomLaser(document, random);
+        stroke.layer = 1;
+        return stroke;
+    }
     case 0:
         return randomSeeds(document, randomInt(random, 1, 2), random);
     case 5: {
@@ -371,6 +380,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     drill.mask = {.radiusMm = drill.mask.radiusMm};
     drill.mode = core::DrillMode::Limit;
     drill.restore = false;
+    drill.hidden.reset();
     const core::Edit lock =
         core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true};
     core::GrowSteps some{.lower = 0, .upper = 700, .steps = 5};
@@ -506,6 +516,44 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"undo only the revision of a brush", volume,
         {first, brush, core::ReviseStroke{.row = 2, .radiusMm = 8.0}, seeds},
         core::RevertRows{{3}}});
+    core::LaserStroke laser;
+    laser.view = drill.view;
+    laser.mask = drill.mask;
+    laser.surfaceThreshold = drill.surfaceThreshold;
+    laser.samples = drill.samples;
+    laser.depthMm = 4.0;
+    core::LaserStroke laserBack = laser;
+    laserBack.restore = true;
+    laserBack.depthMm = 2.0;
+    core::LaserStroke laserClipped = laser;
+    laserClipped.hidden = {{{drill.view.targetLps - drill.view.eyeLps, 0.0}}};
+    core::HiddenSide& side = laserClipped.hidden->front();
+    side.normalLps = -glm::normalize(side.normalLps); // what lies before the target
+    side.offsetMm = glm::dot(side.normalLps, drill.view.targetLps);
+    core::DrillStroke drillClipped = drill;
+    drillClipped.hidden = laserClipped.hidden;
+    core::PeelCut peelClipped = peel;
+    peelClipped.hidden = laserClipped.hidden;
+    core::ScissorsCut scissorsClipped = scissors;
+    scissorsClipped.hidden = laserClipped.hidden;
+    core::BrushStroke brushClipped = brush;
+    brushClipped.hidden = laserClipped.hidden;
+    cases.push_back({"laser", volume, {}, laser});
+    cases.push_back({"laser in a drill", volume, {drill}, laser});
+    cases.push_back({"restore by laser", volume, {laser, drill}, laserBack});
+    cases.push_back({"laser of what is not hidden", volume, {laser}, laserClipped});
+    cases.push_back({"drill of what is not hidden", volume, {}, drillClipped});
+    cases.push_back({"peel of what is not hidden", volume, {}, peelClipped});
+    cases.push_back({"scissors of what is not hidden", volume, {}, scissorsClipped});
+    cases.push_back({"brush of what is not hidden", volume, {}, brushClipped});
+    cases.push_back(
+        {"undo only a laser", volume, {first, laser, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"revise a drill below a laser", volume, {drill, laser, laserBack, shallow},
+        core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
+    cases.push_back({"revise a laser", volume, {laser, drill, laserBack},
+        core::ReviseStroke{.row = 1, .depthMm = 7.0, .softnessMm = 1.5}});
+    cases.push_back({"remove a drill below a laser", volume, {drill, laser, drill},
+        core::ReviseStroke{.row = 1, .removed = true}});
 
     core::DrillStroke other = drill;
     other.layer = 2;

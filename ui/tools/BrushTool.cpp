@@ -151,7 +151,7 @@ void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted)
         return;
     core::BrushPath path = stroke.path;
     path.pointsLps = {pointLps};
-    const core::Result<core::Edit> edit = strokeAlong(path, stroke.inverted);
+    const core::Result<core::Edit> edit = strokeAlong(path, stroke.inverted, stroke.view);
     const core::Result<void> begun =
         edit ? session.begin(*edit) : core::Result<void>(tl::unexpected(edit.error()));
     stroke.last = pointLps;

@@ -47,7 +47,7 @@ protected:
     [[nodiscard]] virtual QColor colour() const = 0;
     /// What a stroke that begins now does along a path.
     [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(
-        const core::BrushPath& path, bool inverted) = 0;
+        const core::BrushPath& path, bool inverted, const ViewContext& view) = 0;
     /// How far around its radius a stroke changes what the 3D view shows, mm.
     [[nodiscard]] virtual double reachMm() const = 0;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/CarveBrushTool.h"
 
+#include "core/edits/HiddenSides.h"
 #include "ui/tools/BrushOptions.h"
 #include "ui/tools/CursorLabel.h"
 
@@ -57,12 +58,15 @@ QColor CarveBrushTool::colour() const
     return toolColour();
 }
 
-core::Result<core::Edit> CarveBrushTool::strokeAlong(const core::BrushPath& path, bool inverted)
+core::Result<core::Edit> CarveBrushTool::strokeAlong(
+    const core::BrushPath& path, bool inverted, const ViewContext& view)
 {
     core::BrushStroke stroke;
     stroke.layer = workspace().activeLayer();
     stroke.path = path;
     stroke.restore = inverted;
+    if (const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene))
+        stroke.hidden = core::hiddenSides(scene->clip, workspace().volume()->geometry);
     return core::Edit(stroke);
 }
 

@@ -31,9 +31,10 @@ QDoubleSpinBox* millimetreBox(QWidget* parent, double minimum, double maximum, c
 
 } // namespace
 
-DrillOptions::DrillOptions(Workspace& workspace, QWidget* parent)
+DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
+    , m_tool(tool)
     , m_shape(new QComboBox(this))
     , m_radius(millimetreBox(this, minimumRadiusMm, maximumRadiusMm, QStringLiteral("drillRadius")))
     , m_height(new QDoubleSpinBox(this))
@@ -115,7 +116,7 @@ void DrillOptions::showSettings()
     using Kind = core::MaskShape::Kind;
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     m_radius->setValue(settings.radiusMm);
-    m_depth->setValue(settings.depthMm);
+    m_depth->setValue(ofLaser() ? settings.laserDepthMm : settings.depthMm);
     m_throughGaps->setChecked(settings.throughGaps);
     m_shape->setCurrentIndex(int(settings.shape));
     m_height->setValue(100.0 * settings.heightRatio);
@@ -150,7 +151,7 @@ void DrillOptions::takeSettings()
 {
     Workspace::DrillSettings settings = m_workspace.drillSettings();
     settings.radiusMm = m_radius->value();
-    settings.depthMm = m_depth->value();
+    (ofLaser() ? settings.laserDepthMm : settings.depthMm) = m_depth->value();
     settings.throughGaps = m_throughGaps->isChecked();
     settings.shape = core::MaskShape::Kind(m_shape->currentIndex());
     settings.heightRatio = m_height->value() / 100.0;

@@ -12,7 +12,8 @@ namespace ui {
 
 class Workspace;
 
-/// The drill's settings in the option bar; always in step with Workspace::drillSettings().
+/// The settings of drill or laser in the option bar; always in step with
+/// Workspace::drillSettings().
 class DrillOptions : public QWidget {
     Q_OBJECT
 
@@ -23,13 +24,18 @@ public:
     static constexpr double maximumDepthMm = 120.0;
     static constexpr double minimumHeightRatio = 0.05;
 
-    explicit DrillOptions(Workspace& workspace, QWidget* parent = nullptr);
+    /// Which tool they are of: drill and laser differ in their depth.
+    enum class Of { Drill, Laser };
+    explicit DrillOptions(Workspace& workspace, Of tool, QWidget* parent = nullptr);
 
 private:
     void showSettings();
     void takeSettings();
 
+    [[nodiscard]] bool ofLaser() const { return m_tool == Of::Laser; }
+
     Workspace& m_workspace;
+    Of m_tool;
     QComboBox* m_shape = nullptr;
     QDoubleSpinBox* m_radius = nullptr;
     QDoubleSpinBox* m_height = nullptr; ///< per cent of the width

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/DrillTool.h"
 
-#include "ui/Workspace.h"
+#include "core/edits/HiddenSides.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillMask.h"
 #include "ui/tools/DrillOptions.h"
@@ -86,7 +86,7 @@ QString DrillTool::keys() const
 
 QWidget* DrillTool::createOptions(QWidget* parent)
 {
-    return new DrillOptions(m_workspace, parent);
+    return new DrillOptions(m_workspace, DrillOptions::Of::Drill, parent);
 }
 
 bool DrillTool::worksIn(const ViewContext& view) const
@@ -111,7 +111,24 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) con
     stroke.guardMm = guardMm;
     stroke.byTime = true;
     stroke.surfaceThreshold = drillThreshold(m_workspace.volumeDisplay(), *m_workspace.volume());
+    stroke.hidden = core::hiddenSides(scene.clip, m_workspace.volume()->geometry);
     return stroke;
+}
+
+core::Edit DrillTool::editIn(const ViewContext& view, bool restore) const
+{
+    return strokeIn(view, restore);
+}
+
+double& DrillTool::depthIn(Workspace::DrillSettings& settings) const
+{
+    return settings.depthMm;
+}
+
+double DrillTool::depthMm() const
+{
+    Workspace::DrillSettings settings = m_workspace.drillSettings();
+    return depthIn(settings);
 }
 
 core::PenSample DrillTool::penSample(const PointerSample& sample) const
@@ -126,7 +143,7 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     if (!session || !worksIn(view) || m_strokeView)
         return;
     m_restores = restoresWith(sample);
-    if (const auto begun = session->begin(strokeIn(view, m_restores)); !begun) {
+    if (const auto begun = session->begin(editIn(view, m_restores)); !begun) {
         m_workspace.fail(begun.error());
         return;
     }
@@ -216,8 +233,8 @@ void DrillTool::changeRadius(int steps)
 void DrillTool::changeDepth(int steps)
 {
     Workspace::DrillSettings settings = m_workspace.drillSettings();
-    settings.depthMm = stepped(
-        settings.depthMm, steps, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
+    depthIn(settings) =
+        stepped(depthMm(), steps, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
     m_workspace.setDrillSettings(settings);
 }
 
@@ -233,12 +250,12 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(m_cursor, 2.0, 2.0);
 
-    const QString full = QLocale().toString(settings.depthMm, 'f', 1);
+    const QString full = QLocale().toString(depthMm(), 'f', 1);
     const bool rate = settings.mode == core::DrillMode::Rate;
     QString depth = rate ? tr("%1 mm a second").arg(full) : tr("%1 mm deep").arg(full);
     if (m_strokeView && !rate) {
         // Mode Limit: the depth grows with the square of the pressure (DrillStroke's exponent).
-        const double now = settings.depthMm * m_pressure * m_pressure;
+        const double now = depthMm() * m_pressure * m_pressure;
         depth = tr("%1 of %2 mm").arg(QLocale().toString(now, 'f', 1), full);
     }
     const QString size = settings.shape == core::MaskShape::Kind::Circle

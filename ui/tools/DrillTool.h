@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/Edits.h"
+#include "ui/Workspace.h"
 #include "ui/tools/Tool.h"
 
 #include <QElapsedTimer>
@@ -10,8 +11,6 @@
 #include <optional>
 
 namespace ui {
-
-class Workspace;
 
 /// Cuts into the sculpt layer where the pen presses on the 3D view (seed A §4.1, 4.2; DESIGN §5),
 /// or fills it again: with Ctrl, or the pen's eraser end. The view of pen-down holds for the whole
@@ -45,7 +44,15 @@ public:
     /// The edit that a stroke begun in this view stands for, without samples.
     [[nodiscard]] core::DrillStroke strokeIn(const ViewContext& view, bool restore = false) const;
 
+protected:
+    /// What a press begins.
+    [[nodiscard]] virtual core::Edit editIn(const ViewContext& view, bool restore) const;
+    /// Of the settings, the tool's own depth.
+    [[nodiscard]] virtual double& depthIn(Workspace::DrillSettings& settings) const;
+    [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+
 private:
+    [[nodiscard]] double depthMm() const;
     [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;
     void showCursor(const PointerSample& sample, gpu::ViewId view);
     void tell(const PointerSample& sample);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/OutlineTool.h"
 
+#include "core/edits/HiddenSides.h"
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillMask.h"
@@ -85,7 +86,9 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
         m_workspace.say(tr("Draw a curve around what is to be cut; it closes by itself"));
     } else {
         Sketch sketch;
-        sketch.view = orthographicView(std::get<gpu::VolumeScene>(sketched.scene));
+        const auto& scene = std::get<gpu::VolumeScene>(sketched.scene);
+        sketch.view = orthographicView(scene);
+        sketch.hidden = core::hiddenSides(scene.clip, m_workspace.volume()->geometry);
         sketch.restore = m_restores;
         for (const QPointF& point : m_sketch)
             sketch.polygonMm.push_back(sketched.toViewPlaneMm(point));

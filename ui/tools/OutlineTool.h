@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/document/Document.h"
+#include "core/edits/Edits.h"
 #include "ui/tools/Tool.h"
 
 #include <QPolygonF>
@@ -38,6 +38,7 @@ protected:
         core::OrthographicView view;
         std::vector<glm::dvec2> polygonMm;
         bool restore = false;
+        core::HiddenSides hidden{}; ///< what the view's clip region hides
     };
     /// A curve was closed that is large enough to mean something.
     virtual void cut(const Sketch& sketch) = 0;

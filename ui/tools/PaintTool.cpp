@@ -65,7 +65,8 @@ QColor PaintTool::colour() const
     return segment ? QColor(segment->rgb) : QColor(nextSegmentColour(session->document()));
 }
 
-core::Result<core::Edit> PaintTool::strokeAlong(const core::BrushPath& path, bool inverted)
+core::Result<core::Edit> PaintTool::strokeAlong(
+    const core::BrushPath& path, bool inverted, const ViewContext&)
 {
     const core::Result<int> label = ensureActiveSegment(workspace());
     if (!label)

@@ -25,7 +25,7 @@ protected:
     [[nodiscard]] QString limits() const override;
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] core::Result<core::Edit> strokeAlong(
-        const core::BrushPath& path, bool inverted) override;
+        const core::BrushPath& path, bool inverted, const ViewContext& view) override;
     [[nodiscard]] double reachMm() const override { return 0.0; }
 };
 

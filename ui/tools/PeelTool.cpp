@@ -121,6 +121,7 @@ void PeelTool::cut(const Sketch& sketch)
     peel.depthMm = m_depthMm;
     peel.surfaceThreshold = surfaceThreshold();
     peel.restore = sketch.restore;
+    peel.hidden = sketch.hidden;
     if (const auto begun = workspace().session()->begin(peel); !begun) {
         workspace().fail(begun.error());
         return;

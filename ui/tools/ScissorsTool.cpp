@@ -102,6 +102,7 @@ void ScissorsTool::cut(const Sketch& sketch)
     if (m_settings.limited)
         cut.depthMm = m_settings.depthMm;
     cut.restore = sketch.restore;
+    cut.hidden = sketch.hidden;
     cut.firstLayerOnly = m_settings.firstLayerOnly && !sketch.restore;
     cut.surfaceThreshold = surfaceThreshold();
     if (const auto applied = workspace().session()->apply(cut); !applied)

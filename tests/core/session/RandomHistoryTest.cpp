@@ -37,7 +37,7 @@ private Q_SLOTS:
         // No kind of command was left out.
         for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "removeSegment",
                  "addLayer", "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed",
-                 "grow", "drill", "paint", "brush", "peel", "scissors", "cutPiece", "pastePiece",
+                 "grow", "drill", "paint", "brush", "peel", "scissors", "laser", "cutPiece", "pastePiece",
                  "changePiece", "sendPiecesHome", "removePiece", "revert", "reviseStroke",
                  "removeLayer", "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen",
                  "undo", "redo", "goTo", "reopen", "given up"})

@@ -54,9 +54,10 @@ std::vector<EngineCase> EngineConformanceGlTest::cases()
     const bool all = test::longRun();
     std::vector<EngineCase> collected = test::growthCases(all ? 400 : 20);
     for (auto more : {test::drillCases(all ? 400 : 20), test::peelCases(all ? 400 : 20),
-             test::pickCases(all ? 150 : 8), test::eraseCases(all ? 300 : 12),
-             test::layerCases(all ? 300 : 12), test::capsuleCases(all ? 400 : 20),
-             test::layerWriteCases(all ? 400 : 20), test::refusalCases()})
+             test::laserCases(all ? 400 : 20), test::pickCases(all ? 150 : 8),
+             test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
+             test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
+             test::refusalCases()})
         collected.insert(collected.end(), more.begin(), more.end());
     return collected;
 }

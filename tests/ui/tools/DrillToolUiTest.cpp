@@ -92,7 +92,7 @@ private Q_SLOTS:
     {
         DrillFixture fixture;
         const core::Volume& volume = *fixture.workspace.volume();
-        ui::DrillOptions options(fixture.workspace);
+        ui::DrillOptions options(fixture.workspace, ui::DrillOptions::Of::Drill);
         const auto* start = options.findChild<QLabel*>(QStringLiteral("drillStart"));
         QCOMPARE(start->text(), QStringLiteral("from 300 HU on"));
         ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
@@ -191,7 +191,7 @@ private Q_SLOTS:
     void shapesAndModesAreChosen()
     {
         DrillFixture fixture;
-        ui::DrillOptions options(fixture.workspace);
+        ui::DrillOptions options(fixture.workspace, ui::DrillOptions::Of::Drill);
         options.show();
         auto* shape = options.findChild<QComboBox*>(QStringLiteral("drillShape"));
         auto* turn = options.findChild<QDoubleSpinBox*>(QStringLiteral("drillTurn"));

@@ -1,0 +1,41 @@
+// What is seen as it was when the edit began (core/sculpt/MaskFrame.h, rule 3).
+
+#include "edit/bricks.glsl"
+
+layout(binding = 0) uniform usampler3D codes;
+layout(binding = 1) uniform usampler3D radiation;
+// Radiation at the beginning of the bricks that this edit has changed since: slot + 1 a brick, 0 none.
+layout(binding = 2, std430) readonly buffer SnapshotSlots { uint snapshotSlots[]; };
+layout(binding = 3, std430) readonly buffer Snapshots { uint snapshots[]; };
+
+uniform ivec3 volumeSize;
+uniform ivec3 volumeBricks;
+uniform int thresholdCode;
+uniform bool restore;
+
+uint codeAt(ivec3 voxel)
+{
+    return texelFetch(codes, voxel, 0).r;
+}
+
+uint radiationAt(ivec3 voxel)
+{
+    uint slot = snapshotSlots[brickIndex(voxel >> 4, volumeBricks)];
+    if (slot == 0u)
+        return texelFetch(radiation, voxel, 0).r;
+    ivec3 local = voxel & 15;
+    uint offset = (slot - 1u) * 4096u + uint(local.x + 16 * (local.y + 16 * local.z));
+    return snapshots[offset >> 2] >> ((offset & 3u) * 8u) & 0xFFu;
+}
+
+#include "edit/interpolate.glsl"
+
+bool carvedHere(ivec3 p)
+{
+    return interpolatedRadiation(p) >= (restore ? 64u : 128u) << 24;
+}
+
+bool materialHere(ivec3 p)
+{
+    return dense(p, thresholdCode) && !carvedHere(p);
+}

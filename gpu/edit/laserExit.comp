@@ -1,0 +1,37 @@
+// Where the material under the feet of a laser's beams ends (core/sculpt/LaserCut.h, rule 7). One
+// invocation a beam.
+
+layout(local_size_x = 64) in;
+
+#include "edit/asItBegan.glsl"
+
+struct Beam {
+    ivec4 foot;    // index16; w: samples that are seen, from this one
+    ivec4 perStep; // index16; w: to before this one
+};
+layout(binding = 0, std430) readonly buffer Beams { Beam beams[]; };
+layout(binding = 1, std430) writeonly buffer Exits { int exits[]; }; // first sample of the gap
+
+uniform uint beamCount;
+uniform int sampleCount;
+uniform int gapSamples;
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= beamCount)
+        return;
+    Beam beam = beams[i];
+    int exit = 0;
+    int run = 0;
+    for (int n = 1; n < sampleCount; ++n) {
+        if (n >= beam.foot.w && n < beam.perStep.w
+            && materialHere(beam.foot.xyz + n * beam.perStep.xyz)) {
+            run = 0;
+        } else if (++run == gapSamples) {
+            exit = n - run + 1;
+            break;
+        }
+    }
+    exits[i] = exit;
+}
