@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/LayerActions.h"
 
+#include "core/edits/HiddenSides.h"
 #include "ui/SegmentActions.h"
 #include "ui/ShownValues.h"
 #include "ui/Workspace.h"
@@ -118,7 +119,7 @@ void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
         return workspace.say(shown.why);
     core::SegmentSeen edit{.target = {.segment = label}, .lower = shown.lower};
     edit.upper = shown.upper;
-    edit.clip = clippedSides(workspace.clip(), workspace.volume()->geometry);
+    edit.hidden = core::hiddenSides(workspace.clip(), workspace.volume()->geometry);
     if (!label)
         edit.target = newSegment(workspace.session()->foreseenDocument(), {});
     give(workspace, edit, label);

@@ -63,23 +63,4 @@ ShownValues shownValues(const Workspace::VolumeDisplay& display)
         .why = QObject::tr("Show a surface or volume rendering first: this one has no threshold")};
 }
 
-std::vector<core::ClippedSide> clippedSides(
-    const core::ClipRegion& clip, const core::VolumeGeometry& geometry)
-{
-    std::vector<core::ClippedSide> sides;
-    const glm::dmat3 toNormal = glm::transpose(glm::dmat3(geometry.worldToIndex()));
-    for (int axis = 0; axis < 3 && clip.box.on; ++axis) {
-        glm::dvec3 outward(0.0);
-        outward[axis] = 1.0;
-        const glm::dvec3 normal = glm::normalize(toNormal * outward);
-        sides.push_back({geometry.toWorld(clip.box.maximum), normal});
-        sides.push_back({geometry.toWorld(clip.box.minimum), -normal});
-    }
-    for (const core::ClipPlane& plane : clip.planes) {
-        if (plane.on)
-            sides.push_back({plane.pointLps, plane.normalLps});
-    }
-    return sides;
-}
-
 } // namespace ui

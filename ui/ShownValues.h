@@ -22,8 +22,4 @@ struct ShownValues {
 /// its greatest opacity, if that is one interval. The others show no values before others.
 [[nodiscard]] ShownValues shownValues(const Workspace::VolumeDisplay& display);
 
-/// A clip region as edits name it.
-[[nodiscard]] std::vector<core::ClippedSide> clippedSides(
-    const core::ClipRegion& clip, const core::VolumeGeometry& geometry);
-
 } // namespace ui

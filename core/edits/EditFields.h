@@ -241,18 +241,6 @@ struct PlaceList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
-/// [{"pointLps": [x, y, z], "normalLps": [x, y, z]}, …]: sides of planes; may be empty.
-struct ClippedSideList {
-    using Value = std::vector<ClippedSide>;
-
-    [[nodiscard]] QString type() const;
-    [[nodiscard]] QString unit() const { return QStringLiteral("mm"); }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const;
-};
-
 /// A count of growth steps, or "toClosure".
 struct StepCount {
     using Value = std::optional<int>;

@@ -289,6 +289,15 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
         "the sculpt layer that is carved; not a muted one");
 }
 
+/// What a clip box or planes hid when the cut was made.
+template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
+{
+    visit.maybe("hidden", hidden, editFields::HiddenSideList{},
+        "what is not seen, so that the cut neither starts nor cuts there: where normal · place > "
+        "offset, patient coordinates (LPS)",
+        "nothing");
+}
+
 template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
 {
     visitTarget(visit, edit.target);
@@ -296,10 +305,7 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
         "lower", edit.lower, modalityValue, "only voxels from this value on, inclusive", "any");
     visit.maybe(
         "upper", edit.upper, modalityValue, "only voxels up to this value, inclusive", "any");
-    visit.field("clip", Presence::Optional, edit.clip, editFields::ClippedSideList{},
-        "sides of planes that are not looked at: a point of the plane, and a direction towards "
-        "what "
-        "is hidden, patient coordinates (LPS)");
+    visitHidden(visit, edit.hidden);
     visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
         "whether voxels of other segments that are not locked are taken");
 }
@@ -390,15 +396,6 @@ template <class Visitor> void visitSurface(Visitor& visit, double& threshold)
         inside.field("threshold", Presence::Required, threshold, modalityValue,
             "values from here on are material");
     });
-}
-
-/// What a clip box or planes hid when the cut was made.
-template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
-{
-    visit.maybe("hidden", hidden, editFields::HiddenSideList{},
-        "what is not seen, so that the cut neither starts nor cuts there: where normal · place > "
-        "offset, patient coordinates (LPS)",
-        "nothing");
 }
 
 /// What is pressed into the volume.

@@ -95,11 +95,15 @@ struct SegmentToLayer {
     int layer = 0; ///< id
 };
 
-/// A side of a plane that is not looked at.
-struct ClippedSide {
-    glm::dvec3 pointLps{0.0};
-    glm::dvec3 normalLps{0.0}; ///< towards what is hidden
+/// Hidden are the places with dot(normal, place) > offset: what a clip box or plane hides without
+/// carving it.
+struct HiddenSide {
+    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< about a unit vector
+    double offsetMm = 0.0;
+    bool operator==(const HiddenSide&) const = default;
 };
+/// What an edit did not see: a cut neither starts nor cuts there.
+using HiddenSides = std::optional<std::vector<HiddenSide>>;
 
 /// "Segment what I see": what is not carved, inside the clip region and within an interval of
 /// values becomes voxels of a segment, from wherever one looks.
@@ -107,7 +111,7 @@ struct SegmentSeen {
     SegmentChoice target{};
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
-    std::vector<ClippedSide> clip{};
+    HiddenSides hidden{};
     bool overwriteUnlocked = false;
 };
 
@@ -167,16 +171,6 @@ struct GrowSteps {
     std::optional<int> steps{}; ///< none: to closure
     bool overwriteUnlocked = false;
 };
-
-/// Hidden are the places with dot(normal, place) > offset: what a clip box or plane hides without
-/// carving it.
-struct HiddenSide {
-    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< about a unit vector
-    double offsetMm = 0.0;
-    bool operator==(const HiddenSide&) const = default;
-};
-/// What a cut did not see: it neither starts nor cuts there.
-using HiddenSides = std::optional<std::vector<HiddenSide>>;
 
 struct PenSample {
     double xMm = 0.0; ///< in the view plane, right of the target

@@ -10,10 +10,10 @@ namespace {
 
 /// A plane's side as whole numbers, as finely as sums in 32 bits allow: the plane is off by less
 /// than 2⁻¹⁸ of the volume's size, and not at all where it lies along the volume's slices.
-VoxelBound voxelBound(const ClippedSide& side, const VolumeGeometry& geometry)
+VoxelBound voxelBound(const HiddenSide& side, const VolumeGeometry& geometry)
 {
     const glm::dvec3 normal = glm::transpose(glm::dmat3(geometry.indexToWorld)) * side.normalLps;
-    const double offset = glm::dot(side.normalLps, side.pointLps - geometry.originLps());
+    const double offset = side.offsetMm - glm::dot(side.normalLps, geometry.originLps());
     double reach = 0.0;
     double longest = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -80,7 +80,7 @@ Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
     seen.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : 0;
     seen.highCode =
         edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : VoxelEncoding::codeCount - 1;
-    for (const ClippedSide& side : edit.clip)
+    for (const HiddenSide& side : edit.hidden.value_or(std::vector<HiddenSide>()))
         seen.bounds.push_back(voxelBound(side, volume.geometry));
     return seen;
 }

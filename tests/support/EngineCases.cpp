@@ -144,6 +144,12 @@ core::ScissorsCut randomScissors(const core::Document& document, Random& random)
     return cut;
 }
 
+core::HiddenSide beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps)
+{
+    const glm::dvec3 normal = glm::normalize(normalLps);
+    return {normal, glm::dot(normal, placeLps)};
+}
+
 core::HiddenSides randomHidden(const core::Document& document, Random& random)
 {
     if (random() % 4 != 0)
@@ -154,7 +160,7 @@ core::HiddenSides randomHidden(const core::Document& document, Random& random)
         const glm::dvec3 normal =
             random() % 2 ? randomDirection(random) : geometry.direction()[randomInt(random, 0, 2)];
         const glm::dvec3 place = geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)));
-        sides.push_back({normal, glm::dot(normal, place)});
+        sides.push_back(beyond(place, normal));
     }
     return sides;
 }

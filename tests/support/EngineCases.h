@@ -23,6 +23,8 @@ namespace test {
 [[nodiscard]] core::LaserStroke randomLaser(const core::Document& document, Random& random);
 
 /// Sides of planes through a document's volume, or, more often than not, nothing.
+/// What lies beyond a plane through a place, the way its normal points.
+[[nodiscard]] core::HiddenSide beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps);
 [[nodiscard]] core::HiddenSides randomHidden(const core::Document& document, Random& random);
 
 /// Brushes, on and off a document's volume; some rest, some leave it far behind.

@@ -3,6 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
+#include "tests/support/EngineCases.h"
 #include "tests/support/HistoryTruth.h"
 #include "tests/support/SmallStudy.h"
 
@@ -157,15 +158,15 @@ private:
             return MoveSegment{.segment = any(document.segments).label, .place = between(1, 6)};
         if (dice < 20)
             return RemoveSegment{.segment = any(document.segments).label};
-        if (dice < 30)
+        if (dice < 28)
             return randomLayer(document);
         if (dice < 32)
             return randomBookmark(document);
         if (dice < 38)
             return randomPassage(document);
-        if (dice < 42)
+        if (dice < 44)
             return randomPiece(document);
-        if (dice < 49)
+        if (dice < 51)
             return randomSeeds(any(document.segments).label);
         if (dice < 56)
             return randomGrowth();
@@ -246,9 +247,12 @@ private:
         if (chance(30))
             seen.upper = between(0, 1200);
         seen.overwriteUnlocked = chance(40);
+        std::vector<HiddenSide> sides;
         for (int i = between(0, 2); i > 0; --i)
-            seen.clip.push_back({randomDrill().view.targetLps,
-                glm::dvec3(between(-10, 10), between(1, 10), between(-10, 10))});
+            sides.push_back(beyond(randomDrill().view.targetLps,
+                glm::dvec3(between(-10, 10), between(1, 10), between(-10, 10))));
+        if (!sides.empty())
+            seen.hidden = sides;
         return seen;
     }
     Edit randomBookmark(const Document& document)

@@ -585,8 +585,8 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     const core::SegmentToLayer cover{.segment = 1, .layer = 2};
     core::SegmentSeen seen{.target = toNew, .lower = 300.0};
     core::SegmentSeen clipped{.target = toFirst, .overwriteUnlocked = true};
-    clipped.clip = {{geometry.toWorld({20.0, 16.0, 10.0}), glm::dvec3(0.3, -0.2, 1.0)},
-        {geometry.toWorld({12.0, 16.0, 10.0}), geometry.direction()[0]}};
+    clipped.hidden = {{beyond(geometry.toWorld({20.0, 16.0, 10.0}), {0.3, -0.2, 1.0}),
+        beyond(geometry.toWorld({12.0, 16.0, 10.0}), geometry.direction()[0])}};
     const core::MergeLayers merge{.from = 1, .into = 2};
     const core::RemoveLayer removeLayer{.layer = 2};
     cases.push_back({"layer to a new segment", volume, {drill}, carved});

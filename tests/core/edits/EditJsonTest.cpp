@@ -96,18 +96,18 @@ private Q_SLOTS:
         QCOMPARE(std::get<LayerToSegment>(*carved).target.name, QStringLiteral("Skull cap"));
         const Result<Edit> seen =
             editFromJson(parse("{'edit':'segmentSeen','segment':2,'lower':300,"
-                               "'clip':[{'pointLps':[1,2,3.0001],'normalLps':[0,0,1]}]}"));
+                               "'hidden':[[0,0,1,3.0001]]}"));
         QVERIFY(seen);
         QCOMPARE(*std::get<SegmentSeen>(*seen).target.segment, 2);
-        QCOMPARE(std::get<SegmentSeen>(quantised(*seen)).clip.at(0).pointLps, glm::dvec3(1, 2, 3));
+        QCOMPARE(std::get<SegmentSeen>(quantised(*seen)).hidden->at(0).offsetMm, 3.0);
         for (const Edit& edit : {*carved, *seen})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong : {"{'edit':'layerToSegment','layer':1}",
                  "{'edit':'layerToSegment','layer':1,'segment':2,'name':'Both'}",
-                 "{'edit':'segmentSeen','segment':2,'clip':[{'pointLps':[1,2,3]}]}",
-                 "{'edit':'segmentSeen','segment':2,'clip':[{'pointLps':[1,2,3],"
-                 "'normalLps':[0,0,0]}]}",
-                 "{'edit':'segmentSeen','segment':2,'clip':{}}", "{'edit':'mergeLayers','from':1}"})
+                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,1]]}",
+                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,0,1]]}",
+                 "{'edit':'segmentSeen','segment':2,'hidden':{}}",
+                 "{'edit':'mergeLayers','from':1}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 

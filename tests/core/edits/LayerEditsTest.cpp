@@ -32,7 +32,7 @@ private Q_SLOTS:
             const glm::dvec3 normal(test::randomUnit(random), test::randomUnit(random),
                 test::randomUnit(random) + 0.01);
             const glm::dvec3 at(test::randomVoxel(random, size));
-            seen.clip = {{geometry.toWorld(at), normal}};
+            seen.hidden = {{test::beyond(geometry.toWorld(at), normal)}};
             const Result<LabelSeen> made = labelSeen(seen, document);
             QVERIFY(made);
             QCOMPARE(made->bounds.size(), std::size_t(1));
@@ -69,7 +69,7 @@ private Q_SLOTS:
                 glm::dvec3 at(20.0);
                 at[axis] = slice;
                 SegmentSeen seen{.target = {.name = QStringLiteral("X")}};
-                seen.clip = {{geometry.toWorld(at), geometry.direction()[axis]}};
+                seen.hidden = {{test::beyond(geometry.toWorld(at), geometry.direction()[axis])}};
                 const VoxelBound bound = labelSeen(seen, document)->bounds.front();
                 QCOMPARE(bound.normal[(axis + 1) % 3], 0);
                 QCOMPARE(bound.normal[(axis + 2) % 3], 0);

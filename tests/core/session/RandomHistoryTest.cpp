@@ -18,7 +18,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("commands");
         QTest::addColumn<uint>("seed");
         const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
-        for (uint seed = 1; seed <= (isLong ? 20u : 4u); ++seed)
+        for (uint seed = 1; seed <= (isLong ? 20u : 6u); ++seed)
             QTest::addRow("seed %u", seed) << (isLong ? 500 : 260) << seed;
     }
     void equalsTheTruthAfterEveryStep()
