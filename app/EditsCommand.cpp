@@ -16,8 +16,11 @@ namespace {
 
 void printText(const std::vector<core::EditDocumentation>& edits)
 {
-    std::printf("A recipe is {\"edits\": [edit, …], \"export\": [{\"format\": \"dicom-seg\" or "
-                "\"nifti\", \"file\": path}, …]}.\n"
+    std::printf("A recipe is {\"edits\": [edit, …], \"export\": [export, …]}. An export is one of\n"
+                "{\"format\": \"dicom-seg\" or \"nifti\", \"file\": path},\n"
+                "{\"format\": \"coverage\", \"layer\": number, \"file\": path.nii.gz},\n"
+                "{\"format\": \"carved-volume\", \"file\": path.nii.gz or a new folder for a DICOM "
+                "series,\n \"fill\": value where nothing is left (default: the least)}.\n"
                 "Each edit is an object {\"edit\": name, fields …}; any other field is refused.\n");
     for (const core::EditDocumentation& edit : edits) {
         std::printf("\n%s\n    %s\n\n", qPrintable(edit.name), qPrintable(edit.meaning));

@@ -11,8 +11,6 @@
 
 namespace core {
 
-namespace {
-
 bool isSourceFile(const Volume& volume, const QString& file)
 {
     const QString target = QFileInfo(file).canonicalFilePath();
@@ -24,6 +22,8 @@ bool isSourceFile(const Volume& volume, const QString& file)
         return QFileInfo(slice.file).canonicalFilePath() == target;
     });
 }
+
+namespace {
 
 /// Names the user's file where a step knew only the temporary one.
 Error renamed(Error error, const StagedFile& staged, const QString& file)

@@ -20,6 +20,9 @@ const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segme
 
 std::size_t voxelsPerSlice(const Volume& volume);
 
+/// Whether a file is one that the volume was read from.
+bool isSourceFile(const Volume& volume, const QString& file);
+
 /// Writes what was selected at @p path, which the caller staged; what the reader of the file must
 /// know goes into the report. @returns what was written, in sentences
 Result<QStringList> writeSegMask(const QString& path, const Volume& volume,

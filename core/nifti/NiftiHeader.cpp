@@ -132,8 +132,8 @@ Qform fitQform(const glm::dmat3& ras, const glm::ivec3& size)
 
 } // namespace
 
-NiftiHeader makeNiftiHeader(
-    const VolumeGeometry& geometry, NiftiHeader::DataType type, const QByteArray& description)
+NiftiHeader makeNiftiHeader(const VolumeGeometry& geometry, NiftiHeader::DataType type,
+    const QByteArray& description, bool labels)
 {
     NiftiHeader header;
     put(header, atSizeOfHeader, std::int32_t(348));
@@ -141,9 +141,13 @@ NiftiHeader makeNiftiHeader(
     put(header, atDim, std::int16_t(3));
     for (int axis = 0; axis < 7; ++axis)
         put(header, atDim + 2 * (axis + 1), std::int16_t(axis < 3 ? geometry.size[axis] : 1));
-    put(header, atIntentCode, type == NiftiHeader::DataType::UInt8 ? intentLabel : std::int16_t(0));
+    const bool bytes = type == NiftiHeader::DataType::UInt8;
+    put(header, atIntentCode, bytes && labels ? intentLabel : std::int16_t(0));
     put(header, atDataType, std::int16_t(type));
-    put(header, atBitsPerVoxel, std::int16_t(type == NiftiHeader::DataType::UInt8 ? 8 : 16));
+    put(header, atBitsPerVoxel,
+        std::int16_t(bytes                               ? 8
+                : type == NiftiHeader::DataType::Float32 ? 32
+                                                         : 16));
     put(header, atVoxelOffset, float(NiftiHeader::voxelOffset));
     put(header, atSlope, 1.0F);
     header.bytes[atUnits] = unitMillimetre;

@@ -9,6 +9,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -83,14 +84,16 @@ Result<NiftiWritten> writeNiftiAt(const QString& path, const NiftiImage& image)
                 QStringLiteral("NIfTI-1 holds sides of 1 to 32767 voxels, not %1").arg(size[axis]));
     }
     const auto voxels = std::visit([](auto span) { return std::as_bytes(span); }, image.voxels);
-    const bool labels = std::holds_alternative<std::span<const std::uint8_t>>(image.voxels);
-    if (voxels.size() != image.geometry.voxelCount() * (labels ? 1 : 2))
+    static constexpr std::array<NiftiHeader::DataType, 3> types{
+        NiftiHeader::DataType::UInt8, NiftiHeader::DataType::Int16, NiftiHeader::DataType::Float32};
+    static constexpr std::array<std::size_t, 3> bytesPerVoxel{1, 2, 4};
+    const std::size_t kind = image.voxels.index();
+    if (voxels.size() != image.geometry.voxelCount() * bytesPerVoxel[kind])
         return failure(ErrorCode::UnsupportedFormat, path,
             QStringLiteral("the voxels are not as many as the grid has"));
 
-    const NiftiHeader header = makeNiftiHeader(image.geometry,
-        labels ? NiftiHeader::DataType::UInt8 : NiftiHeader::DataType::Int16,
-        image.description.toUtf8());
+    const NiftiHeader header =
+        makeNiftiHeader(image.geometry, types[kind], image.description.toUtf8(), image.labels);
     OutputStream stream(path, path.endsWith(QLatin1String(".gz"), Qt::CaseInsensitive));
     stream.write(header.bytes.data(), header.bytes.size());
     stream.write(voxels.data(), voxels.size());

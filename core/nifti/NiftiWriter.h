@@ -12,15 +12,17 @@
 
 namespace core {
 
-/// Voxels on their way into a NIfTI file, x fastest: labels (uint8, intent "label") or modality
-/// values (int16).
-using NiftiVoxels = std::variant<std::span<const std::uint8_t>, std::span<const std::int16_t>>;
+/// Voxels on their way into a NIfTI file, x fastest: bytes (uint8, intent "label" unless something
+/// else is said) or modality values (int16, float32).
+using NiftiVoxels = std::variant<std::span<const std::uint8_t>, std::span<const std::int16_t>,
+    std::span<const float>>;
 
 struct NiftiImage {
     /// Size and affine; `slicePositions` have no place in NIfTI and are not looked at.
     VolumeGeometry geometry;
     NiftiVoxels voxels;
     QString description; ///< at most 79 bytes of it are kept
+    bool labels = true; ///< of bytes: whether they are labels
 };
 
 /// What a reader must know about the file that was written.

@@ -2,6 +2,7 @@
 #include "core/recipe/Recipe.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/export/CarvedVolume.h"
 
 #include <QDir>
 #include <QFile>
@@ -80,32 +81,73 @@ Result<RecipeExport> readExport(const QJsonValue& json)
     if (!format)
         return tl::unexpected(format.error());
     const std::optional<ExportFormat> known = exportFormatNamed(*format);
-    if (!known)
+    RecipeExport made;
+    if (known)
+        made.format = *known;
+    else if (*format == QLatin1String("coverage"))
+        made.what = RecipeExport::What::Coverage;
+    else if (*format == QLatin1String("carved-volume"))
+        made.what = RecipeExport::What::CarvedVolume;
+    else
         return failure(ErrorCode::InvalidField, QStringLiteral("export.format"),
-            QStringLiteral("'%1' is not known; known are dicom-seg and nifti").arg(*format));
+            QStringLiteral("'%1' is not known; known are dicom-seg, nifti, coverage and "
+                           "carved-volume")
+                .arg(*format));
     const Result<QString> file = takeText(object, "file");
     if (!file)
         return tl::unexpected(file.error());
+    made.file = *file;
+    if (made.what == RecipeExport::What::Coverage) {
+        const QJsonValue layer = object.take(QStringLiteral("layer"));
+        if (layer.toDouble() != layer.toInt() || layer.toInt() < 1)
+            return failure(ErrorCode::InvalidField, QStringLiteral("export.layer"),
+                layer.isUndefined() ? QStringLiteral("missing")
+                                    : QStringLiteral("must be the number of a sculpt layer"));
+        made.layer = layer.toInt();
+    }
+    if (made.what == RecipeExport::What::CarvedVolume) {
+        const QJsonValue fill = object.take(QStringLiteral("fill"));
+        if (!fill.isUndefined() && !fill.isDouble())
+            return failure(ErrorCode::InvalidField, QStringLiteral("export.fill"),
+                QStringLiteral("must be a number"));
+        if (fill.isDouble())
+            made.fill = fill.toDouble();
+    }
     if (!object.isEmpty())
         return failure(ErrorCode::InvalidField,
             QStringLiteral("export.") + object.constBegin().key(), QStringLiteral("unknown field"));
-    return RecipeExport{.format = *known, .file = *file};
+    return made;
+}
+
+/// What a name says about what can be written there.
+QString obstacleOf(const RecipeExport& target, const Volume& volume)
+{
+    const QString ending = QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
+    switch (target.what) {
+    case RecipeExport::What::Coverage:
+        return isNiftiName(target.file) ? QString() : ending;
+    case RecipeExport::What::CarvedVolume:
+        return isNiftiName(target.file) ? QString() : carvedSeriesObstacle(volume);
+    case RecipeExport::What::Segments:
+        break;
+    }
+    if (target.format == ExportFormat::DicomSeg)
+        return dicomSegObstacle(volume);
+    return isNiftiName(target.file) ? QString() : ending;
 }
 
 Result<void> checkTarget(const RecipeExport& target, const Volume& volume, bool replaceExisting)
 {
     const QFileInfo info(target.file);
-    if (target.format == ExportFormat::DicomSeg) {
-        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
-            return failure(ErrorCode::UnsupportedFormat, target.file, obstacle);
-    } else if (!target.file.endsWith(QLatin1String(".nii"))
-        && !target.file.endsWith(QLatin1String(".nii.gz"))) {
-        return failure(ErrorCode::UnsupportedFormat, target.file,
-            QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz"));
-    }
-    if (info.isDir())
+    if (const QString obstacle = obstacleOf(target, volume); !obstacle.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, target.file, obstacle);
+    const bool series =
+        target.what == RecipeExport::What::CarvedVolume && !isNiftiName(target.file);
+    if (series && info.exists() && !(info.isDir() && QDir(target.file).isEmpty()))
+        return failure(ErrorCode::FileExists, target.file); // a folder is never replaced
+    if (!series && info.isDir())
         return failure(ErrorCode::FileUnwritable, target.file, QStringLiteral("it is a folder"));
-    if (info.exists() && !replaceExisting)
+    if (!series && info.exists() && !replaceExisting)
         return failure(ErrorCode::FileExists, target.file);
     const QFileInfo folder(info.absolutePath());
     if (!folder.isDir() || !folder.isWritable())
@@ -170,6 +212,12 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             seeded.insert(seed->segment);
         if (const auto* paint = std::get_if<PaintStroke>(edit); paint && !paint->erase)
             seeded.insert(paint->segment);
+        const auto* carved = std::get_if<LayerToSegment>(edit);
+        const auto* seen = std::get_if<SegmentSeen>(edit);
+        if (carved || seen) {
+            const SegmentChoice& choice = carved ? carved->target : seen->target;
+            seeded.insert(choice.segment.value_or(document.lastLabelGiven()));
+        }
     }
     const Volume& volume = document.volumes.front();
     std::set<QString> files;
@@ -181,7 +229,13 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             return at({ErrorCode::InvalidField,
                           {QStringLiteral("export.file"), QStringLiteral("is named twice")}},
                 "export", int(i));
-        if (target.format != ExportFormat::DicomSeg || walks)
+        if (target.what == RecipeExport::What::Coverage && !walks && !document.layer(target.layer))
+            return at({ErrorCode::InvalidField,
+                          {QStringLiteral("export.layer"),
+                              QStringLiteral("there is no sculpt layer %1").arg(target.layer)}},
+                "export", int(i));
+        if (target.what != RecipeExport::What::Segments || target.format != ExportFormat::DicomSeg
+            || walks)
             continue;
         for (const int label : seeded) {
             const Segment* segment = document.segment(label);

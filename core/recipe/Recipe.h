@@ -15,8 +15,12 @@
 namespace core {
 
 struct RecipeExport {
-    ExportFormat format = ExportFormat::DicomSeg;
-    QString file;
+    enum class What { Segments, Coverage, CarvedVolume };
+    What what = What::Segments;
+    ExportFormat format = ExportFormat::DicomSeg; ///< of segments
+    QString file; ///< of a carved volume also a folder that is not there yet
+    int layer = 0; ///< of coverage
+    std::optional<double> fill{}; ///< of a carved volume: modality units
 };
 
 /// What `burin run` carries out: steps, then exports.

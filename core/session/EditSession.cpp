@@ -322,6 +322,11 @@ Result<std::vector<std::uint8_t>> EditSession::labels(std::uint8_t plane)
     return readLabels(*m_queue, plane);
 }
 
+Result<std::vector<std::uint8_t>> EditSession::coverage(std::uint8_t layer)
+{
+    return readLabels(*m_queue, layer, Field::Coverage);
+}
+
 void EditSession::setStepMemory(std::size_t bytes)
 {
     m_queue->state().recent.setMostBytes(bytes);

@@ -137,6 +137,8 @@ public:
     /// Labels of a plane, x fastest, as they are after settle(): for export and checks. Waits; who
     /// must not asks a LabelReader's questions.
     [[nodiscard]] Result<std::vector<std::uint8_t>> labels(std::uint8_t plane);
+    /// A sculpt layer's coverage, likewise.
+    [[nodiscard]] Result<std::vector<std::uint8_t>> coverage(std::uint8_t layer);
 
     /// How many bytes of memory the bricks of the steps that were used last may take, so that undo
     /// and redo over them need no disk; RecentSteps::usualBytes until it is set.

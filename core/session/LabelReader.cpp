@@ -11,9 +11,10 @@ constexpr int portion = 1024; ///< bricks
 
 } // namespace
 
-LabelReader::LabelReader(const glm::ivec3& size, std::uint8_t plane)
+LabelReader::LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field)
     : m_grid{size}
     , m_plane(plane)
+    , m_field(field)
     , m_labels(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
 {
 }
@@ -25,7 +26,7 @@ std::optional<ReadBricks> LabelReader::next()
     const int end = std::min(m_next + portion, m_grid.brickCount());
     ReadBricks read;
     for (; m_next < end; ++m_next)
-        read.keys.push_back({Field::Labels, m_plane, std::uint32_t(m_next)});
+        read.keys.push_back({m_field, m_plane, std::uint32_t(m_next)});
     return read;
 }
 

@@ -10,12 +10,13 @@
 
 namespace core {
 
-/// One label plane on its way from the engine, in portions of 4 MiB, so that a large volume is
-/// not there twice and other work comes in between. Ask next(), give the answer to take(), until
-/// next() has nothing left to ask.
+/// One label plane, or one layer's coverage, on its way from the engine, in portions of 4 MiB, so
+/// that a large volume is not there twice and other work comes in between. Ask next(), give the
+/// answer to take(), until next() has nothing left to ask.
 class LabelReader {
 public:
-    LabelReader(const glm::ivec3& size, std::uint8_t plane);
+    /// @param field Labels or Coverage
+    LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field = Field::Labels);
 
     [[nodiscard]] std::optional<ReadBricks> next();
     [[nodiscard]] Result<void> take(const EngineResult& answer);
@@ -31,6 +32,7 @@ private:
 
     BrickGrid m_grid;
     std::uint8_t m_plane;
+    Field m_field;
     int m_next = 0;
     std::vector<std::uint8_t> m_labels;
 };

@@ -5,9 +5,9 @@
 
 namespace core {
 
-Result<std::vector<std::uint8_t>> readLabels(OperationQueue& queue, std::uint8_t plane)
+Result<std::vector<std::uint8_t>> readLabels(OperationQueue& queue, std::uint8_t plane, Field field)
 {
-    LabelReader reader(queue.state().document.volumes.front().geometry.size, plane);
+    LabelReader reader(queue.state().document.volumes.front().geometry.size, plane, field);
     Result<void> taken;
     while (auto question = reader.next()) {
         bool answered = false;

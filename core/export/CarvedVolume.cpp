@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/CarvedVolume.h"
+
+#include "core/base/StagedFile.h"
+#include "core/dicom/CarvedSeriesWriter.h"
+#include "core/export/CheckCarved.h"
+#include "core/export/MaskSelection.h"
+#include "core/nifti/NiftiWriter.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QUuid>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace core {
+
+namespace {
+
+/// A folder that appears under its name only once it is whole.
+class StagedFolder {
+public:
+    explicit StagedFolder(const QString& target)
+        : m_target(QFileInfo(target).absoluteFilePath())
+        , m_path(QFileInfo(m_target).absoluteDir().filePath(
+              QStringLiteral(".burin-") + QUuid::createUuid().toString(QUuid::Id128).left(12)))
+    {
+    }
+    StagedFolder(const StagedFolder&) = delete;
+    StagedFolder& operator=(const StagedFolder&) = delete;
+    ~StagedFolder()
+    {
+        if (m_made)
+            QDir(m_path).removeRecursively();
+    }
+
+    [[nodiscard]] const QString& path() const { return m_path; }
+
+    Result<void> make()
+    {
+        const QFileInfo target(m_target);
+        if (target.exists() && !(target.isDir() && QDir(m_target).isEmpty()))
+            return failure(ErrorCode::FileExists, m_target);
+        m_made = QDir().mkdir(m_path);
+        if (!m_made)
+            return failure(
+                ErrorCode::FileUnwritable, m_target, QStringLiteral("no folder can be made there"));
+        return {};
+    }
+    Result<void> commit()
+    {
+        // An empty folder of that name gives way; one that has been filled meanwhile does not.
+        if (std::rename(
+                QFile::encodeName(m_path).constData(), QFile::encodeName(m_target).constData())
+            != 0)
+            return failure(
+                ErrorCode::FileUnwritable, m_target, QStringLiteral("it cannot be named so"));
+        m_made = false;
+        return {};
+    }
+
+private:
+    QString m_target;
+    QString m_path;
+    bool m_made = false;
+};
+
+Error renamed(Error error, const QString& path, const QString& target)
+{
+    for (QString& argument : error.arguments)
+        argument.replace(path, target);
+    return error;
+}
+
+/// What stands at a voxel of the carved volume.
+ExpectedValue carvedValue(const Volume& volume, const CarvedRequest& request, double fill)
+{
+    return [&volume, &request, fill](std::size_t i) {
+        return request.coverage[i] >= 128 ? fill : volume.encoding.value(request.codes[i]);
+    };
+}
+
+QString numberText(double value, const QString& unit)
+{
+    const QString number = QString::number(value, 'g', 12);
+    return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
+}
+
+Result<StagedFile> stagedNifti(const Volume& volume, const QString& file, bool force)
+{
+    if (isSourceFile(volume, file))
+        return failure(
+            ErrorCode::FileUnwritable, file, QStringLiteral("it is a file of the study itself"));
+    return StagedFile::create(file, force);
+}
+
+/// In one call, since the voxels' type is known only after a look at all of them.
+Result<NiftiWritten> writeValues(
+    const QString& path, const Volume& volume, const ExpectedValue& value, bool* isFloat)
+{
+    const std::size_t count = volume.geometry.voxelCount();
+    bool whole = true;
+    for (std::size_t i = 0; i < count && whole; ++i) {
+        const double each = value(i);
+        whole = each == std::floor(each) && each >= -32768.0 && each <= 32767.0;
+    }
+    *isFloat = !whole;
+    NiftiImage image{.geometry = volume.geometry,
+        .voxels = {},
+        .description = QStringLiteral("Burin: carved volume")};
+    if (whole) {
+        std::vector<std::int16_t> voxels(count);
+        for (std::size_t i = 0; i < count; ++i)
+            voxels[i] = std::int16_t(value(i));
+        image.voxels = std::span<const std::int16_t>(voxels);
+        return writeNiftiAt(path, image);
+    }
+    std::vector<float> voxels(count);
+    for (std::size_t i = 0; i < count; ++i)
+        voxels[i] = float(value(i));
+    image.voxels = std::span<const float>(voxels);
+    return writeNiftiAt(path, image);
+}
+
+Result<ExportReport> exportNifti(
+    const Volume& volume, const CarvedRequest& request, double fill, ExportReport report)
+{
+    auto staged = stagedNifti(volume, request.target, request.force);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    const ExpectedValue value = carvedValue(volume, request, fill);
+    bool isFloat = false;
+    const auto written = writeValues(staged->path(), volume, value, &isFloat);
+    if (!written)
+        return tl::unexpected(renamed(written.error(), staged->path(), request.target));
+    report.written += isFloat ? QStringLiteral("NIfTI, 32-bit floating point, on the study's grid.")
+                              : QStringLiteral("NIfTI, 16-bit whole numbers, on the study's grid.");
+    const auto checked = checkNiftiValues(staged->path(), volume, value);
+    if (!checked)
+        return tl::unexpected(renamed(checked.error(), staged->path(), request.target));
+    report.checked = *checked;
+    if (volume.encoding.maxError > 0.0)
+        report.cautions += QStringLiteral("Values are rounded by up to %1, as they are on screen.")
+                               .arg(volume.encoding.maxError);
+    if (!volume.geometry.slicePositions.empty())
+        report.cautions +=
+            QStringLiteral("The slices are not evenly spaced; NIfTI has one step for "
+                           "all of them.");
+    if (auto done = staged->commit(); !done)
+        return tl::unexpected(done.error());
+    return report;
+}
+
+Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& request, double fill,
+    ExportReport report, const Progress& progress)
+{
+    if (const QString obstacle = carvedSeriesObstacle(volume); !obstacle.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.target, obstacle);
+    StagedFolder staged(request.target);
+    if (const Result<void> made = staged.make(); !made)
+        return tl::unexpected(made.error());
+    const auto written = writeCarvedSeries(staged.path(),
+        {.sources = volume.sources,
+            .size = volume.geometry.size,
+            .coverage = request.coverage,
+            .fill = fill,
+            .unit = volume.unit},
+        progress);
+    if (!written)
+        return tl::unexpected(renamed(written.error(), staged.path(), request.target));
+    report.cautions += *written;
+    report.written += QStringLiteral("A new DICOM series of %1 images in the same study; it was "
+                                     "sent nowhere.")
+                          .arg(volume.geometry.size.z);
+    const auto checked = checkCarvedSeries(staged.path(), volume,
+        carvedValue(volume, request, fill), volume.encoding.maxError, progress);
+    if (!checked)
+        return tl::unexpected(renamed(checked.error(), staged.path(), request.target));
+    report.checked = *checked;
+    if (auto done = staged.commit(); !done)
+        return tl::unexpected(done.error());
+    return report;
+}
+
+} // namespace
+
+bool isNiftiName(const QString& file)
+{
+    return file.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)
+        || file.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
+}
+
+QString carvedSeriesObstacle(const Volume& volume)
+{
+    if (volume.sourceFormat != QLatin1String("DICOM")
+        || volume.sources.size() != std::size_t(volume.geometry.size.z))
+        return QStringLiteral("the study was not read from DICOM images; NIfTI can be exported");
+    if (volume.keptHeaders)
+        return QStringLiteral("the study's own files are not at hand, which the new images are "
+                              "made of; NIfTI can be exported");
+    if (volume.identity.studyUid.isEmpty() || volume.identity.seriesUid.isEmpty())
+        return QStringLiteral("the source images do not say of which study and series they are; "
+                              "NIfTI can be exported");
+    for (std::size_t k = 0; k < volume.sources.size(); ++k) {
+        if (volume.sources[k].frame != 0
+            || (k > 0 && volume.sources[k].file == volume.sources[k - 1].file))
+            return QStringLiteral("the study is a file of several frames; NIfTI can be exported");
+    }
+    return {};
+}
+
+Result<ExportReport> exportCarvedVolume(
+    const Volume& volume, const CarvedRequest& request, const Progress& progress)
+{
+    const auto carved = std::count_if(request.coverage.begin(), request.coverage.end(),
+        [](std::uint8_t each) { return each >= 128; });
+    if (carved == 0)
+        return failure(
+            ErrorCode::NothingToExport, request.target, QStringLiteral("nothing is carved away"));
+    const double fill = request.fill.value_or(volume.minimum);
+    ExportReport report;
+    report.file = request.target;
+    report.written += QStringLiteral("Carved volume: %1 of %2 voxels hold %3.")
+                          .arg(carved)
+                          .arg(request.coverage.size())
+                          .arg(numberText(fill, volume.unit));
+    for (const VolumeProblem& problem : volume.problems) {
+        if (problem.caution)
+            report.cautions += problem.text;
+    }
+    return isNiftiName(request.target)
+        ? exportNifti(volume, request, fill, std::move(report))
+        : exportSeries(volume, request, fill, std::move(report), progress);
+}
+
+Result<ExportReport> exportCoverage(
+    const Volume& volume, const CoverageRequest& request, const Progress&)
+{
+    if (!isNiftiName(request.file))
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz"));
+    auto staged = stagedNifti(volume, request.file, request.force);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    const auto written = writeNiftiAt(staged->path(),
+        {.geometry = volume.geometry,
+            .voxels = request.coverage,
+            .description = QStringLiteral("Burin: coverage of ") + request.layer,
+            .labels = false});
+    if (!written)
+        return tl::unexpected(renamed(written.error(), staged->path(), request.file));
+    const auto checked = checkNiftiValues(
+        staged->path(), volume, [&request](std::size_t i) { return double(request.coverage[i]); });
+    if (!checked)
+        return tl::unexpected(renamed(checked.error(), staged->path(), request.file));
+    ExportReport report;
+    report.file = request.file;
+    report.written += QStringLiteral("Coverage of sculpt layer '%1', 0 … 255; 128 and more is "
+                                     "carved away.")
+                          .arg(request.layer);
+    report.checked = *checked;
+    if (auto done = staged->commit(); !done)
+        return tl::unexpected(done.error());
+    return report;
+}
+
+} // namespace core
