@@ -13,6 +13,7 @@
 #include "ui/MessageBar.h"
 #include "ui/RecentStudies.h"
 #include "ui/Theme.h"
+#include "ui/dialogs/CarvedExportDialog.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/ClippingPanel.h"
@@ -139,8 +140,18 @@ void Application::addExport()
                 return m_workspace->session()
                     && !m_workspace->session()->document().segments.empty();
             }});
+    QAction& carved = m_window->actionTable().add({.id = QStringLiteral("file.exportCarved"),
+        .text = QStringLiteral("Export carved volume …"),
+        .run =
+            [this] {
+                auto* dialog = new ui::CarvedExportDialog(*m_workspace, m_window.get());
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+            },
+        .possible = [this] { return m_workspace->session() != nullptr; }});
     QMenu& menu = m_window->fileMenu();
     menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], &action);
+    menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], &carved);
     m_window->actionTable().refresh();
 }
 

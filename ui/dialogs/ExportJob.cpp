@@ -6,9 +6,7 @@
 namespace ui {
 
 struct ExportJob::Work {
-    core::Volume volume;
-    core::ExportRequest request;
-    std::vector<Plane> planes;
+    std::function<core::Result<core::ExportReport>(const core::Progress&)> write;
     core::Progress progress;
 
     explicit Work(core::Progress::Listener listener)
@@ -31,6 +29,18 @@ ExportJob::~ExportJob()
 
 void ExportJob::start(core::Volume volume, core::ExportRequest request, std::vector<Plane> planes)
 {
+    start([volume = std::move(volume), request = std::move(request), planes = std::move(planes)](
+              const core::Progress& progress) {
+        core::ExportRequest whole = request;
+        whole.planes.clear();
+        for (const Plane& plane : planes)
+            whole.planes.push_back({plane.plane, plane.labels});
+        return core::exportMask(volume, whole, progress);
+    });
+}
+
+void ExportJob::start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write)
+{
     if (running())
         return;
     // Signals across threads: the listener runs on the worker, its connections are queued.
@@ -39,14 +49,9 @@ void ExportJob::start(core::Volume volume, core::ExportRequest request, std::vec
             this, [this, step, done, total] { Q_EMIT progressed(step, done, total); },
             Qt::QueuedConnection);
     });
-    m_work->volume = std::move(volume);
-    m_work->request = std::move(request);
-    m_work->planes = std::move(planes);
-    m_work->request.planes.clear();
-    for (const Plane& plane : m_work->planes)
-        m_work->request.planes.push_back({plane.plane, plane.labels});
+    m_work->write = std::move(write);
     m_thread.reset(QThread::create([this, work = m_work] {
-        auto result = core::exportMask(work->volume, work->request, work->progress);
+        auto result = work->write(work->progress);
         QMetaObject::invokeMethod(
             this,
             [this, outcome = std::move(result)] {

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QThread>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,8 @@ public:
 
     /// @param request its planes are taken from @p planes
     void start(core::Volume volume, core::ExportRequest request, std::vector<Plane> planes);
+    /// Any other export. @param write called on the job's thread; owns all it needs
+    void start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write);
     void cancel();
     [[nodiscard]] bool running() const;
 

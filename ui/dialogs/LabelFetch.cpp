@@ -7,13 +7,14 @@
 
 namespace ui {
 
-void LabelFetch::start(core::EditSession& session, const std::set<std::uint8_t>& planes)
+void LabelFetch::start(
+    core::EditSession& session, const std::set<std::uint8_t>& planes, core::Field field)
 {
     session.closeGrowth();
     const glm::ivec3 size = session.document().volumes.front().geometry.size;
     m_work = std::make_shared<Work>(Work{session, {}});
     for (const std::uint8_t plane : planes)
-        m_work->readers.emplace_back(size, plane);
+        m_work->readers.emplace_back(size, plane, field);
     askNext();
 }
 

@@ -13,8 +13,9 @@
 
 namespace ui {
 
-/// Label planes of a session as they are after all that was asked of it, read from the engine a
-/// portion at a time while the window goes on. GUI thread; never waits.
+/// Label planes, or the coverage of sculpt layers, of a session as they are after all that was
+/// asked of it, read from the engine a portion at a time while the window goes on. GUI thread;
+/// never waits.
 class LabelFetch : public QObject {
     Q_OBJECT
 
@@ -22,7 +23,8 @@ public:
     using QObject::QObject;
 
     /// Closes a growth that runs. @param session lives until the fetch ended or was cancelled
-    void start(core::EditSession& session, const std::set<std::uint8_t>& planes);
+    void start(core::EditSession& session, const std::set<std::uint8_t>& planes,
+        core::Field field = core::Field::Labels);
     /// Nothing is told any more.
     void cancel() { m_work.reset(); }
     [[nodiscard]] bool running() const { return m_work != nullptr; }

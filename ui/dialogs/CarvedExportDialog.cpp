@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/CarvedExportDialog.h"
+
+#include "core/export/CarvedVolume.h"
+#include "core/session/SessionStudy.h"
+#include "ui/ErrorText.h"
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+
+namespace ui {
+
+namespace {
+
+QString folderKey()
+{
+    return QStringLiteral("export/folder");
+}
+
+QLabel* line(QWidget* parent, const QString& text, const char* role)
+{
+    auto* label = new QLabel(text, parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setProperty("role", QLatin1String(role));
+    return label;
+}
+
+const core::SculptLayer* activeLayer(Workspace& workspace)
+{
+    return workspace.session()->document().layer(workspace.activeLayer());
+}
+
+/// The greatest coverage of any layer.
+std::vector<std::uint8_t> composed(
+    const std::vector<ExportJob::Plane>& layers, std::size_t voxelCount)
+{
+    std::vector<std::uint8_t> carved(voxelCount, 0);
+    for (const ExportJob::Plane& layer : layers)
+        std::transform(carved.begin(), carved.end(), layer.labels.begin(), carved.begin(),
+            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    return carved;
+}
+
+} // namespace
+
+CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
+    : QDialog(parent)
+    , m_workspace(workspace)
+{
+    setWindowTitle(tr("Export carved volume"));
+    resize(620, 360);
+    build();
+    suggestTarget();
+
+    for (QRadioButton* button : {m_series, m_nifti, m_coverage})
+        connect(button, &QRadioButton::toggled, this, &CarvedExportDialog::suggestTarget);
+    connect(m_target, &QLineEdit::textChanged, this, &CarvedExportDialog::showState);
+    connect(m_browse, &QPushButton::clicked, this, &CarvedExportDialog::browse);
+    connect(m_export, &QPushButton::clicked, this, &CarvedExportDialog::start);
+    connect(m_close, &QPushButton::clicked, this, &CarvedExportDialog::reject);
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_fetch.cancel();
+        QDialog::reject();
+    });
+    connect(&m_fetch, &LabelFetch::progressed, this,
+        [this](int done, int total) { showProgress(tr("Reading what is carved"), done, total); });
+    connect(&m_fetch, &LabelFetch::finished, this, &CarvedExportDialog::write);
+    connect(&m_fetch, &LabelFetch::failed, this, &CarvedExportDialog::showFailure);
+    connect(&m_job, &ExportJob::progressed, this, &CarvedExportDialog::showProgress);
+    connect(&m_job, &ExportJob::finished, this, &CarvedExportDialog::showReport);
+    connect(&m_job, &ExportJob::failed, this, &CarvedExportDialog::showFailure);
+}
+
+void CarvedExportDialog::build()
+{
+    const core::Volume& volume = *m_workspace.volume();
+    const core::SculptLayer* layer = activeLayer(m_workspace);
+    auto* patient = line(this, patientText(volume.identity), "heading");
+    m_series = new QRadioButton(
+        tr("DICOM: a new series of the same study, in a new folder (sent nowhere)"), this);
+    m_series->setObjectName(QStringLiteral("carvedSeries"));
+    m_nifti = new QRadioButton(tr("NIfTI volume (.nii.gz, no patient data)"), this);
+    m_nifti->setObjectName(QStringLiteral("carvedNifti"));
+    m_coverage = new QRadioButton(
+        tr("Only the coverage of layer '%1', as NIfTI").arg(layer ? layer->name : QString()), this);
+    m_coverage->setObjectName(QStringLiteral("carvedCoverage"));
+    m_coverage->setEnabled(layer);
+    const QString obstacle = core::carvedSeriesObstacle(volume);
+    auto* why = line(this, tr("A DICOM series is not possible: %1").arg(obstacle), "secondary");
+    why->setVisible(!obstacle.isEmpty());
+    m_series->setEnabled(obstacle.isEmpty());
+    (obstacle.isEmpty() ? m_series : m_nifti)->setChecked(true);
+
+    m_fillLabel = new QLabel(tr("Where nothing is left"), this);
+    m_fill = new QDoubleSpinBox(this);
+    m_fill->setObjectName(QStringLiteral("carvedFill"));
+    m_fill->setRange(-1e6, 1e6);
+    m_fill->setDecimals(volume.encoding.rescaleSlope == 1.0 ? 0 : 3);
+    m_fill->setValue(volume.minimum);
+    if (!volume.unit.isEmpty())
+        m_fill->setSuffix(QLatin1Char(' ') + volume.unit);
+    m_fill->setToolTip(tr("The value of the voxels that are carved away; at first the least of the "
+                          "study"));
+    m_target = new QLineEdit(this);
+    m_target->setObjectName(QStringLiteral("carvedTarget"));
+    m_browse = new QPushButton(tr("Browse …"), this);
+    m_state = line(this, {}, "secondary");
+    m_state->setObjectName(QStringLiteral("carvedState"));
+    m_progress = new QProgressBar(this);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_report = line(this, {}, "good");
+    m_report->setObjectName(QStringLiteral("carvedReport"));
+    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->hide();
+    m_export = new QPushButton(tr("Export and check"), this);
+    m_export->setObjectName(QStringLiteral("carvedStart"));
+    m_export->setDefault(true);
+    m_close = new QPushButton(tr("Close"), this);
+    m_close->setAutoDefault(false);
+    m_browse->setAutoDefault(false);
+
+    auto* fill = new QHBoxLayout;
+    fill->addWidget(m_fillLabel);
+    fill->addWidget(m_fill);
+    fill->addStretch(1);
+    auto* target = new QHBoxLayout;
+    target->addWidget(new QLabel(tr("To"), this));
+    target->addWidget(m_target, 1);
+    target->addWidget(m_browse);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_close);
+    buttons->addWidget(m_export);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(patient);
+    layout->addWidget(m_series);
+    layout->addWidget(why);
+    layout->addWidget(m_nifti);
+    layout->addWidget(m_coverage);
+    layout->addLayout(fill);
+    layout->addLayout(target);
+    layout->addWidget(m_state);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_report);
+    layout->addStretch(1);
+    layout->addLayout(buttons);
+}
+
+void CarvedExportDialog::suggestTarget()
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString folder = m_target->text().isEmpty()
+        ? QSettings().value(folderKey(), documents).toString()
+        : QFileInfo(m_target->text()).path();
+    const QString name = m_series->isChecked() ? QStringLiteral("carved")
+        : m_nifti->isChecked()                 ? QStringLiteral("carved.nii.gz")
+                                               : QStringLiteral("coverage.nii.gz");
+    m_target->setText(QDir(folder).filePath(name));
+    m_fill->setEnabled(!m_coverage->isChecked());
+    m_fillLabel->setEnabled(!m_coverage->isChecked());
+    showState();
+}
+
+void CarvedExportDialog::showState()
+{
+    if (running())
+        return;
+    const bool named = !m_target->text().trimmed().isEmpty();
+    m_state->setText(named ? QString() : tr("Name the target."));
+    m_export->setEnabled(named);
+}
+
+void CarvedExportDialog::browse()
+{
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Export to"), m_target->text(),
+        m_series->isChecked() ? tr("New folder (*)") : tr("NIfTI (*.nii.gz *.nii)"), nullptr,
+        QFileDialog::DontConfirmOverwrite);
+    if (!chosen.isEmpty())
+        m_target->setText(chosen);
+}
+
+void CarvedExportDialog::start()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || running())
+        return;
+    const QFileInfo target(m_target->text().trimmed());
+    m_force = false;
+    if (!m_series->isChecked() && target.exists()) {
+        const auto answer = QMessageBox::question(this, tr("Replace the file?"),
+            tr("%1 exists already. Replace it?").arg(target.filePath()),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+        if (answer != QMessageBox::Yes)
+            return;
+        m_force = true;
+    }
+    QSettings().setValue(folderKey(), target.absolutePath());
+    std::set<std::uint8_t> layers;
+    for (const core::SculptLayer& layer : session->document().layers) {
+        const bool wanted = m_coverage->isChecked() ? layer.id == m_workspace.activeLayer()
+                                                    : session->document().carves(layer);
+        if (wanted)
+            layers.insert(layer.id);
+    }
+    m_report->hide();
+    showProgress(tr("Reading what is carved"), 0, 0);
+    m_fetch.start(*session, layers, core::Field::Coverage);
+    showRunning(true);
+}
+
+void CarvedExportDialog::write(const std::vector<ExportJob::Plane>& layers)
+{
+    const core::Volume volume = *m_workspace.volume();
+    std::vector<std::uint8_t> coverage = composed(layers, volume.geometry.voxelCount());
+    const QString target = m_target->text().trimmed();
+    if (m_coverage->isChecked()) {
+        const core::SculptLayer* layer = activeLayer(m_workspace);
+        m_job.start([volume, target, force = m_force, name = layer ? layer->name : QString(),
+                        bytes = std::move(coverage)](const core::Progress& progress) {
+            return core::exportCoverage(volume,
+                {.file = target, .force = force, .layer = name, .coverage = bytes}, progress);
+        });
+        return;
+    }
+    m_job.start([volume, target, force = m_force, fill = m_fill->value(),
+                    session = m_workspace.session()->file(), bytes = std::move(coverage)](
+                    const core::Progress& progress) -> core::Result<core::ExportReport> {
+        // The engine alone has the values; exactly they are had from where the study lies.
+        const auto study = core::loadSessionStudy(
+            session, core::SessionSource::of(volume), QString(), QString(), progress);
+        if (!study)
+            return tl::unexpected(study.error());
+        return core::exportCarvedVolume(study->volume,
+            {.target = target,
+                .force = force,
+                .coverage = bytes,
+                .codes = study->codes,
+                .fill = fill},
+            progress);
+    });
+}
+
+void CarvedExportDialog::showRunning(bool isRunning)
+{
+    const bool possible = core::carvedSeriesObstacle(*m_workspace.volume()).isEmpty();
+    for (QWidget* input : std::initializer_list<QWidget*>{m_nifti, m_target, m_browse})
+        input->setEnabled(!isRunning);
+    m_series->setEnabled(!isRunning && possible);
+    m_coverage->setEnabled(!isRunning && activeLayer(m_workspace));
+    m_fill->setEnabled(!isRunning && !m_coverage->isChecked());
+    m_progress->setVisible(isRunning);
+    m_close->setText(isRunning ? tr("Abort") : tr("Close"));
+    if (isRunning)
+        m_export->setEnabled(false);
+    else
+        showState();
+}
+
+void CarvedExportDialog::showProgress(const QString& step, int done, int total)
+{
+    m_progress->setRange(0, std::max(total, 0));
+    m_progress->setValue(done);
+    m_state->setText(step);
+}
+
+void CarvedExportDialog::showReport(const core::ExportReport& report)
+{
+    showRunning(false);
+    QStringList lines = report.written;
+    for (const QString& sentence : report.checked)
+        lines += QStringLiteral("✓ ") + sentence;
+    for (const QString& caution : report.cautions)
+        lines += tr("Caution: %1").arg(caution);
+    m_report->setText(lines.join(QLatin1Char('\n')));
+    m_report->show();
+    m_workspace.say(tr("Exported and checked: %1").arg(report.file));
+    Q_EMIT exported(report.file);
+}
+
+void CarvedExportDialog::showFailure(const core::Error& error)
+{
+    showRunning(false);
+    m_state->setText(error.code == core::ErrorCode::Cancelled
+            ? tr("The export was aborted; nothing was written.")
+            : errorText(error));
+}
+
+void CarvedExportDialog::reject()
+{
+    if (m_fetch.running()) {
+        m_fetch.cancel();
+        return showFailure({core::ErrorCode::Cancelled, {}});
+    }
+    if (m_job.running())
+        return m_job.cancel();
+    QDialog::reject();
+}
+
+} // namespace ui
