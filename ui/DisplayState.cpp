@@ -302,6 +302,8 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("showCrosshair"), options.showCrosshair},
         {QStringLiteral("showPatient"), options.showPatient},
         {QStringLiteral("showSegments"), options.showSegments},
+        {QStringLiteral("showCarved"), options.showCarved},
+        {QStringLiteral("carvedAsHole"), options.carvedAsHole},
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
         {QStringLiteral("clip"), toJson(m_workspace.clip())},
         {QStringLiteral("views"), composedViews()},
@@ -356,6 +358,8 @@ void DisplayState::apply(const QJsonObject& state)
     read(state[QLatin1String("showCrosshair")], options.showCrosshair);
     read(state[QLatin1String("showPatient")], options.showPatient);
     read(state[QLatin1String("showSegments")], options.showSegments);
+    read(state[QLatin1String("showCarved")], options.showCarved);
+    read(state[QLatin1String("carvedAsHole")], options.carvedAsHole);
     m_workspace.setViewOptions(options);
     Workspace::VolumeDisplay volume = m_workspace.volumeDisplay();
     read(state[QLatin1String("volume")], volume);

@@ -148,7 +148,8 @@ void MainWindow::buildMenus()
             "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
             "view.fromBelow"}));
     view->addSeparator();
-    m_actions.fill(*view, ids({"view.crosshair", "view.patient", "view.segments", ""}));
+    m_actions.fill(*view,
+        ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole", ""}));
     m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
     m_actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
     m_actions.fill(*view, ids({"view.fullScreen"}));

@@ -196,7 +196,8 @@ void addToggle(MainWindow& window, const char* id, const char* text, const char*
     Workspace& workspace = window.workspace();
     window.actionTable().add({.id = QLatin1String(id),
         .text = QLatin1String(text),
-        .keys = {QKeySequence(QLatin1String(key))},
+        .keys =
+            *key ? QList<QKeySequence>{QKeySequence(QLatin1String(key))} : QList<QKeySequence>(),
         .run =
             [&workspace, option] {
                 Workspace::ViewOptions options = workspace.viewOptions();
@@ -264,6 +265,10 @@ void addViewActions(MainWindow& window)
     addToggle(window, "view.patient", "Patient in the corners", "F8",
         &Workspace::ViewOptions::showPatient);
     addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);
+    addToggle(window, "view.carved", "Outline of carving in slices", "Shift+H",
+        &Workspace::ViewOptions::showCarved);
+    addToggle(window, "view.hole", "Carving as a hole in slices", "",
+        &Workspace::ViewOptions::carvedAsHole);
     actions.add({.id = QStringLiteral("view.panels"),
         .text = QStringLiteral("Show panels"),
         .keys = {QKeySequence(QStringLiteral("F9"))},

@@ -80,6 +80,8 @@ public:
         bool showPatient = true; ///< name, ID and birth date in the corners
         bool showCrosshair = true;
         bool showSegments = true; ///< all segments at once; each keeps its own visibility
+        bool showCarved = true; ///< in slices: what is carved away, as a tinted outline
+        bool carvedAsHole = false; ///< in slices: what is carved away is black
         bool inverted = false; ///< of slices: grey scale the other way round
         bool operator==(const ViewOptions&) const = default;
     };

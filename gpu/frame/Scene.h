@@ -36,6 +36,7 @@ struct SliceScene {
     bool inverted = false; ///< dark is high
     bool interpolated = true; ///< false: nearest voxel
     bool showCarved = true; ///< carved voxels as a tinted outline
+    bool carvedAsHole = false; ///< carved voxels black; with or without the outline
     bool operator==(const SliceScene&) const = default;
 };
 

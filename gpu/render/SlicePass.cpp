@@ -41,6 +41,7 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         .set("inverted", scene.inverted)
         .set("interpolated", scene.interpolated)
         .set("showCarved", scene.showCarved)
+        .set("carvedAsHole", scene.carvedAsHole)
         .set("fillOpacity", segments.fillOpacity)
         .set("outlineWidth", segments.outlineWidthPixels);
     program.use();

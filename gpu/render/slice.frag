@@ -15,6 +15,7 @@ uniform vec2 window; // grey = code / 65535 · x + y
 uniform bool inverted;
 uniform bool interpolated;
 uniform bool showCarved;
+uniform bool carvedAsHole;
 uniform float fillOpacity;
 uniform float outlineWidth; // pixels
 
@@ -52,6 +53,11 @@ void main()
     const float grey
         = clamp(texture(intensity, (place + 0.5) / size).r * window.x + window.y, 0.0, 1.0);
     vec3 result = vec3(inverted ? 1.0 - grey : grey);
+#if CARVED
+    const float covered = texture(radiation, (index + 0.5) / size).r;
+    // Segments are drawn whole over it.
+    result *= carvedAsHole && covered >= 0.5 ? 0.0 : 1.0;
+#endif
 
 #if LABELED
     const uint label = texelFetch(labels, voxel, 0).r;
@@ -64,13 +70,12 @@ void main()
     result = mix(result, entry.rgb, entry.a * (edge ? 1.0 : fillOpacity));
 #endif
 #if CARVED
-    const float covered = texture(radiation, (index + 0.5) / size).r;
     float least = 1.0;
     for (int i = 0; i < 8; i += 2) {
         const vec3 there = indexAt(pixel + around(i) * carvedWidth);
         least = min(least, texture(radiation, (there + 0.5) / size).r);
     }
-    const float tint = least < 0.5 ? 0.9 : 0.10;
+    const float tint = least < 0.5 ? 0.9 : carvedAsHole ? 0.0 : 0.10;
     result = mix(result, carvedColour, showCarved && covered >= 0.5 ? tint : 0.0);
 #endif
     colour = vec4(inside ? result : vec3(0.0), 1.0);

@@ -140,6 +140,8 @@ gpu::Scene SliceView::scene() const
     scene.mmPerPixel = m_mmPerPixel;
     scene.window = workspace().windowLevel();
     scene.inverted = workspace().viewOptions().inverted;
+    scene.showCarved = workspace().viewOptions().showCarved;
+    scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
     return scene;
 }
 
