@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/textures/PieceTextures.h"
+
 #include <bitset>
+#include <vector>
 
 namespace gpu {
 
@@ -29,6 +32,10 @@ public:
     /// These labels are to be in VolumeTextures::segmentation() from now on. Does not wait: the map
     /// follows by work(), which marks it dirty. None at first.
     virtual void showSegments(const std::bitset<256>& labels) = 0;
+
+    /// The footprints of these are to be in VolumeTextures::pieces() from now on; they follow like
+    /// the map. None at first.
+    virtual void showPieces(const std::vector<PieceSource>& sources) = 0;
 };
 
 } // namespace gpu

@@ -51,6 +51,7 @@ core::Result<void> GpuEditEngine::openVolume(
             return;
         m_fields = std::make_unique<VoxelFields>(m_shaders, m_textures);
         m_fields->setShownLabels(m_shownLabels);
+        m_fields->setPieces(m_shownPieces);
         publishProgress();
     });
     return opened;
@@ -102,6 +103,13 @@ void GpuEditEngine::showSegments(const std::bitset<256>& labels)
         m_fields->setShownLabels(labels);
 }
 
+void GpuEditEngine::showPieces(const std::vector<PieceSource>& sources)
+{
+    m_shownPieces = sources;
+    if (m_fields)
+        m_fields->setPieces(sources);
+}
+
 std::size_t GpuEditEngine::brickBytes() const
 {
     return m_fields ? m_fields->bytes() : 0;
@@ -122,6 +130,10 @@ bool GpuEditEngine::work()
     }
     if (m_fields && m_fields->segmentationStale()) {
         m_fields->updateSegmentation(segmentationBricksPerSlice);
+        return true;
+    }
+    if (m_fields && m_fields->piecesStale()) {
+        m_fields->updatePieces(segmentationBricksPerSlice);
         return true;
     }
     return false;

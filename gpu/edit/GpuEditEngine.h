@@ -36,6 +36,7 @@ public:
 
     bool work() override;
     void showSegments(const std::bitset<256>& labels) override;
+    void showPieces(const std::vector<PieceSource>& sources) override;
     /// GPU bytes of the bricked fields.
     [[nodiscard]] std::size_t brickBytes() const;
 
@@ -75,6 +76,7 @@ private:
     std::unique_ptr<VoxelFields> m_fields;
     std::unique_ptr<EditTransaction> m_transaction;
     std::bitset<256> m_shownLabels;
+    std::vector<PieceSource> m_shownPieces;
     double m_editMilliseconds = 0.0; ///< of the open transaction
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     EngineThread::Clock::time_point m_nextGeneration;

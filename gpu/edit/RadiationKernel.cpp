@@ -50,40 +50,68 @@ RadiationKernel::RadiationKernel(const ShaderLibrary& library, const core::Brick
 void RadiationKernel::updateFromCoverage(
     std::span<BrickField* const> layers, const Texture3D& target, std::span<const Region> regions)
 {
-    update(target, regions, [this, layers](unsigned count) {
-        bool first = true;
-        for (BrickField* layer : layers) {
-            layer->atlas().bindUnit(0);
-            layer->pageTable().bindUnit(1);
-            m_gatherCoverage.set("firstLayer", first);
-            m_gatherCoverage.dispatch({count * gatherGroupsPerBrick, 1, 1});
-            // The summary only ever gains bits, so a later layer must start it afresh.
-            if (layer != layers.back()) {
-                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-                m_summaries.fill(0);
-            }
-            first = false;
-        }
-    });
+    update({.target = target}, regions,
+        [this, layers](unsigned count) { gatherLayers(layers, false, count); });
 }
 
 void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
     const Texture3D& target, std::span<const Region> regions)
+{
+    update({.target = target}, regions,
+        [&, this](unsigned count) { gatherLabels(labels, shown, count); });
+}
+
+void RadiationKernel::updateFootprint(BrickField& layer, std::span<BrickField* const> before,
+    const Footprint& footprint, std::span<const Region> regions)
+{
+    std::vector<BrickField*> layers{&layer};
+    layers.insert(layers.end(), before.begin(), before.end());
+    update(
+        footprint, regions, [this, &layers](unsigned count) { gatherLayers(layers, true, count); });
+}
+
+void RadiationKernel::updateFootprint(
+    const Texture3D& labels, int label, const Footprint& footprint, std::span<const Region> regions)
+{
+    std::bitset<256> shown;
+    shown.set(std::size_t(label));
+    update(footprint, regions, [&, this](unsigned count) { gatherLabels(labels, shown, count); });
+}
+
+/// @param subtract the first layer less all others, instead of the greatest
+void RadiationKernel::gatherLayers(
+    std::span<BrickField* const> layers, bool subtract, unsigned count)
+{
+    bool first = true;
+    for (BrickField* layer : layers) {
+        layer->atlas().bindUnit(0);
+        layer->pageTable().bindUnit(1);
+        m_gatherCoverage.set("firstLayer", first).set("subtract", subtract && !first);
+        m_gatherCoverage.dispatch({count * gatherGroupsPerBrick, 1, 1});
+        // The summary only ever gains bits, so a later layer must start it afresh.
+        if (layer != layers.back()) {
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+            m_summaries.fill(0);
+        }
+        first = false;
+    }
+}
+
+void RadiationKernel::gatherLabels(
+    const Texture3D& labels, const std::bitset<256>& shown, unsigned count)
 {
     std::array<unsigned, 8> bits{};
     for (std::size_t label = 1; label < shown.size(); ++label) {
         if (shown[label])
             bits[label / 32] |= 1u << (label % 32);
     }
-    update(target, regions, [this, &labels, &bits](unsigned count) {
-        labels.bindUnit(0);
-        m_gatherLabels.set("firstLayer", true);
-        m_gatherLabels.set("shown", std::span<const unsigned>(bits));
-        m_gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
-    });
+    labels.bindUnit(0);
+    m_gatherLabels.set("firstLayer", true);
+    m_gatherLabels.set("shown", std::span<const unsigned>(bits));
+    m_gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
 }
 
-void RadiationKernel::update(const Texture3D& target, std::span<const Region> regions,
+void RadiationKernel::update(const Footprint& footprint, std::span<const Region> regions,
     const std::function<void(unsigned count)>& gather)
 {
     for (std::size_t start = 0; start < regions.size(); start += bricksPerPass) {
@@ -109,7 +137,8 @@ void RadiationKernel::update(const Texture3D& target, std::span<const Region> re
         }
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         m_scratchA.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
-        target.bindImage(0, GL_WRITE_ONLY);
+        footprint.target.bindImage(0, GL_WRITE_ONLY);
+        m_raise.set("targetShift", footprint.shift);
         m_raise.dispatch({count, 1, 1});
     }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);

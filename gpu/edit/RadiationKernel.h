@@ -39,9 +39,23 @@ public:
     void updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
         const Texture3D& target, std::span<const Region> regions);
 
+    /// Where a footprint goes: voxel v to texel v + shift of an R8UI texture.
+    struct Footprint {
+        const Texture3D& target;
+        glm::ivec3 shift{0};
+    };
+    /// Of what one layer covers and those before it do not: min(coverage, 255 − greatest of them).
+    void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
+        const Footprint& footprint, std::span<const Region> regions);
+    /// Of what bears one label.
+    void updateFootprint(const Texture3D& labels, int label, const Footprint& footprint,
+        std::span<const Region> regions);
+
 private:
-    void update(const Texture3D& target, std::span<const Region> regions,
+    void update(const Footprint& footprint, std::span<const Region> regions,
         const std::function<void(unsigned count)>& gather);
+    void gatherLayers(std::span<BrickField* const> layers, bool subtract, unsigned count);
+    void gatherLabels(const Texture3D& labels, const std::bitset<256>& shown, unsigned count);
 
     Program m_gatherCoverage;
     Program m_gatherLabels;

@@ -10,6 +10,7 @@ VoxelFields::VoxelFields(const ShaderLibrary& library, VolumeTextures& shared)
     , m_segmentation(shared.segmentation().view(GL_R8UI, "segmentation map, integer"))
     , m_copier(library, m_grid)
     , m_radiationKernel(library, m_grid)
+    , m_pieceCellKernel(library, {.label = "piece cells", .path = "textures/pieceCells.comp"})
 {
     // What a session begins with (core::initialDocument).
     coverage(1).reserve();
@@ -124,6 +125,7 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
     } else if (field == core::Field::Labels) {
         m_labelledBricks.insert(bricks.begin(), bricks.end());
         m_shared.markDirty(VolumeField::Labels, boxOf(bricks));
+        notePieces(false, withNeighbours(bricks));
         if (m_shownLabels.any()) {
             for (const std::uint32_t brick : withNeighbours(bricks))
                 m_staleSegmentation.insert(brick);
@@ -180,6 +182,10 @@ void VoxelFields::noteCoverage(std::span<const core::VoxelBox> boxes)
         dirty = dirty.united({glm::max(box.minimum - RadiationKernel::reach, glm::ivec3(0)),
             glm::min(box.maximum + RadiationKernel::reach, m_grid.volumeSize)});
     m_shared.markDirty(VolumeField::Radiation, dirty);
+    std::vector<std::uint32_t> touched;
+    for (const RadiationKernel::Region& region : regions)
+        touched.push_back(region.brick);
+    notePieces(true, touched);
 }
 
 void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
@@ -229,6 +235,7 @@ std::size_t VoxelFields::bytes() const
         total += words.second.bytes();
     for (const auto& plane : m_furtherPlanes)
         total += plane.second.bytes();
+    total += m_shared.pieces().bytes();
     return total;
 }
 

@@ -52,6 +52,12 @@ public:
     [[nodiscard]] bool segmentationStale() const { return !m_staleSegmentation.empty(); }
     /// Brings up to @p maxBricks stale bricks up to date.
     void updateSegmentation(std::size_t maxBricks);
+
+    /// Of which layers and segments footprints are kept in VolumeTextures::pieces().
+    void setPieces(const std::vector<PieceSource>& sources);
+    [[nodiscard]] bool piecesStale() const;
+    /// Brings about @p maxBricks bricks of footprints up to date.
+    void updatePieces(std::size_t maxBricks);
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -60,6 +66,14 @@ private:
     /// What radiation must be brought up to date in, around boxes that changed.
     [[nodiscard]] std::vector<RadiationKernel::Region> around(
         std::span<const core::VoxelBox> boxes) const;
+
+    /// Bricks that may hold some of a piece, with one brick around for what lies at its edge.
+    [[nodiscard]] core::VoxelBox roomFor(const PieceSource& source);
+    /// Makes room for all pieces anew where one has outgrown its own.
+    void arrangePieces();
+    void updatePiece(
+        const PieceSource& source, std::span<const RadiationKernel::Region> regions);
+    void notePieces(bool ofLayers, std::span<const std::uint32_t> bricks);
 
     core::BrickGrid m_grid;
     VolumeTextures& m_shared;
@@ -74,6 +88,8 @@ private:
     std::bitset<256> m_shownLabels;
     std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels
     std::set<std::uint32_t> m_staleSegmentation;
+    Program m_pieceCellKernel;
+    std::map<PieceSource, std::set<std::uint32_t>> m_stalePieces; ///< of each what is to be done
 };
 
 } // namespace gpu

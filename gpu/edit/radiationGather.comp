@@ -16,6 +16,7 @@ layout(binding = 2, std430) buffer Summaries { uint summaries[]; };
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform bool firstLayer;
+uniform bool subtract; // what a layer before has carved is taken away
 uniform uint shown[8]; // one bit a label
 
 void main()
@@ -50,8 +51,10 @@ void main()
             value = (shown[label >> 5] >> (label & 31u) & 1u) * 255u;
 #endif
         }
-        if (!firstLayer)
-            value = max(value, field[base + uint(x)]);
+        if (!firstLayer) {
+            uint known = field[base + uint(x)];
+            value = subtract ? min(known, 255u - value) : max(value, known);
+        }
         field[base + uint(x)] = value;
         seen |= (value != 0u ? 1u : 0u) | (value != 255u ? 2u : 0u);
     }

@@ -13,6 +13,7 @@ layout(binding = 3, std430) readonly buffer Blurred { uint blurred[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
+uniform ivec3 targetShift;
 
 const uint thinBelow = 192u;
 const uint thinLift = 88u;
@@ -65,6 +66,6 @@ void main()
                 }
             }
         }
-        imageStore(radiation, origin + local, uvec4(value));
+        imageStore(radiation, origin + local + targetShift, uvec4(value));
     }
 }

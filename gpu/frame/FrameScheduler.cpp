@@ -144,10 +144,25 @@ void FrameScheduler::begin(View& view, FrameRequest request)
         m_shown = shown;
         m_edits.showSegments(shown);
     }
+    if (const auto* volume = std::get_if<VolumeScene>(&request.scene))
+        showPieces(*volume);
     view.request = std::move(request);
     // The same picture again is no work, interacting or not.
     if (!same)
         restart(view);
+}
+
+void FrameScheduler::showPieces(const VolumeScene& scene)
+{
+    std::vector<PieceSource> sources;
+    for (const ScenePiece& piece : scene.pieces)
+        sources.push_back({piece.layer, piece.segment});
+    std::sort(sources.begin(), sources.end());
+    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+    if (sources == m_shownPieces)
+        return;
+    m_shownPieces = std::move(sources);
+    m_edits.showPieces(m_shownPieces);
 }
 
 void FrameScheduler::takeChanges()
@@ -162,14 +177,17 @@ void FrameScheduler::takeChanges()
     const core::VoxelBox labels = m_volume.takeDirty(VolumeField::Labels);
     const core::VoxelBox radiation = m_volume.takeDirty(VolumeField::Radiation);
     const core::VoxelBox segmentation = m_volume.takeDirty(VolumeField::Segmentation);
-    if (labels.empty() && radiation.empty() && segmentation.empty())
+    const core::VoxelBox pieces = m_volume.takeDirty(VolumeField::Pieces);
+    if (labels.empty() && radiation.empty() && segmentation.empty() && pieces.empty())
         return;
     m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
         radiation.united(segmentation));
     for (auto& [id, view] : m_views) {
         const auto* slice = std::get_if<SliceScene>(&view.request.scene);
-        const core::VoxelBox seen =
+        core::VoxelBox seen =
             slice != nullptr ? labels.united(radiation) : radiation.united(segmentation);
+        if (slice == nullptr && !std::get<VolumeScene>(view.request.scene).pieces.empty())
+            seen = seen.united(pieces);
         if (seen.empty() || (slice != nullptr && !meetsPlane(*slice, m_volume.geometry(), seen)))
             continue;
         // A coarse picture under way is finished first, or a long edit would never show.
@@ -385,8 +403,16 @@ void FrameScheduler::readBack(View& view, Frame::Quality quality)
         .rgba = nullptr,
         .quality = quality,
         .renderMilliseconds = view.milliseconds,
+        .pieces = {},
         .scene = view.request.scene,
     };
+    if (const auto* scene = std::get_if<VolumeScene>(&view.request.scene)) {
+        for (const ScenePiece& piece : scene->pieces) {
+            const auto* entry = m_volume.pieces().entry({piece.layer, piece.segment});
+            if (entry && !entry->filled.empty())
+                delivery.frame.pieces.push_back({.id = piece.id, .filled = entry->filled});
+        }
+    }
     delivery.fence = Fence::insert();
     m_deliveries.insert_or_assign(view.request.view, std::move(delivery));
 }

@@ -91,6 +91,7 @@ private:
 
     void takeRequests();
     void begin(View& view, FrameRequest request);
+    void showPieces(const VolumeScene& scene);
     void takeChanges();
     void restart(View& view);
     [[nodiscard]] View* next(bool editing);
@@ -115,6 +116,7 @@ private:
     Resolve m_resolve;
     Program m_cellKernel;
     std::bitset<256> m_shown;
+    std::vector<PieceSource> m_shownPieces;
     std::map<ViewId, View> m_views;
     std::map<ViewId, Delivery> m_deliveries;
     /// Milliseconds per megapixel: of slices, then by render mode.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickGrid.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/Volume.h"
 
@@ -60,6 +61,21 @@ struct TransferFunction {
 /// in the transfer function's colours, or grey as in a slice.
 enum class CutFaces : std::uint8_t { Material, GreyValues };
 
+/// A part of the volume in a pose of its own (core::Piece), drawn among the rest in one cast.
+struct ScenePiece {
+    int id = 0;
+    int layer = 0; ///< sculpt layer whose coverage it is; 0: a segment's voxels
+    int segment = 0; ///< label
+    glm::dmat4 shownFromTrue{1.0}; ///< LPS mm; turns, zooms evenly, moves
+    float opacity = 1.0f; ///< 0: hidden
+    std::uint32_t rgb = 0xFFFFFF;
+    /// Surface and volume rendering: its whole body is matter of colour rgb, whatever the values;
+    /// else what the scene shows of it, tinted by rgb.
+    bool solid = false;
+    TransferFunction transferFunction; ///< its own, of volume rendering; empty: the scene's
+    bool operator==(const ScenePiece&) const = default;
+};
+
 /// The 3D view.
 struct VolumeScene {
     glm::dvec3 eyeLps{0.0, -500.0, 0.0};
@@ -75,6 +91,7 @@ struct VolumeScene {
     core::ClipRegion clip; ///< what it hides is not looked at, in any mode
     CutFaces cutFaces = CutFaces::Material; ///< of surface and volume rendering
     core::WindowLevel faceWindow; ///< of grey cut faces
+    std::vector<ScenePiece> pieces; ///< hidden ones too; their order decides nothing
     bool operator==(const VolumeScene&) const = default;
 };
 
@@ -91,6 +108,12 @@ struct FrameRequest {
     bool interacting = false; ///< coarse and fast now; refinement waits until false
 };
 
+/// What a frame knew of a piece.
+struct PieceExtent {
+    int id = 0;
+    core::VoxelBox filled; ///< at its true place, to 8 voxels
+};
+
 /// A finished picture: RGBA bytes, top row first.
 struct Frame {
     enum class Quality : std::uint8_t { Coarse, Full, Refined };
@@ -99,6 +122,7 @@ struct Frame {
     std::shared_ptr<const std::vector<std::uint8_t>> rgba;
     Quality quality = Quality::Coarse;
     double renderMilliseconds = 0.0;
+    std::vector<PieceExtent> pieces; ///< of those in the scene that have something to show
     Scene scene; ///< what was drawn, so that overlays can be laid over it exactly
 };
 

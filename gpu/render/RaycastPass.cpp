@@ -15,10 +15,11 @@ namespace {
 
 /// Steps in units of the finest spacing. Surfaces are refined by bisection, so the step only has to
 /// find them; the other modes refine by accumulated, jittered pictures.
-double stepMm(RenderMode mode, const core::VolumeGeometry& geometry)
+double stepMm(const VolumeScene& scene, const core::VolumeGeometry& geometry)
 {
+    const RenderMode mode = scene.mode;
     const glm::dvec3 spacing = geometry.spacingMm();
-    const double finest = std::min({spacing.x, spacing.y, spacing.z});
+    const double finest = std::min({spacing.x, spacing.y, spacing.z}) * PieceSet::finestZoom(scene);
     switch (mode) {
     case RenderMode::Surface:
         return 0.8 * finest;
@@ -32,6 +33,9 @@ double stepMm(RenderMode mode, const core::VolumeGeometry& geometry)
     return finest;
 }
 
+constexpr std::array<const char*, renderModes> labels{
+    "surface", "volume rendering", "MIP", "X-ray"};
+
 /// Of cut faces where a scene names no colours: marrow to bone.
 TransferFunction materialColours(double from, double to)
 {
@@ -41,17 +45,30 @@ TransferFunction materialColours(double from, double to)
 } // namespace
 
 RaycastPass::RaycastPass(const ShaderLibrary& library)
+    : m_library(library)
 {
-    static constexpr std::array<const char*, renderModes> labels{
-        "surface", "volume rendering", "MIP", "X-ray"};
     for (std::size_t i = 0; i < m_programs.size(); ++i) {
         const std::size_t mode = i / variants;
         m_programs[i] = Program(library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
-                .defines = {
-                    {"MODE", int(mode)}, {"SCULPTED", int(i & 1)}, {"CLIPPED", int(i >> 1 & 1)}}});
+                .defines = {{"MODE", int(mode)}, {"SCULPTED", int(i & 1)},
+                    {"CLIPPED", int(i >> 1 & 1)}, {"PIECES", 0}}});
     }
+}
+
+Program& RaycastPass::pieceProgram(const VolumeScene& scene)
+{
+    const auto mode = std::size_t(scene.mode);
+    const int clipped = scene.clip.any() ? 1 : 0;
+    Program& program = m_piecePrograms[2 * mode + std::size_t(clipped)];
+    if (!program)
+        program = Program(m_library,
+            {.label = labels[mode],
+                .fragmentPath = "render/raycast.frag",
+                .defines = {
+                    {"MODE", int(mode)}, {"SCULPTED", 1}, {"CLIPPED", clipped}, {"PIECES", 1}}});
+    return program;
 }
 
 std::size_t RaycastPass::variantOf(const VolumeScene& scene, bool sculpted)
@@ -62,6 +79,12 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, bool sculpted)
 void RaycastPass::prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target)
 {
+    if (m_pieces.set(volume, scene, stepMm(scene, volume.geometry()))) {
+        Program& program = pieceProgram(scene);
+        m_pieces.bind(program, volume);
+        prepare(program, volume, scene, palette, target);
+        return;
+    }
     const std::size_t variant = variantOf(scene, volume.cells().isSculpted());
     m_warm[variant] = true;
     prepare(m_programs[variant], volume, scene, palette, target);
@@ -146,7 +169,7 @@ void RaycastPass::setRays(Program& program, const VolumeTextures& volume, const 
         .set("planeCentre", glm::vec2(middle))
         .set("planePerPixel", float(planePerPixel))
         .set("nearest", float(nearest))
-        .set("stepMm", float(stepMm(scene.mode, volume.geometry())))
+        .set("stepMm", float(stepMm(scene, volume.geometry())))
         .set("jitterPhase", float(phase))
         .set("pixelScale", target.pixelScale)
         .set("pixelJitter", target.pixelJitter)
@@ -215,12 +238,12 @@ VisibleCodes RaycastPass::setMode(
                 ? materialColours(scene.surfaceThreshold,
                     scene.surfaceThreshold + solid * valueOfTexel(encoding).x / 65535.0)
                 : scene.transferFunction,
-            stepMm(scene.mode, volume.geometry()));
+            stepMm(scene, volume.geometry()));
         setFaces(program, volume, scene);
         return {{{code, lastCode}}};
     }
     case RenderMode::Dvr: {
-        m_transfer.set(scene.transferFunction, stepMm(scene.mode, volume.geometry()));
+        m_transfer.set(scene.transferFunction, stepMm(scene, volume.geometry()));
         setFaces(program, volume, scene);
         const glm::dvec2 value = valueOfTexel(encoding);
         program.set("gradientFull", float(0.08 * m_transfer.span() / value.x));

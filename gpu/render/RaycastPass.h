@@ -5,6 +5,7 @@
 #include "gpu/gl/Program.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/PassTarget.h"
+#include "gpu/render/PieceSet.h"
 #include "gpu/render/TransferLookup.h"
 
 #include <array>
@@ -16,10 +17,10 @@ struct ViewFrame;
 
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
 /// intensity or X-ray; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not
-/// seen; shown segments are, whole. Background black.
+/// seen; shown segments are, whole, and pieces, each in its pose. Background black.
 class RaycastPass {
 public:
-    /// Throws ShaderError.
+    /// Throws ShaderError. @param library outlives the pass
     explicit RaycastPass(const ShaderLibrary& library);
 
     /// Makes everything ready for drawing a full-screen triangle. Cheap unless voxels, threshold or
@@ -43,10 +44,15 @@ private:
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
     static constexpr std::size_t variants = 4; ///< plain or sculpted, plus twice clipped or not
+    [[nodiscard]] Program& pieceProgram(const VolumeScene& scene);
     [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, bool sculpted);
 
     std::array<Program, variants * renderModes> m_programs;
     std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
+    const ShaderLibrary& m_library;
+    PieceSet m_pieces;
+    /// With pieces, clipped or not; made when first needed.
+    std::array<Program, 2 * renderModes> m_piecePrograms;
     TransferLookup m_transfer;
 };
 

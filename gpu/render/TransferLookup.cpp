@@ -10,7 +10,24 @@ namespace gpu {
 
 namespace {
 
-constexpr int entries = 2048;
+constexpr int entries = TransferLookup::entryCount;
+
+double lowestOf(const TransferFunction& function)
+{
+    return function.points.front().value;
+}
+
+double highestOf(const TransferFunction& function)
+{
+    return std::max(function.points.back().value, lowestOf(function) + 1e-6);
+}
+
+glm::dvec2 entryOf(double lowest, double highest, const core::VoxelEncoding& encoding)
+{
+    const glm::dvec2 value = valueOfTexel(encoding);
+    const double perValue = (entries - 1.0) / (highest - lowest);
+    return {value.x * perValue, (value.y - lowest) * perValue + 0.5};
+}
 
 glm::dvec3 colourOf(std::uint32_t rgb)
 {
@@ -45,12 +62,21 @@ void TransferLookup::set(const TransferFunction& function, double stepMm)
         return;
     m_function = function;
     m_stepMm = stepMm;
+    if (!function.points.empty()) {
+        m_lowest = lowestOf(function);
+        m_highest = highestOf(function);
+    }
+    m_texture.upload<float>(texelsOf(function, stepMm));
+}
+
+std::vector<float> TransferLookup::texelsOf(const TransferFunction& function, double stepMm)
+{
     std::vector<float> texels(entries * 4, 0.0f);
     if (!function.points.empty()) {
-        m_lowest = function.points.front().value;
-        m_highest = std::max(function.points.back().value, m_lowest + 1e-6);
+        const double lowest = lowestOf(function);
+        const double highest = highestOf(function);
         for (int i = 0; i < entries; ++i) {
-            const double value = m_lowest + (m_highest - m_lowest) * i / (entries - 1);
+            const double value = lowest + (highest - lowest) * i / (entries - 1);
             const glm::dvec4 at = sample(function.points, value);
             const double opacity = std::clamp(at.w, 0.0, 1.0);
             float* texel = &texels[std::size_t(i) * 4];
@@ -60,14 +86,18 @@ void TransferLookup::set(const TransferFunction& function, double stepMm)
             texel[3] = float(1.0 - std::pow(1.0 - opacity, stepMm));
         }
     }
-    m_texture.upload<float>(texels);
+    return texels;
 }
 
 glm::dvec2 TransferLookup::entryOfTexel(const core::VoxelEncoding& encoding) const
 {
-    const glm::dvec2 value = valueOfTexel(encoding);
-    const double perValue = (entries - 1.0) / (m_highest - m_lowest);
-    return {value.x * perValue, (value.y - m_lowest) * perValue + 0.5};
+    return entryOf(m_lowest, m_highest, encoding);
+}
+
+glm::dvec2 TransferLookup::entryOfTexel(
+    const TransferFunction& function, const core::VoxelEncoding& encoding)
+{
+    return entryOf(lowestOf(function), highestOf(function), encoding);
 }
 
 VisibleCodes TransferLookup::visibleCodes(

@@ -16,6 +16,8 @@ namespace gpu {
 /// span of values.
 class TransferLookup {
 public:
+    static constexpr int entryCount = 2048;
+
     TransferLookup();
 
     /// @param stepMm opacity per millimetre becomes 1 − (1 − opacity)^stepMm
@@ -25,6 +27,11 @@ public:
     /// Entry of the row (to be rounded down and clamped) = x · texel + y for a texel of the R16
     /// intensity.
     [[nodiscard]] glm::dvec2 entryOfTexel(const core::VoxelEncoding& encoding) const;
+    [[nodiscard]] static glm::dvec2 entryOfTexel(
+        const TransferFunction& function, const core::VoxelEncoding& encoding);
+    /// The row itself: four numbers an entry.
+    [[nodiscard]] static std::vector<float> texelsOf(
+        const TransferFunction& function, double stepMm);
     /// Span of values from the first to the last point.
     [[nodiscard]] double span() const { return m_highest - m_lowest; }
 

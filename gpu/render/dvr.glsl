@@ -24,6 +24,9 @@ float nearFace(float n)
     return 1.0 - smoothstep(1.5, 3.0, n);
 }
 
+#if PIECES
+#include "render/dvrPieces.glsl"
+#else
 /// @param n samples behind where the ray begins
 Matter matterAt(vec3 at, float n)
 {
@@ -154,3 +157,4 @@ vec3 seenAlong(Ray ray)
     } while (n < samples.last && through > enough);
     return seen;
 }
+#endif

@@ -17,11 +17,62 @@ float greatestOf(ivec3 cell)
     return texelFetch(cellRanges, cell, 0).g;
 }
 
+#if PIECES
+/// Of a solid piece it also tells where its surface is.
+float greatestOfPiece(Ray ray, int piece, float greatest, out float surfaceAt)
+{
+    const Samples samples = samplesOf(ray, cellSide);
+    const float opacity = pieces[piece].low.w;
+    float n = floor((ray.first - ray.gridZero) / stepMm) + 1.0;
+    surfaceAt = nowhere;
+    while (n < samples.last) {
+        n = leaveFreeCells(piece, samples, n);
+        const float end = min(
+            max(leaves(samples, cellOf(samples, n), 0.0), n + 0.5), samples.last);
+        while (n < end) {
+            const vec3 at = samples.origin + samples.step * n;
+            const bool own = footprintAt(piece, at) >= 0.5;
+            const float value = max(mix(black, texture(intensity, at).r, opacity), 0.0);
+            greatest = own ? max(greatest, value) : greatest;
+            surfaceAt = own ? min(surfaceAt, n) : surfaceAt;
+            n += 1.0;
+        }
+    }
+    return greatest;
+}
+
+/// Solid pieces lie over the picture in their colours, like segments, the nearest one on top.
+vec3 overPieces(Ray ray, vec3 picture, float nearest, int solid)
+{
+    const Ray own = pieceRay(ray, solid);
+    const vec3 at = own.origin + own.direction * nearest;
+    const vec3 normal = asShown(
+        solid, normalize(gradientToWorld * -footprintRise(solid, at) - 1e-9 * own.world));
+    const vec3 seen = lit(pieces[solid].colour.rgb, lightOn(normal, -ray.world, 1.0, 0.15));
+    return mix(picture, seen, 0.7 * pieces[solid].low.w);
+}
+#endif
+
 vec3 seenAlong(Ray ray)
 {
     float t = ray.gridZero + stepMm;
     float greatest = -1.0;
     float segmentAt = nowhere;
+#if PIECES
+    t = ray.first < ray.last ? t : nowhere; // beside the volume
+    float solidAt = nowhere;
+    int solid = restOf;
+    for (int k = 0; k < pieceCount; ++k) {
+        const Ray own = pieceRay(ray, k);
+        float surfaceAt = nowhere;
+        if (own.first < own.last)
+            greatest = greatestOfPiece(own, k, greatest, surfaceAt);
+        const float surface = own.gridZero + surfaceAt * stepMm;
+        const bool nearer = isSolid(k) && surfaceAt < nowhere && surface < solidAt;
+        solid = nearer ? k : solid;
+        solidAt = nearer ? surface : solidAt;
+    }
+#endif
     while (t < ray.last) {
         const float start = t;
         const Stretch stretch = stretchAt(ray, t);
@@ -50,6 +101,10 @@ vec3 seenAlong(Ray ray)
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
     result = segmentAt != nowhere ? mix(result, segment, 0.7) : result;
+#if PIECES
+    if (solid >= 0 && solidAt < segmentAt)
+        result = overPieces(ray, result, solidAt, solid);
+#endif
     return result;
 }
 #else

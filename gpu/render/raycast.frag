@@ -1,5 +1,8 @@
 // One pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity, 3 X-ray.
 #include "render/raycast.glsl"
+#if PIECES
+#include "render/pieces.glsl"
+#endif
 #if MODE <= 1
 #include "render/cutFace.glsl"
 #endif

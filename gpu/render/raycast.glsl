@@ -80,20 +80,15 @@ float pixelNoise(vec2 pixel)
     return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
 }
 
-Ray rayOf(vec2 fragment)
+/// Where a ray enters a box, leaves it, and what is clipped of it on the way.
+void setBounds(inout Ray ray, vec3 low, vec3 high)
 {
-    Ray ray;
-    const vec2 pixel = fragment * pixelScale + pixelJitter;
-    ray.origin = originBase + originPerX * pixel.x + originPerY * pixel.y;
-    const vec2 slope = (pixel - planeCentre) * planePerPixel;
-    ray.direction = (directionBase + directionPerX * pixel.x + directionPerY * pixel.y)
-        * inversesqrt(1.0 + dot(slope, slope));
     // A ray along an axis must not divide by zero.
     const vec3 tiny = vec3(1e-12);
     const vec3 safe = mix(ray.direction, tiny, lessThan(abs(ray.direction), tiny));
     ray.inverse = 1.0 / safe;
-    const vec3 toLow = (clipLow - ray.origin) * ray.inverse;
-    const vec3 toHigh = (clipHigh - ray.origin) * ray.inverse;
+    const vec3 toLow = (low - ray.origin) * ray.inverse;
+    const vec3 toHigh = (high - ray.origin) * ray.inverse;
     const vec3 enter = min(toLow, toHigh);
     const vec3 leave = max(toLow, toHigh);
     ray.first = max(max(max(enter.x, enter.y), enter.z), nearest);
@@ -112,9 +107,23 @@ Ray rayOf(vec2 fragment)
         ray.last = entering ? ray.last : min(ray.last, t);
     }
 #endif
+}
+
+Ray rayOf(vec2 fragment)
+{
+    Ray ray;
+    const vec2 pixel = fragment * pixelScale + pixelJitter;
+    ray.origin = originBase + originPerX * pixel.x + originPerY * pixel.y;
+    const vec2 slope = (pixel - planeCentre) * planePerPixel;
+    ray.direction = (directionBase + directionPerX * pixel.x + directionPerY * pixel.y)
+        * inversesqrt(1.0 + dot(slope, slope));
+    setBounds(ray, clipLow, clipHigh);
     ray.world = normalize(textureToWorld * ray.direction);
     const float jitter = fract(pixelNoise(fragment) + jitterPhase);
     ray.gridZero = ray.first - stepMm * jitter;
+#if PIECES // beside the volume they may still be met
+    ray.gridZero = ray.first < ray.last ? ray.gridZero : -stepMm * jitter;
+#endif
     return ray;
 }
 

@@ -34,8 +34,30 @@ bool isClipped(vec3 at)
 }
 #endif
 
+#if PIECES
+bool isPiece(int piece, vec3 at)
+{
+    return footprintAt(piece, at) >= 0.5 && (isSolid(piece) || isDense(at));
+}
+#else
+const int restOf = -1;
+vec3 asShown(int piece, vec3 v)
+{
+    return v;
+}
+float gapAt(int piece, vec3 at)
+{
+    return texture(radiation, at).r;
+}
+vec3 gapRise(int piece, vec3 at)
+{
+    return centralDifferences(radiation, at, 1.0);
+}
+#endif
+
 /// How open the place is, by a few looks along a direction: one path with growing strides.
-float openness(vec3 at, vec3 directionWorld)
+/// @param directionWorld of the true place
+float openness(int piece, vec3 at, vec3 directionWorld)
 {
     float hidden = 0.0;
     float stride = aoRadius * 0.22;
@@ -47,7 +69,7 @@ float openness(vec3 at, vec3 directionWorld)
         float solid = smoothstep(threshold - denseSpan * 0.8, threshold + denseSpan * 0.5,
             texture(intensity, there).r);
 #if SCULPTED
-        solid *= 1.0 - smoothstep(0.35, 0.65, texture(radiation, there).r);
+        solid *= 1.0 - smoothstep(0.35, 0.65, gapAt(piece, there));
 #endif
 #if CLIPPED
         solid = isClipped(there) ? 0.0 : solid;
@@ -57,7 +79,14 @@ float openness(vec3 at, vec3 directionWorld)
     return 1.0 - clamp(hidden, 0.0, 1.0);
 }
 
-vec3 seenAlong(Ray ray)
+/// Where a ray meets matter; t: nowhere if it does not.
+struct Hit {
+    float t;
+    bool segment;
+    bool onBox; // on the flat face that the ray enters by
+};
+
+Hit firstHit(Ray ray)
 {
     const Samples samples = samplesOf(ray, cellSide);
     float n = (ray.first - ray.gridZero) / stepMm; // the box's own side may be the surface
@@ -107,8 +136,20 @@ vec3 seenAlong(Ray ray)
         before = inside ? before : middle;
         t = inside ? middle : t;
     }
-    const vec3 at = ray.origin + ray.direction * t;
+    return Hit(hit ? t : nowhere, segmentHit, onBox);
+}
+
+/// Colour of what lies at a hit.
+vec3 lookOf(Ray ray, int piece, Hit hit)
+{
+    const bool onBox = hit.onBox;
+    const bool segmentHit = hit.segment;
+    const vec3 at = ray.origin + ray.direction * min(hit.t, ray.last);
+#if PIECES
+    const vec3 toViewer = asTrue(piece, -ray.world);
+#else
     const vec3 toViewer = -ray.world;
+#endif
     float value = texture(intensity, at).r;
     const vec3 slope = cubeDifferences(intensity, at, 0.6);
     vec3 normal = normalize(gradientToWorld * -slope + 1e-9 * toViewer);
@@ -122,8 +163,8 @@ vec3 seenAlong(Ray ray)
     float face = flatFace; // of the colour: it comes a little further in, so that rims are no steps
 #if SCULPTED
     // Which of the two surfaces is nearer decides; in between they blend (distances in voxels).
-    const vec3 rise = centralDifferences(radiation, at, 1.0);
-    const float toCut = (0.5 - texture(radiation, at).r) / max(length(rise), 1e-3);
+    const vec3 rise = gapRise(piece, at);
+    const float toCut = (0.5 - gapAt(piece, at)) / max(length(rise), 1e-3);
     const float toIso = (value - threshold) / max(length(slope), 1e-5);
     const float carved = length(rise) > 1e-3 ? 1.0 : 0.0;
     cutNormal = onBox ? cutNormal : normalize(gradientToWorld * rise + 1e-9 * toViewer);
@@ -144,10 +185,23 @@ vec3 seenAlong(Ray ray)
     // segment's colour shows: without this the two would speckle.
     const vec3 behind = at + ray.direction * 2.0 * stepMm;
     const float near = max(texture(segmentation, at).r, texture(segmentation, behind).r);
-    const float tinted = segmentHit ? 1.0 : smoothstep(0.25, 0.5, near);
+    float tinted = segmentHit ? 1.0 : smoothstep(0.25, 0.5, near);
+#if PIECES
+    tinted = piece < 0 ? tinted : 0.0; // segments stay where they are
+#endif
     albedo = mix(albedo, segmentColour(segmentHit ? at : behind), tinted);
     gloss = segmentHit ? 0.22 : gloss;
     grey *= 1.0 - tinted;
+#endif
+#if PIECES
+    if (piece >= 0) {
+        const bool solid = isSolid(piece);
+        const vec3 outwards = gapRise(piece, at);
+        albedo = solid ? pieces[piece].colour.rgb : albedo * pieces[piece].colour.rgb;
+        normal = solid && !onBox ? normalize(gradientToWorld * outwards + 1e-9 * toViewer) : normal;
+        gloss = solid ? 0.22 : gloss;
+        grey = solid ? 0.0 : grey;
+    }
 #endif
     // A gradient that looks away is noise: bend it back into sight instead of a black speck.
     const float away = min(dot(normal, toViewer), 0.0);
@@ -160,8 +214,87 @@ vec3 seenAlong(Ray ray)
         normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
     // Before a flat face there is nothing, whatever the scan holds there.
     // Grey values are to be read: they are shadowed less.
-    const float open = onBox ? 1.0 : mix(openness(at, tilted), 1.0, 0.6 * grey);
-    const vec4 light = lightOnFace(lightOn(normal, toViewer, open, gloss), grey, flatFace);
-    const vec3 seen = lit(albedo, light);
-    return hit ? seen : vec3(0.0);
+    const float open = onBox ? 1.0 : mix(openness(piece, at, tilted), 1.0, 0.6 * grey);
+    const vec4 light = lightOnFace(
+        lightOn(asShown(piece, normal), -ray.world, open, gloss), grey, flatFace);
+    return lit(albedo, light);
 }
+
+#if PIECES
+float pieceHit(Ray ray, int piece)
+{
+    const Samples samples = samplesOf(ray, cellSide);
+    float n = (ray.first - ray.gridZero) / stepMm;
+    bool hit = false;
+    do {
+        n = leaveFreeCells(piece, samples, n);
+        const float end = min(
+            max(leaves(samples, cellOf(samples, n), 0.0), n + 0.5), samples.last);
+        do {
+            hit = n < end && isPiece(piece, samples.origin + samples.step * n);
+            n = hit || n >= end ? n : floor(n) + 1.0;
+        } while (n < end && !hit);
+    } while (n < samples.last && !hit);
+    float t = ray.gridZero + n * stepMm;
+    const bool onBox = t - ray.first < stepMm * 0.05;
+    float before = max(t - stepMm, ray.first);
+    for (int halving = 0; halving < 5; ++halving) {
+        const float middle = 0.5 * (before + t);
+        const bool inside = isPiece(piece, ray.origin + ray.direction * middle);
+        before = inside ? before : middle;
+        t = inside ? middle : t;
+    }
+    return !hit ? nowhere : onBox ? ray.first : t;
+}
+
+const int mostHits = 64; // core::DocumentEdits allows no more pieces
+
+vec3 seenAlong(Ray ray)
+{
+    // Each is met once: a translucent piece shows its front.
+    Hit rest = Hit(nowhere, false, false);
+    if (ray.first < ray.last)
+        rest = firstHit(ray);
+    float hits[mostHits];
+    for (int k = 0; k < pieceCount; ++k) {
+        const Ray own = pieceRay(ray, k);
+        hits[k] = nowhere;
+        if (own.first < own.last)
+            hits[k] = pieceHit(own, k);
+    }
+    vec3 seen = vec3(0.0);
+    float through = 1.0;
+    bool restSeen = false;
+    for (;;) {
+        float nearest = restSeen ? nowhere : rest.t;
+        int piece = restOf;
+        for (int k = 0; k < pieceCount; ++k) {
+            piece = hits[k] < nearest ? k : piece;
+            nearest = min(nearest, hits[k]);
+        }
+        if (nearest >= nowhere || through < 0.02)
+            break;
+        Ray own = ray;
+        Hit hit = rest;
+        float opacity = 1.0;
+        if (piece >= 0) {
+            own = pieceRay(ray, piece);
+            hit = Hit(nearest, false, nearest <= own.first);
+            opacity = pieces[piece].low.w;
+            hits[piece] = nowhere;
+        } else {
+            restSeen = true;
+        }
+        seen += through * opacity * lookOf(own, piece, hit);
+        through *= 1.0 - opacity;
+    }
+    return seen;
+}
+#else
+vec3 seenAlong(Ray ray)
+{
+    const Hit hit = firstHit(ray);
+    const vec3 look = lookOf(ray, restOf, hit);
+    return hit.t < nowhere ? look : vec3(0.0);
+}
+#endif

@@ -10,6 +10,28 @@ vec3 greyOf(float sum, float count)
 }
 
 #if SCULPTED
+#if PIECES
+/// Adds a piece's values to the sum and to their number.
+void addPiece(Ray ray, int piece, inout float sum, inout float count)
+{
+    const Samples samples = samplesOf(ray, cellSide);
+    const float opacity = pieces[piece].low.w;
+    float n = floor((ray.first - ray.gridZero) / stepMm) + 1.0;
+    while (n < samples.last) {
+        n = leaveFreeCells(piece, samples, n);
+        const float end = min(
+            max(leaves(samples, cellOf(samples, n), 0.0), n + 0.5), samples.last);
+        while (n < end) {
+            const vec3 at = samples.origin + samples.step * n;
+            const float kept = footprintAt(piece, at) >= 0.5 ? opacity : 0.0;
+            sum += kept * texture(intensity, at).r;
+            count += kept;
+            n += 1.0;
+        }
+    }
+}
+#endif
+
 vec3 seenAlong(Ray ray)
 {
     const Samples samples = samplesOf(ray, cellSide);
@@ -17,6 +39,14 @@ vec3 seenAlong(Ray ray)
     float sum = 0.0;
     float count = 0.0;
     float segmentAt = nowhere;
+#if PIECES
+    for (int k = 0; k < pieceCount; ++k) {
+        const Ray own = pieceRay(ray, k);
+        if (own.first < own.last)
+            addPiece(own, k, sum, count);
+    }
+    n = ray.first < ray.last ? n : nowhere; // beside the volume
+#endif
     do {
         vec3 cell = vec3(0.0);
         uvec2 skip = uvec2(0u);

@@ -132,8 +132,8 @@ const Texture3D& MacroCells::skipMap(const VisibleCodes& visible)
     for (std::size_t i = 0; i < flags.size(); ++i) {
         const Sculpt& sculpt = m_sculpt[i];
         std::uint8_t flag = 0;
-        if (sculpt.leastRadiation < half && meets(visible, m_codes[i].lowest, m_codes[i].highest))
-            flag |= tissueFlag;
+        if (meets(visible, m_codes[i].lowest, m_codes[i].highest))
+            flag |= sculpt.leastRadiation < half ? tissueFlag | shownFlag : shownFlag;
         if (sculpt.greatestRadiation >= half)
             flag |= carvedFlag;
         if (sculpt.greatestSegmentation >= half)

@@ -34,6 +34,7 @@ public:
     static constexpr std::uint8_t tissueFlag = 1; ///< shown codes that are not all carved away
     static constexpr std::uint8_t carvedFlag = 2; ///< radiation reaches 0.5
     static constexpr std::uint8_t segmentFlag = 4; ///< the segmentation map reaches 0.5
+    static constexpr std::uint8_t shownFlag = 8; ///< shown codes, carved away or not
 
     MacroCells() = default;
     MacroCells(const glm::ivec3& volumeSize, std::span<const std::uint16_t> codes);

@@ -18,6 +18,7 @@ core::Result<void> VolumeTextures::open(
     m_segmentation = {};
     m_cells = {};
     m_maximumCells = {};
+    m_pieces = {};
     m_replaced = true;
 
     const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);

@@ -8,6 +8,7 @@
 #include "gpu/gl/Texture3D.h"
 #include "gpu/textures/MacroCells.h"
 #include "gpu/textures/MaximumCells.h"
+#include "gpu/textures/PieceTextures.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,7 @@ enum class VolumeField : std::uint8_t {
     Labels, ///< label plane 0
     Radiation, ///< of the composed sculpt layers; ≥ 0.5 is carved away
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
+    Pieces, ///< footprints of pieces (PieceTextures)
 };
 
 /// The dense textures of the open volume (DESIGN §4). Edit kernels write labels, radiation and
@@ -52,6 +54,7 @@ public:
     [[nodiscard]] Texture3D& segmentation() { return m_segmentation; } ///< R8, linear
     [[nodiscard]] MacroCells& cells() { return m_cells; }
     [[nodiscard]] const MaximumCells& maximumCells() const { return m_maximumCells; }
+    [[nodiscard]] PieceTextures& pieces() { return m_pieces; }
 
     /// The kernels that were queued before this call change these voxels of this field.
     void markDirty(VolumeField field, const core::VoxelBox& box);
@@ -75,8 +78,9 @@ private:
     Texture3D m_segmentation;
     MacroCells m_cells;
     MaximumCells m_maximumCells;
-    std::array<core::VoxelBox, 3> m_dirty;
-    std::array<bool, 3> m_touched{};
+    PieceTextures m_pieces;
+    std::array<core::VoxelBox, 4> m_dirty;
+    std::array<bool, 4> m_touched{};
     bool m_replaced = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameFixture.h"
 
+#include "gpu/edit/BrickImages.h"
 #include "tests/reference/Radiation.h"
 
 #include <algorithm>
@@ -8,6 +9,21 @@
 #include <utility>
 
 namespace test {
+
+bool IdleEdits::work()
+{
+    const bool stale = fields && fields->piecesStale();
+    if (stale)
+        fields->updatePieces(7);
+    return stale;
+}
+
+void IdleEdits::showPieces(const std::vector<gpu::PieceSource>& sources)
+{
+    pieces = sources;
+    if (fields)
+        fields->setPieces(sources);
+}
 
 FrameFixture::FrameFixture(gpu::ShaderLibrary library)
     : shaders(std::move(library))
@@ -28,6 +44,7 @@ void FrameFixture::open(const core::VolumeGeometry& geometry,
                 const double code = codeAt(geometry.toWorld(glm::dvec3(i, j, k)));
                 codes.push_back(std::uint16_t(std::lround(std::clamp(code, 0.0, 65535.0))));
             }
+    edits.fields.reset();
     if (!volume.open(geometry.size, codes))
         qFatal("the test volume cannot be opened");
     volume.setGeometry(geometry, encoding);
@@ -58,9 +75,24 @@ void FrameFixture::carveBox(const core::VoxelBox& box)
     carve(coverage);
 }
 
+void FrameFixture::put(const reference::DenseFields& state)
+{
+    if (!edits.fields) {
+        edits.fields = std::make_unique<gpu::VoxelFields>(shaders, volume);
+        edits.fields->setPieces(edits.pieces);
+    }
+    std::vector<core::BrickImage> images;
+    for (const core::BrickKey& key : state.occupiedBricks())
+        images.push_back({.key = key, .bytes = state.readBrick(key)});
+    static_cast<void>(gpu::swapImages(*edits.fields, std::move(images)));
+}
+
 std::vector<gpu::Frame> FrameFixture::settle()
 {
-    while (scheduler.work(false)) { }
+    for (bool busy = true; busy;) {
+        busy = edits.work();
+        busy = scheduler.work(false) || busy;
+    }
     return std::exchange(m_frames, {});
 }
 

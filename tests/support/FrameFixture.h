@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/volume/VolumeGeometry.h"
+#include "gpu/edit/VoxelFields.h"
 #include "gpu/frame/FrameScheduler.h"
 #include "gpu/shaders/ShaderLibrary.h"
 #include "gpu/textures/VolumeTextures.h"
@@ -10,16 +11,21 @@
 #include <QImage>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace test {
 
-/// An edit worker that has nothing to do and remembers what it was asked to show.
+/// An edit worker that remembers what it was asked to show, and keeps footprints of pieces where it
+/// has fields.
 class IdleEdits : public gpu::EditWorker {
 public:
-    bool work() override { return false; }
+    bool work() override;
     void showSegments(const std::bitset<256>& labels) override { shown = labels; }
+    void showPieces(const std::vector<gpu::PieceSource>& sources) override;
     std::bitset<256> shown;
+    std::unique_ptr<gpu::VoxelFields> fields;
+    std::vector<gpu::PieceSource> pieces;
 };
 
 /// Renderers on the test's own thread, without an engine: everything happens in settle(), so that
@@ -37,6 +43,9 @@ public:
     /// Carves a field of coverage, or a box, away as sculpting does: by its radiation.
     void carve(const reference::DenseArray<std::uint8_t>& coverage);
     void carveBox(const core::VoxelBox& box);
+    /// Puts coverage and labels in place as an engine would; radiation and pieces follow. Call it
+    /// after open().
+    void put(const reference::DenseFields& state);
 
     /// Works until there is nothing left to do. @return frames handed out meanwhile
     std::vector<gpu::Frame> settle();

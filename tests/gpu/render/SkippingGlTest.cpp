@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/document/Piece.h"
 #include "tests/support/FrameFixture.h"
 #include "tests/support/GlTest.h"
 
@@ -133,22 +134,64 @@ class SkippingGlTest : public test::GlTest {
         fixture.fill(VolumeField::Segmentation, box, 255);
     }
 
+    /// Cuts two pieces out, one beside the other, and shows them in random poses.
+    static void cutPieces(test::FrameFixture& fixture)
+    {
+        reference::DenseFields state(fixture.volume.size());
+        for (int z = 8; z < 30; ++z)
+            for (int y = 3; y < 44; ++y)
+                for (int x = 4; x < 40; ++x) {
+                    const bool ball = (x - 14) * (x - 14) + (y - 20) * (y - 20) < 120;
+                    state.coverage(ball ? 1 : 2).at({x, y, z}) = x > 33 ? 0 : 255;
+                    state.labels(0).at({x, y, z}) = y > 30 && x > 30 ? 9 : 0;
+                }
+        fixture.put(state);
+    }
+    static std::vector<ScenePiece> randomPieces(std::mt19937& random)
+    {
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        std::vector<ScenePiece> pieces;
+        for (int id = 1; id <= 3; ++id) {
+            core::Piece piece;
+            piece.pivotLps = glm::dvec3(unit(random), unit(random), unit(random)) * 10.0;
+            piece.pose.offsetMm = glm::dvec3(unit(random), unit(random), unit(random)) * 15.0;
+            piece.pose.rotationDegrees =
+                glm::dvec3(unit(random), unit(random), unit(random)) * 90.0;
+            piece.pose.zoom = 1.0 + 0.5 * unit(random);
+            pieces.push_back({.id = id,
+                .layer = id < 3 ? id : 0,
+                .segment = id < 3 ? 0 : 9,
+                .shownFromTrue = core::shownFromTrue(piece, {}),
+                .opacity = id == 2 ? 0.6f : 1.0f,
+                .rgb = id == 1 ? 0xFFFFFFu : 0x80FF90u,
+                .solid = id == 3});
+        }
+        return pieces;
+    }
+
 private Q_SLOTS:
     void leavesNothingOut_data()
     {
         QTest::addColumn<int>("mode");
         QTest::addColumn<bool>("sculpted");
         QTest::addColumn<bool>("clipped");
+        QTest::addColumn<bool>("pieces");
         for (const bool clipped : {false, true}) {
             for (const bool sculpted : {false, true}) {
                 const char* how = clipped ? (sculpted ? ", sculpted, clipped" : ", clipped")
                     : sculpted            ? ", sculpted"
                                           : "";
-                QTest::addRow("surface%s", how) << int(RenderMode::Surface) << sculpted << clipped;
-                QTest::addRow("DVR%s", how) << int(RenderMode::Dvr) << sculpted << clipped;
-                QTest::addRow("MIP%s", how) << int(RenderMode::Mip) << sculpted << clipped;
-                QTest::addRow("X-ray%s", how) << int(RenderMode::Xray) << sculpted << clipped;
+                const auto row = [&](const char* name, RenderMode mode) {
+                    QTest::addRow("%s%s", name, how) << int(mode) << sculpted << clipped << false;
+                };
+                row("surface", RenderMode::Surface);
+                row("DVR", RenderMode::Dvr);
+                row("MIP", RenderMode::Mip);
+                row("X-ray", RenderMode::Xray);
             }
+            const char* how = clipped ? ", pieces, clipped" : ", pieces";
+            for (int mode = 0; mode < int(renderModes); ++mode)
+                QTest::addRow("mode %d%s", mode, how) << mode << false << clipped << true;
         }
     }
 
@@ -157,6 +200,7 @@ private Q_SLOTS:
         QFETCH(int, mode);
         QFETCH(bool, sculpted);
         QFETCH(bool, clipped);
+        QFETCH(bool, pieces);
         const QTemporaryDir folder;
         test::FrameFixture quick;
         test::FrameFixture thorough(everySample(folder));
@@ -165,7 +209,7 @@ private Q_SLOTS:
         segments.rgb[1] = 0x4AA3FF;
         segments.visible[1] = sculpted;
         std::mt19937 random(unsigned(mode) * 2 + (sculpted ? 1 : 0) + 5);
-        const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : 5;
+        const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : pieces ? 2 : 5;
         int lit = 0;
         for (int round = 0; round < rounds; ++round) {
             const RandomMatter matter(random);
@@ -174,10 +218,14 @@ private Q_SLOTS:
                 fixture->open(geometry, matter);
                 if (sculpted)
                     sculpt(*fixture);
+                if (pieces)
+                    cutPieces(*fixture);
             }
             VolumeScene scene = randomScene(random, RenderMode(mode));
             if (clipped)
                 scene.clip = randomClip(random);
+            if (pieces)
+                scene.pieces = randomPieces(random);
             const Frame a = quick.draw(scene, size, segments);
             const Frame b = thorough.draw(scene, size, segments);
             int off = 0;
@@ -198,7 +246,8 @@ private Q_SLOTS:
                                .arg(off)
                                .arg(most)));
         }
-        QVERIFY2(lit > rounds * size.x * size.y / 20, qPrintable(QString::number(lit)));
+        QVERIFY2(
+            lit > rounds * size.x * size.y / (pieces ? 60 : 20), qPrintable(QString::number(lit)));
     }
 };
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/Scene.h"
+#include "gpu/gl/Buffer.h"
+#include "gpu/gl/Program.h"
+#include "gpu/gl/Texture2D.h"
+
+#include <vector>
+
+namespace gpu {
+
+class VolumeTextures;
+
+/// The pieces of a scene as the ray caster reads them (pieces.glsl). Engine thread.
+class PieceSet {
+public:
+    PieceSet();
+
+    /// Takes those that have something to show. @return whether there are any
+    bool set(VolumeTextures& volume, const VolumeScene& scene, double stepMm);
+    /// Binds them for a program of the variant PIECES.
+    void bind(Program& program, VolumeTextures& volume) const;
+
+    /// A zoom of less than 1 makes steps longer at the true place: how much shorter they must be.
+    [[nodiscard]] static double finestZoom(const VolumeScene& scene);
+
+private:
+    void setTransfers(const std::vector<const ScenePiece*>& rows, double stepMm);
+
+    Buffer m_buffer;
+    Texture2D m_transfers;
+    std::vector<TransferFunction> m_rows; ///< of m_transfers
+    double m_stepMm = 0.0;
+    int m_count = 0;
+    int m_home = 0;
+};
+
+} // namespace gpu

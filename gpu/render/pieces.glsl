@@ -1,0 +1,131 @@
+// Pieces: parts of the volume in poses of their own. Each is the same volume seen along another ray,
+// the pixel's ray taken to the piece's true place; t is the same on both, so hits and samples of
+// all of them are in order by t. Included where PIECES is on; then SCULPTED is, too.
+
+struct Piece {
+    vec4 toTrue[3]; // rows: texture where it is shown → texture at its true place
+    vec4 turn[3];   // columns: world, directions at its true place → as shown
+    vec4 low;       // texture: what it fills; w: opacity
+    vec4 high;      // w: 1 / zoom
+    vec4 atlas;     // texel of footprints = index-based place at · size + xyz
+    vec4 atlasLow;  // outermost texel centres that are its own; w: 1 where it is solid
+    vec4 atlasHigh; // w: row of its own transfer function, −1: the scene's
+    vec4 colour;    // tint, or what a solid one is made of
+    vec4 cellLow;   // outermost cells that are its own, in the volume; w: texture row's x
+    vec4 cellHigh;  // w: texture row's y
+    vec4 cells;     // cell of pieceCells = cell + xyz
+};
+layout(binding = 0, std430) readonly buffer Pieces { Piece pieces[]; };
+
+/* Textures */
+layout(binding = 9) uniform sampler3D footprints; // ≥ 0.5: the piece's, all of them in one
+layout(binding = 10) uniform usampler3D pieceCells; // greatest footprint of each cell
+layout(binding = 11) uniform sampler2D pieceTransfers; // a row each
+
+/* Uniforms */
+uniform int pieceCount;
+uniform int homeCount; // of these the first are at home, opaque and untinted
+
+const uint shownFlag = 8u;
+const int restOf = -1; // what is left of the volume, as a piece
+
+bool isSolid(int piece)
+{
+    return pieces[piece].atlasLow.w > 0.5;
+}
+
+/// The pixel's ray at a piece's true place; first > last where it does not meet it.
+Ray pieceRay(Ray ray, int piece)
+{
+    const vec4 x = pieces[piece].toTrue[0];
+    const vec4 y = pieces[piece].toTrue[1];
+    const vec4 z = pieces[piece].toTrue[2];
+    const vec4 origin = vec4(ray.origin, 1.0);
+    Ray turned = ray;
+    turned.origin = vec3(dot(x, origin), dot(y, origin), dot(z, origin));
+    turned.direction
+        = vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction));
+    const vec3 low = max(pieces[piece].low.xyz, clipLow);
+    const vec3 high = min(pieces[piece].high.xyz, clipHigh);
+    setBounds(turned, low, high);
+    // All of it is clipped.
+    turned.last = any(greaterThanEqual(low, high)) ? turned.first - 1.0 : turned.last;
+    return turned;
+}
+
+/// A direction at a piece's true place as it is shown, and back.
+vec3 asShown(int piece, vec3 v)
+{
+    if (piece < 0)
+        return v;
+    return pieces[piece].turn[0].xyz * v.x + pieces[piece].turn[1].xyz * v.y
+        + pieces[piece].turn[2].xyz * v.z;
+}
+vec3 asTrue(int piece, vec3 v)
+{
+    if (piece < 0)
+        return v;
+    return vec3(dot(pieces[piece].turn[0].xyz, v), dot(pieces[piece].turn[1].xyz, v),
+        dot(pieces[piece].turn[2].xyz, v));
+}
+
+float footprintAt(int piece, vec3 at)
+{
+    const vec3 texel = clamp(at / voxel + pieces[piece].atlas.xyz, pieces[piece].atlasLow.xyz,
+        pieces[piece].atlasHigh.xyz);
+    return texture(footprints, texel / vec3(textureSize(footprints, 0))).r;
+}
+
+/// What is carved away of a place as far as its look goes. Where pieces are at home there is no
+/// cut: what they fill is not missing, and what surrounds them is not missing to them.
+float gapAt(int piece, vec3 at)
+{
+    if (piece >= homeCount)
+        return 1.0 - footprintAt(piece, at);
+    float gap = texture(radiation, at).r;
+    for (int k = 0; k < homeCount; ++k)
+        gap -= footprintAt(k, at);
+    return max(gap, 0.0);
+}
+
+vec3 gapRise(int piece, vec3 at)
+{
+    const vec3 h = voxel;
+    return vec3(gapAt(piece, at + vec3(h.x, 0, 0)) - gapAt(piece, at - vec3(h.x, 0, 0)),
+               gapAt(piece, at + vec3(0, h.y, 0)) - gapAt(piece, at - vec3(0, h.y, 0)),
+               gapAt(piece, at + vec3(0, 0, h.z)) - gapAt(piece, at - vec3(0, 0, h.z)))
+        * 0.5;
+}
+
+vec3 footprintRise(int piece, vec3 at)
+{
+    const vec3 h = voxel;
+    return vec3(footprintAt(piece, at + vec3(h.x, 0, 0)) - footprintAt(piece, at - vec3(h.x, 0, 0)),
+               footprintAt(piece, at + vec3(0, h.y, 0)) - footprintAt(piece, at - vec3(0, h.y, 0)),
+               footprintAt(piece, at + vec3(0, 0, h.z)) - footprintAt(piece, at - vec3(0, 0, h.z)))
+        * 0.5;
+}
+
+/// Whether nothing of a piece is to be seen in a cell of the volume.
+bool isFreeOf(int piece, vec3 cell)
+{
+#ifdef EVERY_SAMPLE
+    return false;
+#endif
+    const vec3 own = clamp(cell, pieces[piece].cellLow.xyz, pieces[piece].cellHigh.xyz);
+    const uint greatest = texelFetch(pieceCells, ivec3(own + pieces[piece].cells.xyz), 0).r;
+    const bool everyValue = isSolid(piece) || pieces[piece].atlasHigh.w >= 0.0;
+    return greatest < 128u || (!everyValue && (skipAt(own).y & shownFlag) == 0u);
+}
+
+/// The first sample at or after n that is not in a free cell; n itself where it is in none.
+float leaveFreeCells(int piece, Samples samples, float n)
+{
+    for (;;) {
+        const vec3 cell = cellOf(samples, n);
+        if (n >= samples.last || !isFreeOf(piece, cell))
+            break;
+        n = max(floor(n), floor(leaves(samples, cell, 0.0))) + 1.0;
+    }
+    return n;
+}

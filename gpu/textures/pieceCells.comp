@@ -1,0 +1,32 @@
+// Greatest footprint of each cell of one piece's box: one invocation per cell.
+layout(local_size_x = 64) in;
+
+/* Textures */
+layout(binding = 0) uniform usampler3D footprints;
+layout(binding = 0, r8ui) uniform writeonly uimage3D cells;
+
+/* Uniforms */
+uniform ivec3 firstTexel; // of the box
+uniform ivec3 texelCount;
+uniform ivec3 cellCount;
+
+const int side = 8;
+
+void main()
+{
+    const int i = int(gl_GlobalInvocationID.x);
+    if (i >= cellCount.x * cellCount.y * cellCount.z)
+        return;
+    const ivec3 cell
+        = ivec3(i % cellCount.x, i / cellCount.x % cellCount.y, i / (cellCount.x * cellCount.y));
+    const ivec3 first = cell * side;
+    // One voxel further than the cell: interpolated samples reach it.
+    const ivec3 last = min(first + side, texelCount - 1);
+    uint greatest = 0u;
+    for (int z = first.z; z <= last.z; ++z)
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x)
+                greatest = max(
+                    greatest, texelFetch(footprints, firstTexel + ivec3(x, y, z), 0).r);
+    imageStore(cells, firstTexel / side + cell, uvec4(greatest));
+}
