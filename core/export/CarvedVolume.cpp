@@ -5,6 +5,7 @@
 #include "core/dicom/CarvedSeriesWriter.h"
 #include "core/export/CheckCarved.h"
 #include "core/export/MaskSelection.h"
+#include "core/nifti/NiftiReader.h"
 #include "core/nifti/NiftiWriter.h"
 
 #include <QDir>
@@ -185,12 +186,6 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
 }
 
 } // namespace
-
-bool isNiftiName(const QString& file)
-{
-    return file.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)
-        || file.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
-}
 
 QString carvedSeriesObstacle(const Volume& volume)
 {

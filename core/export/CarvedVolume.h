@@ -32,7 +32,6 @@ Result<ExportReport> exportCarvedVolume(
 /// Why this volume cannot become a carved DICOM series, as a clause; empty if it can. Reads no
 /// file.
 [[nodiscard]] QString carvedSeriesObstacle(const Volume& volume);
-[[nodiscard]] bool isNiftiName(const QString& file);
 
 struct CoverageRequest {
     QString file; ///< .nii or .nii.gz

@@ -3,6 +3,7 @@
 
 #include "core/edits/DocumentEdits.h"
 #include "core/export/CarvedVolume.h"
+#include "core/nifti/NiftiReader.h"
 
 #include <QDir>
 #include <QFile>
