@@ -317,6 +317,8 @@ QJsonObject DisplayState::composed() const
                 {QStringLiteral("shape"), int(drill.shape)},
                 {QStringLiteral("heightRatio"), drill.heightRatio},
                 {QStringLiteral("rotationDegrees"), drill.rotationDegrees},
+                {QStringLiteral("floorMm"), drill.floorMm},
+                {QStringLiteral("pressureExponent"), drill.pressureExponent},
                 {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate},
                 {QStringLiteral("laserDepthMm"), drill.laserDepthMm},
                 {QStringLiteral("sweep"), int(drill.sweep)}}},
@@ -390,6 +392,11 @@ void DisplayState::applyTools(const QJsonObject& state)
     drill.depthMm =
         std::clamp(drill.depthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
     read(drillJson[QLatin1String("heightRatio")], drill.heightRatio);
+    read(drillJson[QLatin1String("floorMm")], drill.floorMm);
+    drill.floorMm =
+        std::clamp(drill.floorMm, DrillOptions::minimumFloorMm, DrillOptions::maximumFloorMm);
+    drill.pressureExponent = std::clamp(
+        drillJson[QLatin1String("pressureExponent")].toInt(drill.pressureExponent), 1, 3);
     read(drillJson[QLatin1String("rotationDegrees")], drill.rotationDegrees);
     drill.heightRatio = std::clamp(drill.heightRatio, DrillOptions::minimumHeightRatio, 1.0);
     drill.rotationDegrees = std::clamp(drill.rotationDegrees, -180.0, 180.0);

@@ -37,6 +37,7 @@ public:
         double rotationDegrees = 0.0;
         core::DrillMode mode = core::DrillMode::Limit;
         double floorMm = 30.0; ///< mode Rate
+        int pressureExponent = 2; ///< 1 … 3: the depth goes with this power of the pressure
         double laserDepthMm = 15.0; ///< the laser's depthMm
         Sweep sweep = Sweep::View; ///< the drill's
         bool operator==(const DrillSettings&) const = default;

@@ -4,6 +4,8 @@
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/tools/DrillSurface.h"
+#include "ui/tools/MaskPresetMenu.h"
+#include "ui/tools/PressureMenu.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -41,6 +43,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_turn(new QDoubleSpinBox(this))
     , m_mode(new QComboBox(this))
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))
+    , m_floor(millimetreBox(this, minimumFloorMm, maximumFloorMm, QStringLiteral("drillFloor")))
     , m_throughGaps(new QCheckBox(tr("through gaps"), this))
     , m_radiusLabel(new QLabel(this))
     , m_start(new QLabel(this))
@@ -52,7 +55,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_mode->setObjectName(QStringLiteral("drillMode"));
     m_mode->addItems({tr("Limit"), tr("Rate")});
     m_mode->setToolTip(tr("Limit: one press cuts at most the depth, however long it lasts\n"
-                          "Rate: it cuts so much a second, at most 30 mm"));
+                          "Rate: it cuts so much a second, down to a floor"));
     m_height->setObjectName(QStringLiteral("drillHeight"));
     m_height->setRange(100.0 * minimumHeightRatio, 100.0);
     m_height->setDecimals(0);
@@ -77,14 +80,19 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_shape);
+    layout->addWidget(new MaskPresetMenu(workspace, this));
     layout->addWidget(m_radiusLabel);
     layout->addWidget(m_radius);
     layout->addWidget(m_height);
     layout->addWidget(m_turn);
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_mode);
-    m_depth->setToolTip(tr("At full pressure; half the pressure cuts a quarter of it"));
+    m_depth->setToolTip(tr("At full pressure"));
     layout->addWidget(m_depth);
+    m_floor->setPrefix(tr("to "));
+    m_floor->setToolTip(tr("The floor: no deeper than this below the surface"));
+    layout->addWidget(m_floor);
+    layout->addWidget(new PressureMenu(workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_throughGaps);
     m_start->setObjectName(QStringLiteral("drillStart"));
@@ -97,6 +105,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     connect(&m_workspace, &Workspace::volumeDisplayChanged, this, &DrillOptions::showSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     connect(m_depth, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
+    connect(m_floor, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     for (const QDoubleSpinBox* box : {m_height, m_turn})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     for (const QComboBox* box : {m_shape, m_mode})
@@ -113,10 +122,13 @@ void DrillOptions::showSettings()
     const QSignalBlocker height(m_height);
     const QSignalBlocker turn(m_turn);
     const QSignalBlocker mode(m_mode);
+    const QSignalBlocker floor(m_floor);
     using Kind = core::MaskShape::Kind;
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     m_radius->setValue(settings.radiusMm);
     m_depth->setValue(ofLaser() ? settings.laserDepthMm : settings.depthMm);
+    m_floor->setValue(settings.floorMm);
+    m_floor->setVisible(settings.mode == core::DrillMode::Rate);
     m_throughGaps->setChecked(settings.throughGaps);
     m_shape->setCurrentIndex(int(settings.shape));
     m_height->setValue(100.0 * settings.heightRatio);
@@ -152,6 +164,7 @@ void DrillOptions::takeSettings()
     Workspace::DrillSettings settings = m_workspace.drillSettings();
     settings.radiusMm = m_radius->value();
     (ofLaser() ? settings.laserDepthMm : settings.depthMm) = m_depth->value();
+    settings.floorMm = m_floor->value();
     settings.throughGaps = m_throughGaps->isChecked();
     settings.shape = core::MaskShape::Kind(m_shape->currentIndex());
     settings.heightRatio = m_height->value() / 100.0;

@@ -23,6 +23,8 @@ public:
     static constexpr double minimumDepthMm = 0.5;
     static constexpr double maximumDepthMm = 120.0;
     static constexpr double minimumHeightRatio = 0.05;
+    static constexpr double minimumFloorMm = 1.0;
+    static constexpr double maximumFloorMm = 200.0;
 
     /// Which tool they are of: drill and laser differ in their depth.
     enum class Of { Drill, Laser };
@@ -42,6 +44,7 @@ private:
     QDoubleSpinBox* m_turn = nullptr;
     QComboBox* m_mode = nullptr;
     QDoubleSpinBox* m_depth = nullptr;
+    QDoubleSpinBox* m_floor = nullptr; ///< mode Rate
     QCheckBox* m_throughGaps = nullptr;
     QLabel* m_radiusLabel = nullptr;
     QLabel* m_start = nullptr;

@@ -105,6 +105,7 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) con
     stroke.mask = drillMask(settings);
     stroke.mode = settings.mode;
     stroke.floorMm = settings.floorMm;
+    stroke.pressureExponent = settings.pressureExponent;
     stroke.restore = restore;
     stroke.depthMm = settings.depthMm;
     stroke.throughGaps = settings.throughGaps;

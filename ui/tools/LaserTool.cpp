@@ -36,6 +36,7 @@ core::Edit LaserTool::editIn(const ViewContext& view, bool restore) const
     laser.mode = drill.mode;
     laser.depthMm = workspace().drillSettings().laserDepthMm;
     laser.floorMm = drill.floorMm;
+    laser.pressureExponent = drill.pressureExponent;
     laser.surfaceThreshold = drill.surfaceThreshold;
     laser.throughGaps = drill.throughGaps;
     laser.restore = restore;
