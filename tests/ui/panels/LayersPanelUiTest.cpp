@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "ui/LayerActions.h"
 #include "ui/PanelColumn.h"
 #include "ui/PanelSection.h"
 #include "ui/models/LayerListModel.h"
@@ -36,11 +37,11 @@ struct Fixture : test::WindowFixture {
         QVERIFY(session().apply(edit));
         QVERIFY(session().settle());
     }
-    void clickEye(int row)
+    void clickEye(int row, Qt::KeyboardModifiers keys = {})
     {
         const QRect place = list->visualRect(list->model()->index(row, 0));
         QTest::mouseClick(
-            list->viewport(), Qt::LeftButton, {}, ui::LayerDelegate::eyeRect(place).center());
+            list->viewport(), Qt::LeftButton, keys, ui::LayerDelegate::eyeRect(place).center());
         QVERIFY(session().settle());
     }
 
@@ -92,18 +93,61 @@ private Q_SLOTS:
         QCOMPARE(rows(), std::size_t(2));
         fixture.clickEye(1);
         QVERIFY(!fixture.session().document().layer(2)->muted);
+        fixture.clickEye(1, Qt::AltModifier);
+        QVERIFY(fixture.session().document().layer(2)->solo);
+        QCOMPARE(fixture.panel->summary(), QStringLiteral("1 of 2 solo"));
+        fixture.clickEye(1, Qt::AltModifier);
+        QVERIFY(!fixture.session().document().layer(2)->solo);
 
         QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {},
             fixture.list->visualRect(fixture.list->model()->index(1, 0)).center());
         QCOMPARE(fixture.workspace.activeLayer(), 2);
-        QCOMPARE(rows(), std::size_t(3)); // choosing is no step
+        QCOMPARE(rows(), std::size_t(5)); // choosing is no step
 
         QVERIFY(fixture.list->model()->setData(
             fixture.list->model()->index(1, 0), QStringLiteral(" Way in "), Qt::EditRole));
         QCOMPARE(fixture.session().document().layer(2)->name, QStringLiteral("Way in"));
         QVERIFY(!fixture.list->model()->setData(
             fixture.list->model()->index(1, 0), QStringLiteral("Way in"), Qt::EditRole));
-        QCOMPARE(rows(), std::size_t(4));
+        QCOMPARE(rows(), std::size_t(6));
+    }
+
+    void layersBecomeSegmentsAndBack()
+    {
+        Fixture fixture;
+        fixture.apply(test::drillAt(0));
+        ui::layerToSegment(fixture.workspace, 1, std::nullopt);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(1));
+        QCOMPARE(fixture.session().document().segments[0].name, QStringLiteral("Sculpt 1"));
+        QVERIFY(fixture.session().document().segments[0].voxels > 0);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Approach")});
+        ui::segmentToLayer(fixture.workspace, 1, 2);
+        ui::mergeLayers(fixture.workspace, 1, 2);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().document().layers.size(), std::size_t(1));
+        QCOMPARE(fixture.workspace.activeLayer(), 2);
+
+        ui::segmentWhatIsSeen(fixture.workspace, std::nullopt);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+        QCOMPARE(fixture.workspace.activeSegment(), 2);
+        const std::size_t rows = fixture.session().history().rows().size();
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.mode = gpu::RenderMode::Mip;
+        fixture.workspace.setVolumeDisplay(display);
+        const QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        ui::segmentWhatIsSeen(fixture.workspace, std::nullopt);
+        QCOMPARE(said.size(), 1); // why not
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Third")});
+        fixture.workspace.setActiveLayer(3);
+        ui::removeLayer(fixture.workspace, 3);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.workspace.activeLayer(), 2);
     }
 
     void followsUndo()
@@ -146,6 +190,7 @@ private Q_SLOTS:
         fixture.apply(core::AddLayer{.name = QStringLiteral("Approach from the left, very long")});
         fixture.apply(core::AddLayer{.name = QStringLiteral("Orbit")});
         fixture.apply(core::ChangeLayer{.layer = 1, .muted = true});
+        fixture.apply(core::ChangeLayer{.layer = 2, .solo = true});
         fixture.workspace.setActiveLayer(2);
         QTest::qWait(50);
         QVERIFY(fixture.section->grab().save(QDir(folder).filePath(QStringLiteral("layers.png"))));
