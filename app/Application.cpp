@@ -11,6 +11,7 @@
 #include "ui/KeyframeRecorder.h"
 #include "ui/MainWindow.h"
 #include "ui/MessageBar.h"
+#include "ui/PieceActions.h"
 #include "ui/RecentStudies.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/CarvedExportDialog.h"
@@ -20,6 +21,7 @@
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/LayersPanel.h"
+#include "ui/panels/PiecesPanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/CarveBrushTool.h"
@@ -28,6 +30,7 @@
 #include "ui/tools/LaserTool.h"
 #include "ui/tools/PaintTool.h"
 #include "ui/tools/PeelTool.h"
+#include "ui/tools/PieceTool.h"
 #include "ui/tools/ScissorsTool.h"
 #include "ui/tools/SeedTool.h"
 #include "ui/tools/UndoHereTool.h"
@@ -76,6 +79,8 @@ void Application::makeWindow()
     auto* scissors = new ui::ScissorsTool(*m_workspace, &window);
     auto* carve = new ui::CarveBrushTool(*m_workspace, &window);
     auto* clip = new ui::ClipTool(*m_workspace, &window);
+    auto* piece = new ui::PieceTool(*m_workspace, &window);
+    ui::addPieceActions(window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
     auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
@@ -86,10 +91,12 @@ void Application::makeWindow()
     window.addTool(*scissors, window.sculptMenu(), QKeySequence(QStringLiteral("K")));
     window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
     window.addTool(*clip, window.sculptMenu(), QKeySequence(QStringLiteral("Shift+C")));
+    window.addTool(*piece, window.sculptMenu(), QKeySequence(QStringLiteral("M")));
     window.actionTable().fill(window.sculptMenu(),
         {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute"),
             QStringLiteral("layers.solo"), QString(), QStringLiteral("layers.toSegment"),
-            QStringLiteral("segments.seen")});
+            QStringLiteral("segments.seen"), QString(), QStringLiteral("pieces.lift"),
+            QStringLiteral("pieces.lid"), QStringLiteral("pieces.home")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
@@ -100,6 +107,7 @@ void Application::makeWindow()
     window.addPanel(new ui::GrowthPanel(*m_workspace));
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::LayersPanel(*m_workspace));
+    window.addPanel(new ui::PiecesPanel(*m_workspace, window.views().volume()));
     window.addPanel(new ui::VolumePanel(*m_workspace));
     window.addPanel(new ui::ClippingPanel(*m_workspace, window.views().volume()));
 
@@ -107,7 +115,7 @@ void Application::makeWindow()
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     const std::vector<ui::Tool*> tools{
-        drill, laser, peel, scissors, carve, clip, seed, paint, undoHere};
+        drill, laser, peel, scissors, carve, clip, piece, seed, paint, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

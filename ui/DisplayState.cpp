@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/DisplayState.h"
 
+#include "ui/Pieces.h"
 #include "ui/tools/BrushTool.h"
 #include "ui/tools/DrillOptions.h"
 #include "ui/tools/Tool.h"
@@ -184,6 +185,40 @@ void read(const QJsonValue& json, const core::ClipRegion& whole, core::ClipRegio
         read(planes[qsizetype(i)], clip.planes[i]);
 }
 
+QJsonArray toJson(const std::map<int, PieceLook>& looks)
+{
+    QJsonArray list;
+    for (const auto& [piece, look] : looks) {
+        if (look == PieceLook())
+            continue;
+        QJsonObject entry{{QStringLiteral("piece"), piece},
+            {QStringLiteral("visible"), look.visible}, {QStringLiteral("opacity"), look.opacity},
+            {QStringLiteral("tissue"), look.tissue}};
+        if (look.rgb)
+            entry[QStringLiteral("color")] = QColor(QRgb(*look.rgb)).name();
+        if (!look.map.points.empty())
+            entry[QStringLiteral("transferFunction")] = toJson(look.map);
+        list.append(entry);
+    }
+    return list;
+}
+
+void apply(const QJsonValue& json, Pieces& pieces)
+{
+    for (const QJsonValue& entry : json.toArray()) {
+        PieceLook look;
+        read(entry[QLatin1String("visible")], look.visible);
+        read(entry[QLatin1String("opacity")], look.opacity);
+        read(entry[QLatin1String("tissue")], look.tissue);
+        read(entry[QLatin1String("transferFunction")], look.map);
+        look.opacity = std::clamp(look.opacity, 0.05, 1.0);
+        const QColor colour(entry[QLatin1String("color")].toString());
+        if (colour.isValid())
+            look.rgb = colour.rgb() & 0xFFFFFFU;
+        pieces.setLook(entry[QLatin1String("piece")].toInt(), look);
+    }
+}
+
 // --- Where the views stand. ----------------------------------------------------------------------
 
 QJsonObject toJson(const SliceView::Place& place)
@@ -306,6 +341,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("carvedAsHole"), options.carvedAsHole},
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
         {QStringLiteral("clip"), toJson(m_workspace.clip())},
+        {QStringLiteral("pieces"), toJson(m_workspace.pieces().looks())},
         {QStringLiteral("views"), composedViews()},
         {QStringLiteral("activeSegment"), m_workspace.activeSegment()},
         {QStringLiteral("activeLayer"), m_workspace.activeLayer()},
@@ -369,6 +405,7 @@ void DisplayState::apply(const QJsonObject& state)
     core::ClipRegion clip = m_workspace.clip();
     read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
     m_workspace.setClip(clip);
+    ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
     applyTools(state);
     applyViews(state[QLatin1String("views")].toObject());
 }

@@ -14,6 +14,7 @@
 
 namespace ui {
 
+class Pieces;
 class Tool;
 
 /// What all views, tools and panels of one window share: the open session and the state that is not
@@ -92,7 +93,7 @@ public:
 
     [[nodiscard]] gpu::FrameSource& frames() { return m_frames; }
     /// Null while nothing is open.
-    [[nodiscard]] core::EditSession* session() { return m_session.get(); }
+    [[nodiscard]] core::EditSession* session() const { return m_session.get(); }
     [[nodiscard]] const core::Volume* volume() const; ///< the open volume, or null
     /// Shows another study (or none): crosshair to its middle, grey scale and 3D view to what suits
     /// it.
@@ -115,6 +116,7 @@ public:
     /// What of the volume the 3D view shows; no step of undo. A new session shows all.
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
+    [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
@@ -190,6 +192,7 @@ private:
     int m_activeLayer = 0;
     VolumeDisplay m_volumeDisplay;
     core::ClipRegion m_clip;
+    Pieces* m_pieces = nullptr;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

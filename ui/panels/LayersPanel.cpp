@@ -3,6 +3,7 @@
 
 #include "ui/Icons.h"
 #include "ui/LayerActions.h"
+#include "ui/Pieces.h"
 #include "ui/Workspace.h"
 #include "ui/models/LayerListModel.h"
 #include "ui/panels/LayerDelegate.h"
@@ -112,11 +113,15 @@ void LayersPanel::showMenu(const QPoint& position)
     menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
     menu.addAction(muted ? tr("Unmute") : tr("Mute"), this,
         [this, index, muted] { m_model->setData(index, !muted, LayerListModel::MutedRole); });
+    const int layer = index.data(LayerListModel::IdRole).toInt();
     const bool solo = index.data(LayerListModel::SoloRole).toBool();
     menu.addAction(solo ? tr("End solo") : tr("Solo"), this,
         [this, index, solo] { m_model->setData(index, !solo, LayerListModel::SoloRole); });
+    QAction* lift = menu.addAction(
+        tr("Lift as a piece"), this, [this, layer] { m_workspace.pieces().lift(layer); });
+    lift->setEnabled(!m_workspace.session()->document().pieceOfLayer(layer));
     menu.addSeparator();
-    addPassages(menu, index.data(LayerListModel::IdRole).toInt());
+    addPassages(menu, layer);
     menu.addSeparator();
     QAction* up = menu.addAction(tr("Move up"), this, [this, index] { move(index, -1); });
     up->setEnabled(index.row() > 0);

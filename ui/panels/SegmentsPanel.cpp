@@ -3,6 +3,7 @@
 
 #include "ui/Icons.h"
 #include "ui/LayerActions.h"
+#include "ui/Pieces.h"
 #include "ui/SegmentActions.h"
 #include "ui/Theme.h"
 #include "ui/UndoOnly.h"
@@ -161,6 +162,9 @@ void SegmentsPanel::showMenu(const QPoint& position)
         [this, index, locked] { m_model->setData(index, !locked, SegmentListModel::LockedRole); });
     menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, index, visible] {
         m_model->setData(index, !visible, SegmentListModel::VisibleRole);
+    });
+    menu.addAction(tr("Paste as a piece"), this, [this, index] {
+        m_workspace.pieces().paste(index.data(SegmentListModel::LabelRole).toInt());
     });
     menu.addSeparator();
     addPassages(menu, index);

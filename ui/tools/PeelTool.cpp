@@ -138,6 +138,7 @@ void PeelTool::confirm()
     m_open = false;
     if (core::EditSession* session = workspace().session())
         session->end(core::Ending::Commit);
+    workspace().say(tr("Peeled off; Ctrl+L lifts the layer as a piece"));
     Q_EMIT changed();
     Q_EMIT overlayChanged();
 }

@@ -2,9 +2,11 @@
 #include "ui/views/VolumeView.h"
 
 #include "ui/OpeningView.h"
+#include "ui/Pieces.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
+#include "ui/views/PieceBadges.h"
 
 #include <QPainter>
 
@@ -35,6 +37,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
+    connect(&workspace.pieces(), &Pieces::looksChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace, &Workspace::windowLevelChanged, this, [this] {
         if (std::get<gpu::VolumeScene>(scene()).faceWindow == this->workspace().windowLevel())
             requestMovingFrame();
@@ -99,6 +102,7 @@ gpu::Scene VolumeView::scene() const
 {
     gpu::VolumeScene scene = volumeScene(m_camera, workspace().volumeDisplay());
     scene.clip = workspace().clip();
+    scene.pieces = workspace().pieces().scene();
     // Only where it shows: another grey scale of the slices is no other picture else.
     const bool shaded =
         scene.mode == gpu::RenderMode::Surface || scene.mode == gpu::RenderMode::Dvr;
@@ -236,6 +240,7 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         }
         painter.restore();
     }
+    paintPieceBadges(painter, shown, workspace());
     paintEdgeLetters(painter, rect(), camera.right(), -camera.up);
 
     CornerTexts texts;
