@@ -8,6 +8,7 @@
 #include "tests/support/SmallStudy.h"
 #include "ui/DisplayState.h"
 #include "ui/MainWindow.h"
+#include "ui/Pieces.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -102,6 +103,12 @@ private:
         clip.box.on = true;
         clip.planes[1] = {{1.0, 2.0, 130.0}, glm::normalize(glm::dvec3(1.0, -2.0, 0.5)), true};
         workspace.setClip(clip);
+        workspace.pieces().setLook(1,
+            {.visible = false,
+                .opacity = 0.4,
+                .rgb = 0x80FF90,
+                .tissue = true,
+                .map = {{{0.0, 0x204060, 0.0}, {90.0, 0xC06040, 0.5}}}});
         workspace.setActiveSegment(2);
         workspace.setActiveLayer(2);
         workspace.setDrillSettings({.radiusMm = 3.5, .depthMm = 12.5, .throughGaps = true});

@@ -6,6 +6,7 @@
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/PickQuestion.h"
 #include "ui/tools/SeedOptions.h"
+#include "ui/tools/SeenVoxels.h"
 
 #include <QPainter>
 #include <QPointer>
@@ -188,16 +189,16 @@ void SeedTool::askWhatIsSeen()
     for (const glm::dvec2& pixel : alongPath(m_path, pathStepPixels(volume, *m_strokeView)))
         planeMm.push_back(m_strokeView->toViewPlaneMm({pixel.x, pixel.y}));
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
-    m_workspace.session()->ask(pickQuestion(scene, planeMm, volume),
-        [tool = QPointer<SeedTool>(this)](const core::EngineResult& result) {
+    ui::askWhatIsSeen(m_workspace, scene, planeMm,
+        [tool = QPointer<SeedTool>(this)](const core::Result<SeenVoxels>& seen) {
             if (!tool)
                 return;
-            if (result.error) {
-                tool->m_workspace.fail(*result.error);
+            if (!seen) {
+                tool->m_workspace.fail(seen.error());
                 return;
             }
             std::vector<glm::ivec3> voxels;
-            for (const auto& pick : result.picks) {
+            for (const auto& pick : *seen) {
                 if (pick)
                     voxels.push_back(*pick);
             }

@@ -11,6 +11,7 @@
 #include "ui/Pieces.h"
 #include "ui/models/PieceListModel.h"
 #include "ui/panels/PiecesPanel.h"
+#include "ui/tools/SeedTool.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QAbstractItemModelTester>
@@ -243,6 +244,58 @@ private Q_SLOTS:
         look = fixture.workspace.pieces().look(1);
         QVERIFY(!look.visible);
         QCOMPARE(look.opacity, 0.4);
+    }
+
+    void seedsOnAMovedPieceMeanItsTruePlace_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::newRow("surface") << int(gpu::RenderMode::Surface);
+        QTest::newRow("DVR") << int(gpu::RenderMode::Dvr);
+        QTest::newRow("MIP") << int(gpu::RenderMode::Mip);
+    }
+    void seedsOnAMovedPieceMeanItsTruePlace()
+    {
+        QFETCH(int, mode);
+        PieceFixture fixture;
+        fixture.lift();
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.mode = gpu::RenderMode(mode);
+        display.surfaceThreshold = 300.0;
+        display.transferFunction.points = {{300.0, 0xFFFFFF, 0.0}, {600.0, 0xFFFFFF, 0.9}};
+        fixture.workspace.setVolumeDisplay(display);
+        core::PiecePose pose;
+        pose.offsetMm = {34, 3, 0};
+        pose.zoom = 1.5;
+        fixture.workspace.pieces().setPose(1, pose);
+        fixture.settle();
+        ui::SeedTool seeds(fixture.workspace);
+        fixture.workspace.setActiveTool(&seeds);
+        // In the picture 6 mm to the right of its middle: 4 mm at its true place.
+        const glm::dvec3 middle = *fixture.document().pieces.front().pivotLps;
+        test::Pen pen(fixture.view);
+        const QPointF at =
+            fixture.view.context().toPixel(middle + pose.offsetMm + glm::dvec3(6, 0, 0));
+        pen.press(at, 1.0, 5000);
+        pen.release(at, 5010);
+        fixture.settle();
+        const auto* stroke = std::get_if<core::SeedStroke>(
+            &fixture.workspace.session()->history().rows().back().edit);
+        QVERIFY(stroke && stroke->pointsLps.size() == 1);
+        const glm::dvec3 seed = stroke->pointsLps.front();
+        QVERIFY2(std::abs(seed.x - middle.x - 4.0) < 1.0 && std::abs(seed.z - middle.z) < 1.2,
+            qPrintable(QStringLiteral("%1 %2 %3").arg(seed.x).arg(seed.y).arg(seed.z)));
+        // On the bone that was cut out, on the side towards the viewer unless brightness decides.
+        QVERIFY(glm::length(seed) > 12.0 && glm::length(seed) < 17.0);
+        QVERIFY(mode == int(gpu::RenderMode::Mip) || seed.y < 0.0);
+        // Where nothing is at home and nothing is shown: no seed.
+        const std::size_t before = fixture.rows();
+        const QPointF beside =
+            fixture.view.context().toPixel(middle + pose.offsetMm + glm::dvec3(0, 0, -30));
+        pen.press(beside, 1.0, 6000);
+        pen.release(beside, 6010);
+        fixture.settle();
+        if (mode != int(gpu::RenderMode::Mip))
+            QCOMPARE(fixture.rows(), before);
     }
 
     void aSegmentIsPasted()
