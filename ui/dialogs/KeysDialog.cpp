@@ -34,6 +34,7 @@ const Binding bindings[] = {
     {"Pen's eraser end, with a brush", "the same as Ctrl", "the same as Ctrl"},
     {"Shift + wheel, with a tool", "radius", "radius"},
     {"Alt + wheel, with a tool", "depth", "depth"},
+    {"Alt + Shift + wheel, with a tool", "turn of the mask", "turn of the mask"},
     {"Double click", "this view alone, or all four", "this view alone, or all four"},
     {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
     {"Home, End", "first, last slice", ""},

@@ -7,10 +7,11 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
-core::MaskShape drillMask(const Workspace::DrillSettings& settings)
+core::MaskShape drillMask(const Workspace::DrillSettings& settings, double turn)
 {
     core::MaskShape mask;
     mask.kind = settings.shape;
@@ -18,7 +19,7 @@ core::MaskShape drillMask(const Workspace::DrillSettings& settings)
     mask.widthMm = 2.0 * settings.radiusMm;
     mask.heightMm = std::max(mask.widthMm * settings.heightRatio, 0.1);
     mask.cornerMm = 0.25 * std::min(mask.widthMm, mask.heightMm);
-    mask.rotationDegrees = settings.rotationDegrees;
+    mask.rotationDegrees = std::remainder(settings.rotationDegrees + turn, 360.0);
     return mask;
 }
 
@@ -33,6 +34,17 @@ void drawToolOutline(QPainter& painter, const QPolygonF& outline, bool closed)
         else
             painter.drawPolyline(outline);
     }
+}
+
+void paintPatch(QPainter& painter, const SurfacePatch& surface, const ViewContext& view)
+{
+    QColor fill = toolColour();
+    fill.setAlphaF(0.22F);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    for (const QPolygonF& square : surface.squares(view))
+        painter.drawPolygon(square);
 }
 
 QPolygonF maskOutline(const core::MaskShape& mask, const QPointF& centre, double mmPerPixel)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/Workspace.h"
+#include "ui/tools/SurfacePatch.h"
 
 #include <QPolygonF>
 
@@ -9,12 +10,17 @@ class QPainter;
 
 namespace ui {
 
-/// The mask that the drill's settings stand for.
-[[nodiscard]] core::MaskShape drillMask(const Workspace::DrillSettings& settings);
+/// The mask that the drill's settings stand for. @param turn degrees counter-clockwise on top of
+/// theirs
+[[nodiscard]] core::MaskShape drillMask(
+    const Workspace::DrillSettings& settings, double turn = 0.0);
 
 /// Outlines of tools over a picture: a bright line with a dark rim, to be seen on bone and on black
 /// alike.
 void drawToolOutline(QPainter& painter, const QPolygonF& outline, bool closed = true);
+
+/// The part of a surface that a tool would take, tinted.
+void paintPatch(QPainter& painter, const SurfacePatch& surface, const ViewContext& view);
 
 /// A mask around a point of the picture, as the viewer sees it.
 [[nodiscard]] QPolygonF maskOutline(

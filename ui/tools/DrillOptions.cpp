@@ -44,6 +44,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_mode(new QComboBox(this))
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))
     , m_floor(millimetreBox(this, minimumFloorMm, maximumFloorMm, QStringLiteral("drillFloor")))
+    , m_sweep(new QComboBox(this))
     , m_throughGaps(new QCheckBox(tr("through gaps"), this))
     , m_radiusLabel(new QLabel(this))
     , m_start(new QLabel(this))
@@ -56,6 +57,12 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_mode->addItems({tr("Limit"), tr("Rate")});
     m_mode->setToolTip(tr("Limit: one press cuts at most the depth, however long it lasts\n"
                           "Rate: it cuts so much a second, down to a floor"));
+    m_sweep->setObjectName(QStringLiteral("drillSweep"));
+    m_sweep->addItems({tr("Along view"), tr("Along normal"), tr("Left–right"), tr("Front–back"),
+        tr("Up–down"), tr("Along pen")});
+    m_sweep->setToolTip(tr("Which way the drill goes in; settled when the pen goes down\n"
+                           "Along normal: across the surface under the pen\n"
+                           "Along pen: the way its tip points"));
     m_height->setObjectName(QStringLiteral("drillHeight"));
     m_height->setRange(100.0 * minimumHeightRatio, 100.0);
     m_height->setDecimals(0);
@@ -72,7 +79,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
         box->setFixedHeight(theme::controlHeight);
         box->setKeyboardTracking(false);
     }
-    for (QComboBox* box : {m_shape, m_mode})
+    for (QComboBox* box : {m_shape, m_mode, m_sweep})
         box->setFixedHeight(theme::controlHeight);
     m_throughGaps->setObjectName(QStringLiteral("drillThroughGaps"));
     m_throughGaps->setToolTip(tr("Cut on behind air or soft tissue up to the full depth"));
@@ -94,6 +101,8 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     layout->addWidget(m_floor);
     layout->addWidget(new PressureMenu(workspace, this));
     layout->addSpacing(theme::smallPadding);
+    layout->addWidget(m_sweep);
+    m_sweep->setVisible(!ofLaser());
     layout->addWidget(m_throughGaps);
     m_start->setObjectName(QStringLiteral("drillStart"));
     m_start->setProperty("role", QStringLiteral("secondary"));
@@ -108,7 +117,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     connect(m_floor, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     for (const QDoubleSpinBox* box : {m_height, m_turn})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
-    for (const QComboBox* box : {m_shape, m_mode})
+    for (const QComboBox* box : {m_shape, m_mode, m_sweep})
         connect(box, &QComboBox::currentIndexChanged, this, &DrillOptions::takeSettings);
     connect(m_throughGaps, &QCheckBox::toggled, this, &DrillOptions::takeSettings);
 }
@@ -123,6 +132,7 @@ void DrillOptions::showSettings()
     const QSignalBlocker turn(m_turn);
     const QSignalBlocker mode(m_mode);
     const QSignalBlocker floor(m_floor);
+    const QSignalBlocker sweep(m_sweep);
     using Kind = core::MaskShape::Kind;
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     m_radius->setValue(settings.radiusMm);
@@ -134,6 +144,7 @@ void DrillOptions::showSettings()
     m_height->setValue(100.0 * settings.heightRatio);
     m_turn->setValue(settings.rotationDegrees);
     m_mode->setCurrentIndex(int(settings.mode));
+    m_sweep->setCurrentIndex(int(settings.sweep));
     // Of all shapes that are not round the radius is half the width.
     m_radiusLabel->setText(settings.shape == Kind::Circle ? tr("Radius") : tr("Half width"));
     m_height->setVisible(settings.shape != Kind::Circle && settings.shape != Kind::Square);
@@ -170,6 +181,7 @@ void DrillOptions::takeSettings()
     settings.heightRatio = m_height->value() / 100.0;
     settings.rotationDegrees = m_turn->value();
     settings.mode = core::DrillMode(m_mode->currentIndex());
+    settings.sweep = Workspace::Sweep(m_sweep->currentIndex());
     m_workspace.setDrillSettings(settings);
 }
 

@@ -45,6 +45,7 @@ private:
     QComboBox* m_mode = nullptr;
     QDoubleSpinBox* m_depth = nullptr;
     QDoubleSpinBox* m_floor = nullptr; ///< mode Rate
+    QComboBox* m_sweep = nullptr; ///< the drill's
     QCheckBox* m_throughGaps = nullptr;
     QLabel* m_radiusLabel = nullptr;
     QLabel* m_start = nullptr;

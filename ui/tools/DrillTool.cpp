@@ -2,6 +2,7 @@
 #include "ui/tools/DrillTool.h"
 
 #include "core/edits/HiddenSides.h"
+#include "core/edits/ToolMasks.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillMask.h"
 #include "ui/tools/DrillOptions.h"
@@ -9,9 +10,11 @@
 #include "ui/tools/PickQuestion.h"
 
 #include <QPainter>
+#include <QPointer>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -19,6 +22,8 @@ namespace {
 
 /// What lies so much deeper than the cut is seen through a gap.
 constexpr double guardMm = 5.0;
+constexpr double turnDegrees = 5.0; ///< of a step of the wheel
+constexpr int previewAcross = 14; ///< rays
 
 bool restoresWith(const PointerSample& sample)
 {
@@ -37,13 +42,16 @@ double stepped(double value, int steps, double minimum, double maximum)
 DrillTool::DrillTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
+    , m_preview(workspace, [this] { Q_EMIT overlayChanged(); })
 {
     connect(&workspace, &Workspace::drillSettingsChanged, this, &Tool::overlayChanged);
     connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
     // A stroke ends with the session it was begun in.
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
+        m_aiming.reset();
         m_resting.stop();
+        m_preview.forget();
     });
     m_resting.setInterval(16);
     connect(&m_resting, &QTimer::timeout, this, &DrillTool::rest);
@@ -102,7 +110,7 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) con
     core::DrillStroke stroke;
     stroke.layer = m_workspace.activeLayer();
     stroke.view = orthographicView(scene);
-    stroke.mask = drillMask(settings);
+    stroke.mask = drillMask(settings, m_penTurn);
     stroke.mode = settings.mode;
     stroke.floorMm = settings.floorMm;
     stroke.pressureExponent = settings.pressureExponent;
@@ -134,7 +142,9 @@ double DrillTool::depthMm() const
 
 core::PenSample DrillTool::penSample(const PointerSample& sample) const
 {
-    const glm::dvec2 mm = m_strokeView->toViewPlaneMm(sample.position);
+    glm::dvec2 mm = m_strokeView->toViewPlaneMm(sample.position);
+    if (m_aim)
+        mm = m_aim->toOwn(mm);
     return {mm.x, mm.y, sample.pressure, sample.timeSeconds - m_startSeconds};
 }
 
@@ -144,20 +154,103 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     if (!session || !worksIn(view) || m_strokeView)
         return;
     m_restores = restoresWith(sample);
-    if (const auto begun = session->begin(editIn(view, m_restores)); !begun) {
-        m_workspace.fail(begun.error());
-        return;
-    }
+    m_penTurn = -sample.rotationDegrees;
+    m_aim.reset();
     m_strokeView = view;
     m_startSeconds = sample.timeSeconds;
-    tell(sample);
+    if (aims()) {
+        aim(sample, view);
+    } else if (begin(editIn(view, m_restores))) {
+        tell(sample);
+    }
+    showCursor(sample, view.view);
+}
+
+bool DrillTool::begin(const core::Edit& edit)
+{
+    if (const auto begun = m_workspace.session()->begin(edit); !begun) {
+        m_strokeView.reset();
+        m_workspace.fail(begun.error());
+        return false;
+    }
     if (m_workspace.drillSettings().mode == core::DrillMode::Rate)
         m_resting.start();
-    showCursor(sample, view.view);
+    return true;
+}
+
+/// Whether the stroke's direction is known only once the surface under the pen is.
+bool DrillTool::aims() const
+{
+    return !followsSurface() && m_workspace.drillSettings().sweep != Workspace::Sweep::View;
+}
+
+void DrillTool::aim(const PointerSample& sample, const ViewContext& view)
+{
+    m_penTilt = sample.tiltDegrees;
+    m_aiming = std::make_shared<Aiming>();
+    m_aiming->samples.push_back(sample);
+    const auto& scene = std::get<gpu::VolumeScene>(view.scene);
+    const core::Volume& volume = *m_workspace.volume();
+    SurfacePatch patch(orthographicView(scene), footprint(sample, view), 10);
+    m_workspace.session()->ask(
+        patch.question(volume, drillThreshold(m_workspace.volumeDisplay(), volume), scene.clip),
+        [tool = QPointer<DrillTool>(this), waiting = std::weak_ptr<Aiming>(m_aiming), patch](
+            const core::EngineResult& answer) mutable {
+            if (!tool || waiting.expired())
+                return;
+            if (!answer.error)
+                patch.take(*tool->m_workspace.volume(), answer);
+            tool->takeAim(patch);
+        });
+}
+
+void DrillTool::takeAim(const SurfacePatch& surface)
+{
+    const std::shared_ptr<Aiming> waited = std::exchange(m_aiming, nullptr);
+    const std::optional<glm::dvec3> place = surface.middleLps();
+    if (!place) {
+        m_strokeView.reset();
+        m_workspace.say(tr("Nothing is seen there"));
+        Q_EMIT overlayChanged();
+        return;
+    }
+    core::DrillStroke stroke = strokeIn(*m_strokeView, m_restores);
+    const glm::dvec3 direction = sweepDirection(
+        m_workspace.drillSettings().sweep, stroke.view, surface.normalLps(), m_penTilt);
+    m_aim.emplace(stroke.view, *place, direction);
+    stroke.view = m_aim->view();
+    if (!stroke.hidden)
+        stroke.hidden.emplace();
+    stroke.hidden->push_back(m_aim->before(2.0 * core::reachMm(stroke.mask) + stroke.depthMm));
+    if (!begin(stroke))
+        return;
+    for (const PointerSample& sample : waited->samples)
+        tell(sample);
+    if (!waited->released)
+        return;
+    m_strokeView.reset();
+    m_resting.stop();
+    m_workspace.session()->end(core::Ending::Commit);
+    Q_EMIT overlayChanged();
+}
+
+std::vector<glm::dvec2> DrillTool::footprint(
+    const PointerSample& sample, const ViewContext& view) const
+{
+    const glm::dvec2 middle = view.toViewPlaneMm(sample.position);
+    std::vector<glm::dvec2> outline = core::outlineMm(
+        drillMask(m_workspace.drillSettings(), -sample.rotationDegrees), view.mmPerPixel());
+    for (glm::dvec2& point : outline)
+        point += middle;
+    return outline;
 }
 
 void DrillTool::tell(const PointerSample& sample)
 {
+    if (m_aiming) {
+        m_aiming->samples.push_back(sample);
+        return;
+    }
     m_told = penSample(sample);
     m_sinceTold.start();
     m_workspace.session()->extendDrill({m_told});
@@ -166,6 +259,8 @@ void DrillTool::tell(const PointerSample& sample)
 /// A pen that does not move reports nothing, yet it goes on pressing.
 void DrillTool::rest()
 {
+    if (m_aiming)
+        return;
     core::PenSample now = m_told;
     now.tSeconds += double(m_sinceTold.elapsed()) / 1000.0;
     if (core::EditSession* session = m_workspace.session(); session && m_strokeView)
@@ -184,6 +279,10 @@ void DrillTool::release(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_strokeView)
         return;
+    if (m_aiming) {
+        m_aiming->released = true;
+        return;
+    }
     m_strokeView.reset();
     m_resting.stop();
     m_workspace.session()->end(core::Ending::Commit);
@@ -192,11 +291,14 @@ void DrillTool::release(const PointerSample& sample, const ViewContext& view)
 
 void DrillTool::cancel()
 {
-    if (!m_strokeView)
+    // What was drawn and let go of is a stroke, though its place is not known yet.
+    if (!m_strokeView || (m_aiming && m_aiming->released))
         return;
     m_strokeView.reset();
     m_resting.stop();
-    if (core::EditSession* session = m_workspace.session())
+    const bool begun = !m_aiming;
+    m_aiming.reset();
+    if (core::EditSession* session = m_workspace.session(); session && begun)
         session->end(core::Ending::Rollback);
     m_workspace.say(tr("The stroke was taken back"));
     Q_EMIT overlayChanged();
@@ -204,12 +306,17 @@ void DrillTool::cancel()
 
 void DrillTool::hover(const PointerSample& sample, const ViewContext& view)
 {
+    m_penTurn = -sample.rotationDegrees;
+    m_penTilt = sample.tiltDegrees;
+    if (worksIn(view) && m_workspace.session())
+        m_preview.lookAt(view, footprint(sample, view), previewAcross);
     showCursor(sample, view.view);
 }
 
 void DrillTool::leave()
 {
     m_cursorView.reset();
+    m_preview.forget();
     Q_EMIT overlayChanged();
 }
 
@@ -239,6 +346,51 @@ void DrillTool::changeDepth(int steps)
     m_workspace.setDrillSettings(settings);
 }
 
+void DrillTool::turn(int steps)
+{
+    Workspace::DrillSettings settings = m_workspace.drillSettings();
+    settings.rotationDegrees =
+        std::remainder(settings.rotationDegrees + turnDegrees * steps, 360.0);
+    m_workspace.setDrillSettings(settings);
+}
+
+/// What a press would cut, on the surface, before it is made. @return whether the mask is among it
+bool DrillTool::paintFootprint(QPainter& painter, const ViewContext& view) const
+{
+    const SurfacePatch* seen = m_strokeView ? nullptr : m_preview.patch();
+    if (!seen)
+        return false;
+    const core::DrillStroke stroke = strokeIn(view, m_restores);
+    SurfacePatch patch = *seen;
+    if (!stroke.throughGaps && !m_restores)
+        patch.dropBehind(depthMm() + guardMm);
+    paintPatch(painter, patch, view);
+    const std::optional<glm::dvec3> foot = patch.middleLps();
+    if (!foot || (!followsSurface() && !aims()))
+        return false;
+    // The mask as it will stand, where it begins and where it ends.
+    const glm::dvec3 normal = patch.normalLps();
+    const glm::dvec3 direction = followsSurface()
+        ? normal
+        : sweepDirection(m_workspace.drillSettings().sweep, stroke.view, normal, m_penTilt);
+    const SweepAim standing(stroke.view, *foot, direction);
+    const glm::dvec3 way = direction * (m_restores ? -depthMm() : depthMm());
+    QPolygonF begins;
+    QPolygonF ends;
+    for (const glm::dvec2& point : core::outlineMm(stroke.mask, view.mmPerPixel())) {
+        const glm::dvec3 at = standing.toLps(point);
+        begins << view.toPixel(at);
+        ends << view.toPixel(at + way);
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(toolColour(), 1.0, Qt::DotLine));
+    painter.drawPolygon(ends);
+    painter.drawLine(view.toPixel(*foot), view.toPixel(*foot + way));
+    drawToolOutline(painter, begins);
+    return true;
+}
+
 void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
@@ -246,7 +398,9 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     const double radius = settings.radiusMm / view.mmPerPixel();
 
-    drawToolOutline(painter, maskOutline(drillMask(settings), m_cursor, view.mmPerPixel()));
+    if (!paintFootprint(painter, view))
+        drawToolOutline(
+            painter, maskOutline(drillMask(settings, m_penTurn), m_cursor, view.mmPerPixel()));
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(m_cursor, 2.0, 2.0);

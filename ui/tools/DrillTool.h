@@ -3,12 +3,16 @@
 
 #include "core/edits/Edits.h"
 #include "ui/Workspace.h"
+#include "ui/tools/SurfacePreview.h"
+#include "ui/tools/SweepAim.h"
 #include "ui/tools/Tool.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace ui {
 
@@ -38,6 +42,7 @@ public:
     void leave() override;
     void changeRadius(int steps) override;
     void changeDepth(int steps) override;
+    void turn(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
@@ -49,10 +54,24 @@ protected:
     [[nodiscard]] virtual core::Edit editIn(const ViewContext& view, bool restore) const;
     /// Of the settings, the tool's own depth.
     [[nodiscard]] virtual double& depthIn(Workspace::DrillSettings& settings) const;
+    /// Whether it goes in across the surface, whatever the settings say of the sweep.
+    [[nodiscard]] virtual bool followsSurface() const { return false; }
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
 
 private:
+    /// A stroke that waits for the place it is to go in at.
+    struct Aiming {
+        std::vector<PointerSample> samples;
+        bool released = false;
+    };
     [[nodiscard]] double depthMm() const;
+    [[nodiscard]] bool aims() const;
+    [[nodiscard]] std::vector<glm::dvec2> footprint(
+        const PointerSample& sample, const ViewContext& view) const;
+    void aim(const PointerSample& sample, const ViewContext& view);
+    void takeAim(const SurfacePatch& surface);
+    [[nodiscard]] bool begin(const core::Edit& edit);
+    [[nodiscard]] bool paintFootprint(QPainter& painter, const ViewContext& view) const;
     [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;
     void showCursor(const PointerSample& sample, gpu::ViewId view);
     void tell(const PointerSample& sample);
@@ -60,10 +79,15 @@ private:
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< set while the pen is down
+    std::shared_ptr<Aiming> m_aiming;
+    std::optional<SweepAim> m_aim; ///< of the stroke
+    SurfacePreview m_preview;
     double m_startSeconds = 0.0;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     double m_pressure = 0.0;
+    double m_penTurn = 0.0; ///< degrees counter-clockwise that the pen itself is turned by
+    QPointF m_penTilt; ///< degrees
     bool m_restores = false; ///< the stroke, or what a press would do now
     core::PenSample m_told; ///< last
     QElapsedTimer m_sinceTold;

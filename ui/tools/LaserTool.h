@@ -21,6 +21,7 @@ public:
 protected:
     [[nodiscard]] core::Edit editIn(const ViewContext& view, bool restore) const override;
     [[nodiscard]] double& depthIn(Workspace::DrillSettings& settings) const override;
+    [[nodiscard]] bool followsSurface() const override { return true; }
 };
 
 } // namespace ui

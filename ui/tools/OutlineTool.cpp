@@ -2,6 +2,7 @@
 #include "ui/tools/OutlineTool.h"
 
 #include "core/edits/HiddenSides.h"
+#include "core/edits/ToolMasks.h"
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillMask.h"
@@ -16,16 +17,23 @@ namespace {
 
 constexpr double leastStepPixels = 1.5;
 constexpr double leastSidePixels = 4.0;
+constexpr double hoverMm = 6.0;
+constexpr int hoverAcross = 12; ///< rays
+constexpr int sketchAcross = 32;
 
 } // namespace
 
 OutlineTool::OutlineTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
+    , m_preview(workspace, [this] { Q_EMIT overlayChanged(); })
 {
     connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
     // A curve ends with the session it was begun in.
-    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_sketchView.reset(); });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_sketchView.reset();
+        m_preview.forget();
+    });
 }
 
 QString OutlineTool::target() const
@@ -71,6 +79,12 @@ void OutlineTool::drag(const PointerSample& sample, const ViewContext& view)
     const QPointF step = sample.position - m_sketch.back();
     if (QPointF::dotProduct(step, step) >= leastStepPixels * leastStepPixels)
         m_sketch << sample.position;
+    if (showsTaken() && m_sketch.size() >= 3) {
+        std::vector<glm::dvec2> outline;
+        for (const QPointF& point : m_sketch)
+            outline.push_back(m_sketchView->toViewPlaneMm(point));
+        m_preview.lookAt(*m_sketchView, std::move(outline), sketchAcross);
+    }
     showCursor(sample, view.view);
 }
 
@@ -81,6 +95,7 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
     drag(sample, view);
     const ViewContext sketched = *m_sketchView;
     m_sketchView.reset();
+    m_preview.forget();
     const QRectF box = m_sketch.boundingRect();
     if (m_sketch.size() < 3 || box.width() < leastSidePixels || box.height() < leastSidePixels) {
         m_workspace.say(tr("Draw a curve around what is to be cut; it closes by itself"));
@@ -100,17 +115,27 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
 void OutlineTool::cancel()
 {
     m_sketchView.reset();
+    m_preview.forget();
     Q_EMIT overlayChanged();
 }
 
 void OutlineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_restores = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+    if (showsTaken() && worksIn(view) && m_workspace.session()) {
+        // A little of it: which surface a curve here would take.
+        const glm::dvec2 middle = view.toViewPlaneMm(sample.position);
+        std::vector<glm::dvec2> outline = core::outlineMm({.radiusMm = hoverMm}, view.mmPerPixel());
+        for (glm::dvec2& point : outline)
+            point += middle;
+        m_preview.lookAt(view, std::move(outline), hoverAcross);
+    }
     showCursor(sample, view.view);
 }
 
 void OutlineTool::leave()
 {
+    m_preview.forget();
     m_cursorView.reset();
     Q_EMIT overlayChanged();
 }
@@ -126,6 +151,8 @@ void OutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
         return;
+    if (const SurfacePatch* surface = m_preview.patch())
+        paintPatch(painter, taken(*surface), view);
     if (m_sketchView) {
         // Where it closes by itself, a thin line says so.
         painter.setRenderHint(QPainter::Antialiasing);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/Edits.h"
+#include "ui/tools/SurfacePreview.h"
 #include "ui/tools/Tool.h"
 
 #include <QPolygonF>
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace ui {
-
-class Workspace;
 
 /// What tools share that cut inside a curve sketched on the 3D view (seed A §4.1). The curve closes
 /// by itself; with Ctrl, or the pen's eraser end, the tool restores. Points are millimetres in the
@@ -44,6 +43,9 @@ protected:
     virtual void cut(const Sketch& sketch) = 0;
     /// A new one is begun.
     virtual void begin() { }
+    /// Whether what a curve would take of the surface is shown beforehand, and what that is.
+    [[nodiscard]] virtual bool showsTaken() const { return false; }
+    [[nodiscard]] virtual SurfacePatch taken(SurfacePatch surface) const { return surface; }
     /// Words at the cursor.
     [[nodiscard]] virtual QStringList lines() const = 0;
 
@@ -54,6 +56,7 @@ private:
     void showCursor(const PointerSample& sample, gpu::ViewId view);
 
     Workspace& m_workspace;
+    SurfacePreview m_preview;
     std::optional<ViewContext> m_sketchView; ///< set while the pen is down
     QPolygonF m_sketch; ///< logical pixels
     bool m_restores = false;

@@ -173,6 +173,12 @@ void PeelTool::follow()
     Q_EMIT changed();
 }
 
+SurfacePatch PeelTool::taken(SurfacePatch surface) const
+{
+    surface.keepLargest(core::PeelCut().jumpMm);
+    return surface;
+}
+
 QStringList PeelTool::lines() const
 {
     const QString depth = tr("%1 mm thick").arg(QLocale().toString(m_depthMm, 'f', 1));

@@ -39,6 +39,8 @@ Q_SIGNALS:
 protected:
     void cut(const Sketch& sketch) override;
     void begin() override { confirm(); }
+    [[nodiscard]] bool showsTaken() const override { return !m_open; }
+    [[nodiscard]] SurfacePatch taken(SurfacePatch surface) const override;
     [[nodiscard]] QStringList lines() const override;
 
 private:

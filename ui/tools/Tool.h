@@ -58,6 +58,8 @@ public:
     virtual void changeRadius(int /*steps*/) { }
     /// Alt + wheel.
     virtual void changeDepth(int /*steps*/) { }
+    /// Alt + Shift + wheel: @p steps is positive for counter-clockwise.
+    virtual void turn(int /*steps*/) { }
 
     /// What the tool will do, drawn over every view it works in; the cursor's part only where the
     /// pointer is.

@@ -320,7 +320,10 @@ void ImageView::wheelEvent(QWheelEvent* event)
     if (steps == 0.0 || !m_workspace.volume() || m_gesture == Gesture::Tool)
         return;
     const int whole = steps > 0.0 ? std::max(1, int(steps)) : std::min(-1, int(steps));
-    if (toolWorksHere() && (event->modifiers() & Qt::ShiftModifier))
+    const Qt::KeyboardModifiers both = Qt::ShiftModifier | Qt::AltModifier;
+    if (toolWorksHere() && (event->modifiers() & both) == both)
+        m_tool->turn(whole);
+    else if (toolWorksHere() && (event->modifiers() & Qt::ShiftModifier))
         m_tool->changeRadius(whole);
     else if (toolWorksHere() && (event->modifiers() & Qt::AltModifier))
         m_tool->changeDepth(whole);
