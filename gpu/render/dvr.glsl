@@ -24,9 +24,6 @@ float nearFace(float n)
     return 1.0 - smoothstep(1.5, 3.0, n);
 }
 
-#if PIECES
-#include "render/dvrPieces.glsl"
-#else
 /// @param n samples behind where the ray begins
 Matter matterAt(vec3 at, float n)
 {
@@ -53,7 +50,8 @@ Matter matterAt(vec3 at, float n)
     return matter;
 }
 
-vec3 seenAlong(Ray ray)
+/// What is seen of the volume without its pieces.
+vec3 restAlong(Ray ray)
 {
     const vec3 toViewer = -ray.world;
     const Samples samples = samplesOf(ray, cellSide);
@@ -156,5 +154,13 @@ vec3 seenAlong(Ray ray)
 #endif
     } while (n < samples.last && through > enough);
     return seen;
+}
+
+#if PIECES
+#include "render/dvrPieces.glsl"
+#else
+vec3 seenAlong(Ray ray)
+{
+    return restAlong(ray);
 }
 #endif

@@ -10,6 +10,8 @@ struct Way {
     float first; // number of its first sample
     float last;  // it ends before
     float next;  // before this one there is nothing
+    vec3 origin; // texture: of sample 0
+    vec3 step;   // texture
 };
 Way ways[mostMet + 1];
 int wayCount = 0;
@@ -19,7 +21,6 @@ struct Joint {
     float opacity; // of one step, of all
     int owner;     // place in ways of what shows most
     int solid;     // place in ways of a solid surface here, −1: none
-    float next;    // the sample after it that may show something
 };
 
 void meet(Ray own, int piece)
@@ -27,15 +28,28 @@ void meet(Ray own, int piece)
     if (own.first >= own.last)
         return;
     const float first = floor((own.first - own.gridZero) / stepMm) + 1.0;
-    ways[wayCount] = Way(piece, first, (own.last - own.gridZero) / stepMm, first);
+    ways[wayCount] = Way(piece, first, (own.last - own.gridZero) / stepMm, first,
+        own.origin + own.direction * own.gridZero, own.direction * stepMm);
     ++wayCount;
 }
 
-Samples samplesOfWay(Ray ray, int way)
+/// As samplesOf() has it.
+Samples samplesOfWay(int way)
 {
-    if (ways[way].piece < 0)
-        return samplesOf(ray, cellSide);
-    return samplesOf(pieceRay(ray, ways[way].piece), cellSide);
+    Samples samples;
+    const vec3 cellsPerTexture = 1.0 / (voxel * cellSide);
+    samples.origin = ways[way].origin;
+    samples.step = ways[way].step;
+    samples.last = ways[way].last;
+    samples.cellOrigin = samples.origin * cellsPerTexture - 0.5 / cellSide;
+    samples.cellStep = samples.step * cellsPerTexture;
+    const vec3 tiny = vec3(1e-9);
+    samples.leavePerCell
+        = 1.0 / mix(samples.cellStep, tiny, lessThan(abs(samples.cellStep), tiny));
+    samples.leaveOrigin
+        = (vec3(greaterThan(samples.leavePerCell, vec3(0.0))) - samples.cellOrigin)
+        * samples.leavePerCell;
+    return samples;
 }
 
 /// @return number of the first sample at or after n that is in no free cell
@@ -53,27 +67,42 @@ float leaveFree(Samples samples, int piece, float n)
     return n;
 }
 
-Joint jointAt(Ray ray, float n)
+/// Leaves free cells behind. @return the first sample at or after n that may show something
+float soonest(float n)
 {
-    Joint joint = Joint(vec3(0.0), 0.0, 0, -1, nowhere);
+    float next = nowhere;
+    for (int i = 0; i < wayCount; ++i) {
+        const float from = max(ways[i].next, n);
+        float free = from;
+        if (from <= n && from < ways[i].last)
+            free = leaveFree(samplesOfWay(i), ways[i].piece, from);
+        ways[i].next = free;
+        next = min(next, free < ways[i].last ? free : nowhere);
+    }
+    return next;
+}
+
+/// The next of the ways after one on which something may be at n; −1: none. Few looks: what a
+/// sample costs is done for these only.
+int wayAt(float n, int after)
+{
+    int found = -1;
+    for (int i = wayCount - 1; i > after; --i)
+        found = ways[i].next <= n && n < ways[i].last ? i : found;
+    return found;
+}
+
+/// What all ways have at sample n, where soonest(n) has been.
+Joint jointAt(float n)
+{
+    Joint joint = Joint(vec3(0.0), 0.0, 0, -1);
     float most = 0.0;
     float through = 1.0;
     vec3 sum = vec3(0.0);
     float weight = 0.0;
-    for (int i = 0; i < wayCount; ++i) {
-        if (n >= ways[i].last)
-            continue;
-        if (n < ways[i].next) {
-            joint.next = min(joint.next, ways[i].next);
-            continue;
-        }
+    for (int i = wayAt(n, -1); i >= 0; i = wayAt(n, i)) {
         const int piece = ways[i].piece;
-        const Samples samples = samplesOfWay(ray, i);
-        const float free = leaveFree(samples, piece, n);
-        ways[i].next = free;
-        joint.next = min(joint.next, max(free, n + 1.0));
-        if (free > n)
-            continue;
+        const Samples samples = samplesOfWay(i);
         const vec3 at = samples.origin + samples.step * n;
         const float code = texture(intensity, at).r;
         vec4 colour = transferAt(code);
@@ -123,7 +152,7 @@ Joint jointAt(Ray ray, float n)
 vec4 lightAt(Ray ray, int way, float n, float change)
 {
     const int piece = ways[way].piece;
-    const Samples samples = samplesOfWay(ray, way);
+    const Samples samples = samplesOfWay(way);
     const vec3 at = samples.origin + samples.step * n;
     vec3 rise = tetrahedronDifferences(intensity, at);
     const vec3 gap = gapRise(piece, at);
@@ -150,7 +179,7 @@ vec4 lightAt(Ray ray, int way, float n, float change)
 vec3 solidAt(Ray ray, int way, float n)
 {
     const int piece = ways[way].piece;
-    const Samples samples = samplesOfWay(ray, way);
+    const Samples samples = samplesOfWay(way);
     const vec3 at = samples.origin + samples.step * n;
     vec3 inward = vec3(0.0);
     vec3 colour = vec3(0.0);
@@ -173,6 +202,10 @@ vec3 seenAlong(Ray ray)
     meet(ray, restOf);
     for (int k = 0; k < pieceCount; ++k)
         meet(pieceRay(ray, k), k);
+    if (wayCount == 0)
+        return vec3(0.0);
+    if (wayCount == 1 && ways[0].piece < 0)
+        return restAlong(ray);
     float n = nowhere;
     float last = -nowhere;
     for (int i = 0; i < wayCount; ++i) {
@@ -187,10 +220,11 @@ vec3 seenAlong(Ray ray)
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
     while (n < last && through > enough) {
         const float start = n;
-        Joint joint = jointAt(ray, n);
+        n = soonest(n);
+        Joint joint = jointAt(n);
         while (joint.opacity <= 0.0 && joint.solid < 0 && n < last) {
-            n = max(n + 1.0, joint.next);
-            joint = jointAt(ray, n);
+            n = soonest(n + 1.0);
+            joint = jointAt(n);
         }
         if (n >= last)
             break;
@@ -218,7 +252,8 @@ vec3 seenAlong(Ray ray)
             if (solid >= 0)
                 break;
             n += 1.0;
-            joint = jointAt(ray, n);
+            soonest(n);
+            joint = jointAt(n);
         } while (n < groupEnd && through * groupThrough > enough
             && (joint.opacity <= 0.0 || joint.owner == owner));
         const float changeN = change > 1e-6 ? changeAt / change : n;

@@ -204,7 +204,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         test::FrameFixture quick;
         test::FrameFixture thorough(everySample(folder));
-        const glm::ivec2 size(72, 60);
+        const glm::ivec2 size = pieces ? glm::ivec2(40, 34) : glm::ivec2(72, 60);
         SegmentDisplay segments;
         segments.rgb[1] = 0x4AA3FF;
         segments.visible[1] = sculpted;
