@@ -121,7 +121,8 @@ private Q_SLOTS:
                 });
                 const int flags = (shown && !allCarved ? MacroCells::tissueFlag : 0)
                     | (anyCarved ? MacroCells::carvedFlag : 0)
-                    | (anySegment ? MacroCells::segmentFlag : 0);
+                    | (anySegment ? MacroCells::segmentFlag : 0)
+                    | (shown ? MacroCells::shownFlag : 0);
                 QCOMPARE(int(skip[2 * index + 1]), flags);
                 const bool occupied =
                     (flags & (MacroCells::tissueFlag | MacroCells::segmentFlag)) != 0;
