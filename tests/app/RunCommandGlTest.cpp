@@ -119,6 +119,29 @@ private Q_SLOTS:
         QCOMPARE(replayed.lines.size(), qsizetype(test::manyEdits().size()));
     }
 
+    void carvedVolumeAndCoverageAreExports()
+    {
+        const QJsonArray exports{QJsonObject{{key("format"), key("coverage")}, {key("layer"), 1},
+                                     {key("file"), path("coverage.nii.gz")}},
+            QJsonObject{{key("format"), key("carved-volume")}, {key("file"), path("carved.nii")},
+                {key("fill"), -2000}}};
+        const Outcome run = burin(runArguments(
+            recipe({{key("edits"), json({test::drillAt(0)})}, {key("export"), exports}})));
+        QVERIFY2(run.status == 0, qPrintable(run.complaint));
+        const Result<LoadedVolume> study = loadVolume(m_study);
+        const Result<LoadedVolume> coverage = loadVolume(path("coverage.nii.gz"));
+        const Result<LoadedVolume> carved = loadVolume(path("carved.nii"));
+        QVERIFY(study && coverage && carved);
+        int cut = 0;
+        for (std::size_t i = 0; i < study->codes.size(); ++i) {
+            const bool gone = coverage->volume.encoding.value(coverage->codes[i]) >= 128.0;
+            cut += gone ? 1 : 0;
+            QCOMPARE(carved->volume.encoding.value(carved->codes[i]),
+                gone ? -2000.0 : study->volume.encoding.value(study->codes[i]));
+        }
+        QVERIFY(cut > 0);
+    }
+
     void anEditThatChangesNothingSaysSo()
     {
         const QString file = recipe({{key("edits"),
@@ -159,6 +182,14 @@ private Q_SLOTS:
         row("unknown part", "{'edits':[],'exports':[]}", "exports");
         row("no JSON", "{'edits':[\n}", "line 2");
         row("another format", "{'edits':[],'export':[{'format':'stl','file':'OUT/a.stl'}]}", "stl");
+        row("coverage of what", "{'edits':[],'export':[{'format':'coverage','file':'OUT/a.nii'}]}",
+            "layer");
+        row("coverage of no layer",
+            "{'edits':[],'export':[{'format':'coverage','layer':7,'file':'OUT/a.nii'}]}",
+            "sculpt layer 7");
+        row("a DICOM series of a NIfTI file",
+            "{'edits':[],'export':[{'format':'carved-volume','file':'OUT/carved'}]}",
+            "NIfTI can be exported");
         row("another ending", "{'edits':[],'export':[{'format':'nifti','file':'OUT/a.img'}]}",
             "a.img");
         row("no such folder", "{'edits':[],'export':[{'format':'nifti','file':'OUT/no/a.nii'}]}",

@@ -195,6 +195,36 @@ private Q_SLOTS:
         frame = m_fixture->draw(scene, {200, 200});
         QCOMPARE(test::pixel(frame, 50, 100).r, 0);
     }
+
+    /// A hole is black, with or without its rim; segments are drawn over it.
+    void carvedVoxelsAreAHoleOnRequest()
+    {
+        m_fixture->open(
+            test::centredGeometry({20, 20, 20}), [](const glm::dvec3&) { return 600.0; });
+        m_fixture->fill(VolumeField::Radiation, {{5, 5, 5}, {15, 15, 15}}, 255);
+        m_fixture->fill(VolumeField::Labels, {{8, 5, 5}, {10, 15, 15}}, 3);
+        SegmentDisplay segments;
+        segments.rgb[3] = 0x64C832;
+        segments.visible[3] = true;
+        segments.fillOpacity = 0.5f;
+        segments.outlineWidthPixels = 2.0f;
+        SliceScene scene;
+        scene.mmPerPixel = 0.1;
+        scene.window = {500.0, 1000.0};
+        scene.carvedAsHole = true;
+        Frame frame = m_fixture->draw(scene, {200, 200}, segments);
+        QCOMPARE(test::pixel(frame, 130, 100), glm::ivec3(0));
+        QCOMPARE(test::pixel(frame, 90, 100), glm::ivec3(50, 100, 25));
+        QVERIFY(test::pixel(frame, 150, 100).r > 180); // the rim
+        QVERIFY(test::pixel(frame, 170, 100).r > 140); // what is left
+        scene.showCarved = false;
+        frame = m_fixture->draw(scene, {200, 200}, segments);
+        QCOMPARE(test::pixel(frame, 130, 100), glm::ivec3(0));
+        QCOMPARE(test::pixel(frame, 148, 100), glm::ivec3(0)); // no rim
+        scene.carvedAsHole = false;
+        frame = m_fixture->draw(scene, {200, 200}, segments);
+        QVERIFY(test::pixel(frame, 130, 100).r > 140);
+    }
 };
 
 QTEST_GUILESS_MAIN(SlicePassGlTest)
