@@ -47,11 +47,11 @@ OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget
     m_layout->addStretch(1);
     // The first to give way: a tool's options never make the window wider.
     m_keys->setMinimumWidth(1);
-    m_keys->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_keys->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_keys->setProperty("role", QStringLiteral("secondary"));
     m_keys->setFont(theme::smallFont());
     m_keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_layout->addWidget(m_keys);
+    m_layout->addWidget(m_keys, 8);
     connect(&workspace, &Workspace::activeToolChanged, this, &OptionBar::showTool);
     connect(&workspace, &Workspace::sessionChanged, this, &OptionBar::showTool);
     showTool();

@@ -6,6 +6,7 @@
 #include "ui/tools/DrillSurface.h"
 #include "ui/tools/MaskPresetMenu.h"
 #include "ui/tools/PressureMenu.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -45,9 +46,9 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))
     , m_floor(millimetreBox(this, minimumFloorMm, maximumFloorMm, QStringLiteral("drillFloor")))
     , m_sweep(new QComboBox(this))
-    , m_throughGaps(new QCheckBox(tr("through gaps"), this))
+    , m_throughGaps(new QCheckBox(tr("gaps"), this))
     , m_radiusLabel(new QLabel(this))
-    , m_start(new QLabel(this))
+    , m_start(new FittingLabel(Qt::AlignLeft, this))
 {
     // In the order of the enumerators.
     m_shape->setObjectName(QStringLiteral("drillShape"));
@@ -58,11 +59,12 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_mode->setToolTip(tr("Limit: one press cuts at most the depth, however long it lasts\n"
                           "Rate: it cuts so much a second, down to a floor"));
     m_sweep->setObjectName(QStringLiteral("drillSweep"));
-    m_sweep->addItems({tr("Along view"), tr("Along normal"), tr("Left–right"), tr("Front–back"),
-        tr("Up–down"), tr("Along pen")});
+    m_sweep->addItems({tr("View"), tr("Normal"), tr("L – R"), tr("A – P"), tr("S – I"), tr("Pen")});
     m_sweep->setToolTip(tr("Which way the drill goes in; settled when the pen goes down\n"
-                           "Along normal: across the surface under the pen\n"
-                           "Along pen: the way its tip points"));
+                           "View: along the line of sight\n"
+                           "Normal: across the surface under the pen\n"
+                           "L – R, A – P, S – I: along that axis of the patient\n"
+                           "Pen: the way its tip points"));
     m_height->setObjectName(QStringLiteral("drillHeight"));
     m_height->setRange(100.0 * minimumHeightRatio, 100.0);
     m_height->setDecimals(0);
@@ -82,7 +84,8 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     for (QComboBox* box : {m_shape, m_mode, m_sweep})
         box->setFixedHeight(theme::controlHeight);
     m_throughGaps->setObjectName(QStringLiteral("drillThroughGaps"));
-    m_throughGaps->setToolTip(tr("Cut on behind air or soft tissue up to the full depth"));
+    m_throughGaps->setToolTip(
+        tr("Through gaps: cut on behind air or soft tissue up to the full depth"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
@@ -105,6 +108,9 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_sweep->setVisible(!ofLaser());
     layout->addWidget(m_throughGaps);
     m_start->setObjectName(QStringLiteral("drillStart"));
+    // Gives way where there is no room.
+    m_start->setMinimumWidth(1);
+    m_start->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     m_start->setProperty("role", QStringLiteral("secondary"));
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_start);

@@ -156,6 +156,7 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     m_restores = restoresWith(sample);
     m_penTurn = -sample.rotationDegrees;
     m_aim.reset();
+    m_preview.forget();
     m_strokeView = view;
     m_startSeconds = sample.timeSeconds;
     if (aims()) {
