@@ -255,39 +255,50 @@ vec3 seenAlong(Ray ray)
     Hit rest = Hit(nowhere, false, false);
     if (ray.first < ray.last)
         rest = firstHit(ray);
+    int met[mostHits];
     float hits[mostHits];
+    int metCount = 0;
     for (int k = 0; k < pieceCount; ++k) {
         const Ray own = pieceRay(ray, k);
-        hits[k] = nowhere;
-        if (own.first < own.last)
-            hits[k] = pieceHit(own, k);
+        if (own.first < own.last) {
+            met[metCount] = k;
+            ++metCount;
+        }
     }
+    float nearest = rest.t;
+    int next = restOf; // place in hits
+    for (int i = 0; i < metCount; ++i) {
+        hits[i] = pieceHit(pieceRay(ray, met[i]), met[i]);
+        next = hits[i] < nearest ? i : next;
+        nearest = min(nearest, hits[i]);
+    }
+    // Opaque ones are looked at once: what is drawn is worth many looks for what is next.
     vec3 seen = vec3(0.0);
     float through = 1.0;
-    bool restSeen = false;
-    for (;;) {
-        float nearest = restSeen ? nowhere : rest.t;
-        int piece = restOf;
-        for (int k = 0; k < pieceCount; ++k) {
-            piece = hits[k] < nearest ? k : piece;
-            nearest = min(nearest, hits[k]);
-        }
-        if (nearest >= nowhere || through < 0.02)
-            break;
+    do {
         Ray own = ray;
         Hit hit = rest;
         float opacity = 1.0;
-        if (piece >= 0) {
+        int piece = restOf;
+        if (next >= 0) {
+            piece = met[next];
             own = pieceRay(ray, piece);
             hit = Hit(nearest, false, nearest <= own.first);
             opacity = pieces[piece].low.w;
-            hits[piece] = nowhere;
-        } else {
-            restSeen = true;
+            hits[next] = nowhere;
         }
-        seen += through * opacity * lookOf(own, piece, hit);
+        const vec3 look = lookOf(own, piece, hit);
+        opacity = nearest < nowhere ? opacity : 0.0;
+        seen += opacity > 0.0 ? through * opacity * look : vec3(0.0);
         through *= 1.0 - opacity;
-    }
+        // Behind the rest nothing is seen: it is opaque.
+        nearest = rest.t;
+        next = restOf;
+        for (int i = 0; i < metCount; ++i) {
+            next = hits[i] < nearest ? i : next;
+            nearest = min(nearest, hits[i]);
+        }
+    } while (nearest < nowhere && through >= 0.02);
     return seen;
 }
 #else

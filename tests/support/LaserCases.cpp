@@ -197,6 +197,62 @@ std::vector<EngineCase> laserCases(int randomCount)
         appendWhole(made.steps, laser, {DrillPath{}});
         cases.push_back(std::move(made));
     }
+    for (const char* tool : {"laser", "drill", "peel", "scissors", "brush"}) {
+        // A plane along the view, through the middle of what is cut: half of it is hidden.
+        Random random(30003);
+        const glm::ivec3 size(24, 24, 24);
+        const core::Document scene = randomDocument(size, random, true);
+        const core::VolumeGeometry& geometry = scene.volumes.front().geometry;
+        const glm::dvec3 middle = geometry.toWorld(glm::dvec3(size) / 2.0);
+        const glm::dvec3 towards = geometry.direction()[1];
+        const glm::dvec3 side = glm::normalize(glm::cross(towards, geometry.direction()[2]));
+        LaserStroke laser;
+        laser.view.targetLps = middle;
+        laser.view.eyeLps = middle - 200.0 * towards;
+        laser.view.up = geometry.direction()[2];
+        laser.mask.radiusMm = 5.0;
+        laser.depthMm = 6.0;
+        laser.surfaceThreshold = tissueCode / 2;
+        laser.samples = {{.xMm = -2.0, .pressure = 1.0}};
+        laser.hidden = {{{side, glm::dot(side, middle)}, {-towards, glm::dot(-towards, middle)}}};
+        EngineCase made{
+            QByteArray("half of it hidden, ") + tool, constantVolume(size, tissueCode), {}};
+        core::DrillStroke drill;
+        drill.view = laser.view;
+        drill.mask = laser.mask;
+        drill.surfaceThreshold = laser.surfaceThreshold;
+        drill.samples = laser.samples;
+        drill.hidden = laser.hidden;
+        core::PeelCut peel;
+        peel.view = laser.view;
+        peel.polygonMm = {{-5.0, -5.0}, {5.0, -5.0}, {5.0, 5.0}, {-5.0, 5.0}};
+        peel.surfaceThreshold = laser.surfaceThreshold;
+        peel.hidden = laser.hidden;
+        core::ScissorsCut scissors;
+        scissors.view = laser.view;
+        scissors.polygonMm = peel.polygonMm;
+        scissors.surfaceThreshold = laser.surfaceThreshold;
+        scissors.hidden = laser.hidden;
+        core::BrushStroke brush;
+        brush.path.radiusMm = 5.0;
+        brush.path.pointsLps = {middle, middle + 4.0 * side};
+        brush.hidden = laser.hidden;
+        const QByteArray name(tool);
+        if (name == "laser") {
+            append(made, laser, scene, random);
+        } else if (name == "drill") {
+            const core::DrillCut cut = drillCutOf(drill, scene);
+            appendWhole(made.steps, cut, {DrillPath{drillSamplesOf(drill, cut)}});
+        } else if (name == "peel") {
+            appendWhole(made.steps, *core::maskPeel(peel, scene), {core::peelDepth(peel)});
+        } else if (name == "scissors") {
+            appendWhole(made.steps, *core::maskScissors(scissors, scene));
+        } else {
+            appendWhole(made.steps, *core::capsuleCut(brush, scene),
+                {core::CapsulePath{core::capsules(brush.path, geometry)}});
+        }
+        cases.push_back(std::move(made));
+    }
     for (int number = 0; number < randomCount; ++number)
         cases.push_back(randomLasering(number));
     return cases;
