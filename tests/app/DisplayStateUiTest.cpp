@@ -87,7 +87,12 @@ private:
         workspace.setCrosshairLps({3.0, -2.0, 131.0});
         workspace.setWindowLevel({210.0, 1800.0});
         workspace.setViewOptions(
-            {.showPatient = false, .showCrosshair = false, .showSegments = true, .inverted = true});
+            {.showPatient = false,
+                .showCrosshair = false,
+                .showSegments = true,
+                .showCarved = false,
+                .carvedAsHole = true,
+                .inverted = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;

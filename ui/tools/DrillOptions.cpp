@@ -47,7 +47,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_floor(millimetreBox(this, minimumFloorMm, maximumFloorMm, QStringLiteral("drillFloor")))
     , m_sweep(new QComboBox(this))
     , m_throughGaps(new QCheckBox(tr("gaps"), this))
-    , m_radiusLabel(new QLabel(this))
+    , m_radiusLabel(new QLabel(tr("Radius"), this))
     , m_start(new FittingLabel(Qt::AlignLeft, this))
 {
     // In the order of the enumerators.
@@ -69,7 +69,8 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_height->setRange(100.0 * minimumHeightRatio, 100.0);
     m_height->setDecimals(0);
     m_height->setSingleStep(5.0);
-    m_height->setSuffix(tr(" % high"));
+    m_height->setSuffix(tr(" %"));
+    m_height->setToolTip(tr("Height of the mask, in per cent of its width"));
     m_turn->setObjectName(QStringLiteral("drillTurn"));
     m_turn->setRange(-180.0, 180.0);
     m_turn->setWrapping(true);
@@ -108,12 +109,18 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_sweep->setVisible(!ofLaser());
     layout->addWidget(m_throughGaps);
     m_start->setObjectName(QStringLiteral("drillStart"));
-    // Gives way where there is no room.
-    m_start->setMinimumWidth(1);
-    m_start->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     m_start->setProperty("role", QStringLiteral("secondary"));
     layout->addSpacing(theme::smallPadding);
-    layout->addWidget(m_start);
+    // Tells what room there is: the options never make the window wider.
+    m_start->setMinimumWidth(1);
+    m_start->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_start->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    layout->addWidget(m_start, 1);
+    m_radius->setFixedWidth(80);
+    m_height->setFixedWidth(58);
+    m_turn->setFixedWidth(48);
+    m_depth->setFixedWidth(80);
+    m_floor->setFixedWidth(92);
 
     showSettings();
     connect(&m_workspace, &Workspace::drillSettingsChanged, this, &DrillOptions::showSettings);
@@ -152,7 +159,10 @@ void DrillOptions::showSettings()
     m_mode->setCurrentIndex(int(settings.mode));
     m_sweep->setCurrentIndex(int(settings.sweep));
     // Of all shapes that are not round the radius is half the width.
-    m_radiusLabel->setText(settings.shape == Kind::Circle ? tr("Radius") : tr("Half width"));
+    const bool round = settings.shape == Kind::Circle;
+    m_radiusLabel->setVisible(round);
+    m_radius->setPrefix(round ? QString() : QStringLiteral("±"));
+    m_radius->setToolTip(round ? tr("Radius of the mask") : tr("Half the width of the mask"));
     m_height->setVisible(settings.shape != Kind::Circle && settings.shape != Kind::Square);
     m_turn->setVisible(settings.shape != Kind::Circle);
     m_depth->setSuffix(settings.mode == core::DrillMode::Rate ? tr(" mm/s") : tr(" mm"));

@@ -17,7 +17,8 @@ MaskPresetMenu::MaskPresetMenu(Workspace& workspace, QWidget* parent)
     , m_menu(new QMenu(this))
 {
     setObjectName(QStringLiteral("drillMasks"));
-    setText(tr("Masks"));
+    setText(QStringLiteral("★"));
+    setAccessibleName(tr("Masks"));
     setToolTip(tr("Masks that were saved, and saving this one"));
     setPopupMode(QToolButton::InstantPopup);
     setToolButtonStyle(Qt::ToolButtonTextOnly);

@@ -40,8 +40,8 @@ void PressureMenu::showSettings()
     const int exponent = m_workspace.drillSettings().pressureExponent;
     m_curve->setExponent(exponent);
     static const QString powers[]{QString(), QStringLiteral("²"), QStringLiteral("³")};
-    setText(tr("Pressure") + powers[exponent - 1]);
-    setToolTip(tr("Half the pressure cuts %1 % of the depth")
+    setText(tr("p") + powers[exponent - 1]);
+    setToolTip(tr("Pressure curve: half the pressure cuts %1 % of the depth")
                    .arg(std::lround(100.0 * std::pow(0.5, exponent))));
 }
 

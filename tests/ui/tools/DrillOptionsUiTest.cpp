@@ -94,7 +94,7 @@ private Q_SLOTS:
         auto* curve = pressure ? pressure->findChild<ui::PressureCurve*>() : nullptr;
         QVERIFY(curve);
         QCOMPARE(curve->exponent(), 2);
-        QCOMPARE(pressure->text(), QStringLiteral("Pressure²"));
+        QCOMPARE(pressure->text(), QStringLiteral("p²"));
         curve->resize(curve->sizeHint());
         // The straight line lies highest, the cube lowest.
         QTest::mouseClick(curve, Qt::LeftButton, {}, QPoint(curve->width() / 2, 30));
@@ -106,7 +106,8 @@ private Q_SLOTS:
         QCOMPARE(curve->exponent(), 3);
         QTest::keyClick(curve, Qt::Key_Left);
         QCOMPARE(fixture.workspace.drillSettings().pressureExponent, 2);
-        QCOMPARE(pressure->toolTip(), QStringLiteral("Half the pressure cuts 25 % of the depth"));
+        QCOMPARE(pressure->toolTip(),
+            QStringLiteral("Pressure curve: half the pressure cuts 25 % of the depth"));
 
         auto* floor = options.findChild<QDoubleSpinBox*>(QStringLiteral("drillFloor"));
         QVERIFY(floor && floor->isHidden());
@@ -117,6 +118,22 @@ private Q_SLOTS:
         QCOMPARE(floor->value(), 30.0);
         floor->setValue(12.5);
         QCOMPARE(fixture.workspace.drillSettings().floorMm, 12.5);
+    }
+
+    /// However many options there are, a small window stays small.
+    void theBarFitsASmallWindow()
+    {
+        test::WindowFixture fixture(test::smallStudy());
+        ui::DrillTool tool(fixture.workspace);
+        ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
+        settings.mode = core::DrillMode::Rate;
+        settings.shape = Kind::Rounded;
+        fixture.workspace.setDrillSettings(settings);
+        fixture.workspace.setActiveTool(&tool);
+        fixture.window.resize(1280, 720);
+        QTest::qWait(50);
+        QCOMPARE(fixture.window.width(), 1280);
+        fixture.workspace.setActiveTool(nullptr);
     }
 
     void looks()
