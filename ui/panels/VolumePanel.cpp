@@ -82,7 +82,8 @@ void VolumePanel::build()
         button->setObjectName(QStringLiteral("renderMode") + name);
         button->setCheckable(true);
         m_modes->addButton(button, int(mode));
-        modes->addWidget(button, 1);
+        // Longer names need more room where the panel is narrow.
+        modes->addWidget(button, 3 + int(name.size()));
     }
     m_modes->button(int(gpu::RenderMode::Dvr))->setToolTip(tr("Direct volume rendering"));
     m_modes->button(int(gpu::RenderMode::Mip))->setToolTip(tr("Maximum intensity projection"));
