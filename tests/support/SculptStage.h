@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/EditSession.h"
+#include "gpu/GpuEngine.h"
+
+#include <QImage>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace test {
+
+/// A study on the real engine, to be sculpted and looked at.
+class SculptStage {
+public:
+    explicit SculptStage(core::LoadedVolume study);
+
+    [[nodiscard]] bool isReady() const { return bool(m_session); }
+    [[nodiscard]] const core::LoadedVolume& study() const { return m_study; }
+    [[nodiscard]] core::EditSession& session() { return *m_session; }
+    /// Applies and waits. @return empty, or what was wrong
+    [[nodiscard]] QString apply(const core::Edit& edit);
+    /// The coverage of a sculpt layer, or a label plane: x fastest.
+    [[nodiscard]] std::vector<std::uint8_t> voxels(core::Field field, std::uint8_t plane);
+    /// The finest picture.
+    [[nodiscard]] QImage draw(const gpu::VolumeScene& scene, const glm::ivec2& size,
+        const gpu::SegmentDisplay& segments = {});
+
+private:
+    core::LoadedVolume m_study;
+    std::unique_ptr<gpu::GpuEngine> m_engine;
+    std::unique_ptr<core::EditSession> m_session;
+    int m_view = 0;
+};
+
+/// How a curve on a view plane opened what lies under it.
+struct Opening {
+    double cutThrough = 0.0; ///< of the rays inside that meet the shell: it is gone all the way
+    std::size_t carved = 0; ///< voxels
+    std::size_t outside =
+        0; ///< of them more than a voxel, diagonals included, beside the curve's sweep
+    std::size_t touched = 0; ///< of them such as are to be spared
+    std::size_t spared = 0; ///< all of those
+};
+
+/// What lies behind a shell, under a curve, as the view sees it.
+/// @param gapMm so much of something else ends the shell
+[[nodiscard]] std::vector<bool> behindShell(const core::VolumeGeometry& geometry,
+    const core::OrthographicView& view, const std::vector<glm::dvec2>& polygonMm,
+    const std::function<bool(std::size_t)>& isShell, double gapMm = 2.0);
+
+/// @param polygonMm in the view's plane, from its target
+/// @param isShell, isSpared of a voxel's place in the study
+[[nodiscard]] Opening measureOpening(const core::VolumeGeometry& geometry,
+    const std::vector<std::uint8_t>& coverage, const core::OrthographicView& view,
+    const std::vector<glm::dvec2>& polygonMm, const std::function<bool(std::size_t)>& isShell,
+    const std::function<bool(std::size_t)>& isSpared, double gapMm = 2.0);
+
+} // namespace test
