@@ -80,6 +80,7 @@ std::vector<core::SurfaceHit> SurfaceCaster::cast(std::span<const glm::ivec2> el
     Buffer seenBuffer({.label = "mask rays seen", .bytes = seen.size() * sizeof(glm::ivec2)});
     seenBuffer.write(std::span<const glm::ivec2>(seen));
     show(m_cast);
+    m_fields.codeRanges().bindUnit(2);
     rayBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     hitBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     seenBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 4);

@@ -24,6 +24,8 @@ public:
 
     [[nodiscard]] const core::BrickGrid& grid() const { return m_grid; }
     [[nodiscard]] const Texture3D& codes() const { return m_shared.intensityCodes(); }
+    /// Least and greatest code of each macro-cell (MacroCells::ranges()).
+    [[nodiscard]] const Texture3D& codeRanges() const { return m_shared.cells().ranges(); }
     [[nodiscard]] const Texture3D& radiation() const { return m_radiation; }
     [[nodiscard]] const BrickCopier& copier() const { return m_copier; }
 

@@ -5,6 +5,7 @@ layout(local_size_x = 64) in;
 
 #include "edit/asItBegan.glsl"
 
+layout(binding = 2) uniform sampler3D codeRanges; // macro-cells: least and greatest code
 layout(binding = 0, std430) readonly buffer Rays { ivec4 rays[]; };     // index16 at sample 0
 layout(binding = 1, std430) writeonly buffer Hits { ivec2 hits[]; };    // zSurface, zExit (mm16)
 layout(binding = 4, std430) readonly buffer Seen { ivec2 seen[]; };     // first sample, one past the last
@@ -51,6 +52,24 @@ ivec2 samplesInside(ivec3 origin, ivec2 range)
     return range;
 }
 
+// How many samples, p the first of them, lie in a macro-cell of which no sample is dense; 0: it is
+// none. Skips what the rules would look at in vain, so it decides nothing.
+int samplesInEmptyCell(ivec3 p)
+{
+    ivec3 cell = p >> 19;
+    if (any(lessThan(p, ivec3(0))) || any(greaterThanEqual(cell, textureSize(codeRanges, 0)))
+        || int(texelFetch(codeRanges, cell, 0).g * 65535.0 + 0.5) >= thresholdCode)
+        return 0;
+    int samples = 0x7FFFF; // the finest step
+    for (int axis = 0; axis < 3; ++axis) {
+        int perSample = stepPerSample[axis];
+        int within = p[axis] & 0x7FFFF;
+        if (perSample != 0)
+            samples = min(samples, (perSample > 0 ? 0x7FFFF - within : within) / abs(perSample) + 1);
+    }
+    return samples;
+}
+
 void main()
 {
     uint ray = gl_GlobalInvocationID.x;
@@ -62,6 +81,11 @@ void main()
     int lastCarved = -1;
     for (; first < range.y; ++first) {
         ivec3 p = at(origin, first, 0);
+        int empty = samplesInEmptyCell(p);
+        if (empty > 0) {
+            first += empty - 1;
+            continue;
+        }
         if (!dense(p, thresholdCode))
             continue;
         if (!carvedHere(p))

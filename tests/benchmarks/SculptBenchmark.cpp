@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SculptBenchmark.h"
 
+#include "core/demo/DemoStudy.h"
+#include "core/document/Piece.h"
 #include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
 #include "gpu/edit/EditTransaction.h"
@@ -8,6 +10,7 @@
 #include "gpu/gl/Gl.h"
 #include "gpu/shaders/ShaderLibrary.h"
 #include "tests/benchmarks/PeerReport.h"
+#include "tests/support/SculptStage.h"
 
 #include <QImage>
 #include <QPainter>
@@ -263,6 +266,21 @@ std::vector<Stroke> strokes(const Block& block)
         }
         result.push_back(std::move(stroke));
     }
+    core::LaserStroke laser;
+    laser.view = drill.view;
+    laser.mask = drill.mask;
+    laser.depthMm = drill.depthMm;
+    laser.surfaceThreshold = drill.surfaceThreshold;
+    if (const auto cut = core::laserCut(laser, block.document())) {
+        Stroke stroke{"sculpt.laser", *cut, {}};
+        for (int tick = 0; tick < 30; ++tick) {
+            laser.samples = {{.xMm = 0.5 * tick - 7.0,
+                .yMm = 6.0 * std::sin(0.1 * tick),
+                .pressure = 0.7 + 0.3 * std::sin(0.2 * tick)}};
+            stroke.ticks.push_back(core::DrillPath{core::laserPath(laser, *cut)});
+        }
+        result.push_back(std::move(stroke));
+    }
     core::PeelCut peel;
     peel.view = block.view();
     peel.surfaceThreshold = 1000.0;
@@ -328,11 +346,91 @@ QString measureStrokes(PeerReport& report)
     return {};
 }
 
+// --- Pictures ------------------------------------------------------------------------------------
+
+core::LoadedVolume demoHead(const core::DemoStudy& demo)
+{
+    core::LoadedVolume study;
+    study.volume.geometry = demo.geometry;
+    study.volume.encoding.rescaleIntercept = -1024.0;
+    study.volume.unit = QStringLiteral("HU");
+    for (const std::int16_t hounsfield : demo.hounsfield)
+        study.codes.push_back(std::uint16_t(hounsfield + 1024));
+    return study;
+}
+
+/// Before and after the vault of the skull is taken off, and with four pieces of it laid aside.
+QString measurePictures(PeerReport& report)
+{
+    const auto demo = core::makeDemoStudy({});
+    if (!demo)
+        return QStringLiteral("frame: no demonstration study");
+    test::SculptStage stage(demoHead(*demo));
+    if (!stage.isReady())
+        return QStringLiteral("frame: no engine");
+    gpu::VolumeScene surface;
+    surface.eyeLps = {-260.0, -430.0, 210.0};
+    surface.heightMm = 240.0;
+    surface.surfaceThreshold = 200.0;
+    gpu::VolumeScene dvr = surface;
+    dvr.mode = gpu::RenderMode::Dvr;
+    dvr.transferFunction.points = {{150.0, 0x8a4b32, 0.0}, {250.0, 0xd9a066, 0.05},
+        {600.0, 0xf2e4c4, 0.35}, {1800.0, 0xffffff, 0.8}};
+    const auto time = [&stage](const gpu::VolumeScene& scene) {
+        std::vector<double> times;
+        for (int round = 0; round < rounds; ++round)
+            times.push_back(stage.fullFrameMs(scene, {1230, 870}));
+        return median(times);
+    };
+    const double surfaceBefore = time(surface);
+    const double dvrBefore = time(dvr);
+
+    core::PeelCut peel;
+    peel.view = {.eyeLps = surface.eyeLps, .targetLps = {}, .up = {0, 0, 1}, .heightMm = 240.0};
+    peel.surfaceThreshold = surface.surfaceThreshold;
+    peel.depthMm = 8.0;
+    std::vector<std::uint8_t> carved;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        if (quarter > 0
+            && !stage.apply(core::AddLayer{.name = QStringLiteral("Quarter")}).isEmpty())
+            return QStringLiteral("frame: no layer");
+        peel.layer = quarter + 1;
+        const glm::dvec2 corner(quarter % 2 == 0 ? -36.0 : 2.0, quarter / 2 == 0 ? 26.0 : 62.0);
+        peel.polygonMm = {corner, corner + glm::dvec2(34.0, 0.0), corner + glm::dvec2(34.0, 32.0),
+            corner + glm::dvec2(0.0, 32.0)};
+        if (const QString why = stage.apply(peel); !why.isEmpty())
+            return QStringLiteral("frame: the skull was not peeled: ") + why;
+    }
+    report.add({"frame.surface.opened", "Ms", time(surface), "before the cut", surfaceBefore});
+    report.add({"frame.dvr.opened", "Ms", time(dvr), "before the cut", dvrBefore});
+    const double surfaceOpened = time(surface);
+    const double dvrOpened = time(dvr);
+    for (int piece = 1; piece <= 4; ++piece) {
+        for (const core::Edit& edit :
+            {core::Edit(core::CutPiece{.layer = piece, .name = QStringLiteral("Quarter")}),
+                core::Edit(core::ChangePiece{
+                    .piece = piece, .offsetMm = glm::dvec3(30.0 * piece - 75.0, -30.0, 40.0)})}) {
+            if (const QString why = stage.apply(edit); !why.isEmpty())
+                return QStringLiteral("frame: no piece: ") + why;
+        }
+    }
+    for (const core::Piece& piece : stage.session().document().pieces) {
+        const gpu::ScenePiece shown{.id = piece.id,
+            .layer = piece.layer,
+            .shownFromTrue = core::shownFromTrue(piece, demo->geometry)};
+        surface.pieces.push_back(shown);
+        dvr.pieces.push_back(shown);
+    }
+    report.add({"frame.surface.pieces", "Ms", time(surface), "no pieces", surfaceOpened});
+    report.add({"frame.dvr.pieces", "Ms", time(dvr), "no pieces", dvrOpened});
+    return {};
+}
+
 } // namespace
 
 QString measureSculpting(PeerReport& report)
 {
-    for (const auto measure : {measureLasso, measureStrokes}) {
+    for (const auto measure : {measureLasso, measureStrokes, measurePictures}) {
         if (const QString why = measure(report); !why.isEmpty())
             return why;
     }

@@ -11,6 +11,8 @@ class PeerReport;
 /// sculpt.*: what one report of the pen costs until a picture can show it: cut, radiation,
 /// macro-cells; on cubes of 128, 256 and 512 voxels with the same surface in the middle, and
 /// against radiation and macro-cells of the whole volume worked out anew.
+/// frame.*: pictures of the demonstration head before and after its skull is opened, and with four
+/// pieces of it laid aside.
 /// @return what is not right; then nothing is added
 QString measureSculpting(PeerReport& report);
 

@@ -151,27 +151,42 @@ std::vector<std::uint8_t> SculptStage::voxels(core::Field field, std::uint8_t pl
     return dense;
 }
 
-QImage SculptStage::draw(
-    const gpu::VolumeScene& scene, const glm::ivec2& size, const gpu::SegmentDisplay& segments)
+gpu::Frame SculptStage::frame(const gpu::FrameRequest& request, gpu::Frame::Quality quality)
 {
     std::mutex guard;
     std::condition_variable changed;
-    std::optional<gpu::Frame> finest;
+    std::optional<gpu::Frame> found;
     gpu::FrameSource& frames = m_engine->frames();
     frames.setListener([&](const gpu::Frame& frame) {
         const std::lock_guard lock(guard);
-        if (frame.quality == gpu::Frame::Quality::Refined)
-            finest = frame;
+        if (frame.quality == quality && !found)
+            found = frame;
         changed.notify_all();
     });
-    frames.request({.view = ++m_view, .sizePixels = size, .scene = scene, .segments = segments});
+    frames.request(request);
     {
         std::unique_lock lock(guard);
-        changed.wait(lock, [&] { return finest.has_value(); });
+        changed.wait(lock, [&] { return found.has_value(); });
     }
     frames.setListener({});
-    frames.forget(m_view);
-    return QImage(finest->rgba->data(), size.x, size.y, QImage::Format_RGBA8888)
+    frames.forget(request.view);
+    return *found;
+}
+
+double SculptStage::fullFrameMs(const gpu::VolumeScene& scene, const glm::ivec2& size)
+{
+    return frame({.view = ++m_view, .sizePixels = size, .scene = scene, .segments = {}},
+        gpu::Frame::Quality::Full)
+        .renderMilliseconds;
+}
+
+QImage SculptStage::draw(
+    const gpu::VolumeScene& scene, const glm::ivec2& size, const gpu::SegmentDisplay& segments)
+{
+    const gpu::Frame finest =
+        frame({.view = ++m_view, .sizePixels = size, .scene = scene, .segments = segments},
+            gpu::Frame::Quality::Refined);
+    return QImage(finest.rgba->data(), size.x, size.y, QImage::Format_RGBA8888)
         .convertToFormat(QImage::Format_RGB888);
 }
 

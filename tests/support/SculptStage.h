@@ -24,11 +24,15 @@ public:
     [[nodiscard]] QString apply(const core::Edit& edit);
     /// The coverage of a sculpt layer, or a label plane: x fastest.
     [[nodiscard]] std::vector<std::uint8_t> voxels(core::Field field, std::uint8_t plane);
+    /// What the first picture of full resolution takes.
+    [[nodiscard]] double fullFrameMs(const gpu::VolumeScene& scene, const glm::ivec2& size);
     /// The finest picture.
     [[nodiscard]] QImage draw(const gpu::VolumeScene& scene, const glm::ivec2& size,
         const gpu::SegmentDisplay& segments = {});
 
 private:
+    [[nodiscard]] gpu::Frame frame(const gpu::FrameRequest& request, gpu::Frame::Quality quality);
+
     core::LoadedVolume m_study;
     std::unique_ptr<gpu::GpuEngine> m_engine;
     std::unique_ptr<core::EditSession> m_session;
