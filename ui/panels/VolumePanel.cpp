@@ -82,8 +82,8 @@ void VolumePanel::build()
         button->setObjectName(QStringLiteral("renderMode") + name);
         button->setCheckable(true);
         m_modes->addButton(button, int(mode));
-        // Longer names need more room where the panel is narrow.
-        modes->addWidget(button, 3 + int(name.size()));
+        button->setProperty("role", QStringLiteral("narrow"));
+        modes->addWidget(button, 1);
     }
     m_modes->button(int(gpu::RenderMode::Dvr))->setToolTip(tr("Direct volume rendering"));
     m_modes->button(int(gpu::RenderMode::Mip))->setToolTip(tr("Maximum intensity projection"));
