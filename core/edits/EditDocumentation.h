@@ -22,7 +22,7 @@ struct EditDocumentation {
     std::vector<FieldDocumentation> fields;
 };
 
-/// Every edit with its fields, generated from the schema that parses them (EditSchema.h).
+/// Every edit with its fields, generated from the schema that parses them (schema/SchemaParts.h).
 [[nodiscard]] std::vector<EditDocumentation> editDocumentation();
 
 } // namespace core

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace core::editFields {
 
@@ -97,6 +96,9 @@ struct Code {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// Takes exactly count numbers out of a JSON list; empty if it went well, else the reason.
+[[nodiscard]] QString readNumbers(const QJsonValue& json, double* numbers, int count);
+
 /// [x, y, z], each by the same rule.
 struct Point {
     using Value = glm::dvec3;
@@ -108,31 +110,6 @@ struct Point {
     [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] QString check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
-};
-
-/// [[x, y, z], …], at least one.
-struct PointList {
-    using Value = std::vector<glm::dvec3>;
-    Point point;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], …]"); }
-    [[nodiscard]] QString unit() const { return point.unit(); }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const;
-};
-
-/// "ball" or "disc".
-struct BrushShape {
-    using Value = BrushPath::Shape;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("\"ball\" or \"disc\""); }
-    [[nodiscard]] QString unit() const { return {}; }
-    [[nodiscard]] QJsonValue write(Value value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value) const { return {}; }
-    [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
 /// One of some names, in the order of the enumerators.
@@ -168,43 +145,6 @@ template <class E, std::size_t N> struct Choice {
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
-/// [[x, y], …], at least three.
-struct Outline {
-    using Value = std::vector<glm::dvec2>;
-    Number component;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y], …]"); }
-    [[nodiscard]] QString unit() const { return component.unit(); }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const;
-};
-
-/// [[x, y, z, offset], …]: sides of planes, at least one, at most 16.
-struct HiddenSideList {
-    using Value = std::vector<HiddenSide>;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z, offset], …]"); }
-    [[nodiscard]] QString unit() const { return QStringLiteral("direction, mm"); }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const;
-};
-
-/// [[x, y, pressure, t], …], at least one, t never falling.
-struct SampleList {
-    using Value = std::vector<PenSample>;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, pressure, t], …]"); }
-    [[nodiscard]] QString unit() const { return QStringLiteral("mm, mm, 0 … 1, s"); }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const;
-};
-
 /// A row of the history.
 struct Row {
     using Value = std::int64_t;
@@ -215,30 +155,6 @@ struct Row {
     [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] QString check(Value value) const;
     [[nodiscard]] Value rounded(Value value) const { return value; }
-};
-
-/// [row, …]: rows of the history, at least one, each greater than the one before.
-struct RowList {
-    using Value = std::vector<std::int64_t>;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("[row, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
-};
-
-/// [place, …]: places in another list, from 1, each greater than the one before; may be empty.
-struct PlaceList {
-    using Value = std::vector<std::int64_t>;
-
-    [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
-    [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// A count of growth steps, or "toClosure".

@@ -10,7 +10,7 @@
 namespace core {
 
 // The JSON form of edits: what recipes and session files hold. The fields of each edit stand in
-// EditSchema.h and nowhere else; `burin edits` prints them.
+// schema/ and nowhere else; `burin edits` prints them.
 
 [[nodiscard]] QJsonObject editToJson(const Edit& edit);
 

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/schema/SchemaParts.h"
+
+namespace core::editSchema {
+
+inline constexpr editFields::WholeNumber bookmarkNumber{1, 1000000};
+
+template <> inline constexpr const char* editName<AddSegment> = "addSegment";
+template <>
+inline constexpr const char* editMeaning<AddSegment> =
+    "Adds an empty segment. Segments are numbered 1, 2, 3 … in the order they are added, and a "
+    "number is never used again.";
+template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "display colour");
+    visit.field("code", Presence::Optional, edit.code, editFields::Code{},
+        "what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] is \"not coded yet\"");
+}
+
+template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
+template <>
+inline constexpr const char* editMeaning<ChangeSegment> =
+    "Renames, recolours, codes or locks a segment; fields left out stay as they are.";
+template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("color", edit.rgb, editFields::Colour{}, "new display colour");
+    visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
+    visit.maybe("locked", edit.locked, editFields::Flag{},
+        "whether its voxels are kept from every tool and growth");
+}
+
+template <> inline constexpr const char* editName<MoveSegment> = "moveSegment";
+template <>
+inline constexpr const char* editMeaning<MoveSegment> =
+    "Puts a segment at another place of the list.";
+template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("place", Presence::Required, edit.place, segmentNumber,
+        "its new place in the list, 1 is the first");
+}
+
+template <> inline constexpr const char* editName<RemoveSegment> = "removeSegment";
+template <>
+inline constexpr const char* editMeaning<RemoveSegment> =
+    "Deletes a segment that is not locked, with its voxels and seeds.";
+template <class Visitor> void visitFields(Visitor& visit, RemoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+}
+
+template <> inline constexpr const char* editName<AddLayer> = "addLayer";
+template <>
+inline constexpr const char* editMeaning<AddLayer> =
+    "Adds an empty sculpt layer. Layer 1 is there from the start; others are numbered 2, 3 … in "
+    "the order they are added, and a number is never used again.";
+template <class Visitor> void visitFields(Visitor& visit, AddLayer& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+}
+
+template <> inline constexpr const char* editName<ChangeLayer> = "changeLayer";
+template <>
+inline constexpr const char* editMeaning<ChangeLayer> =
+    "Renames or mutes a sculpt layer, or has it count alone; fields left out stay as they are.";
+template <class Visitor> void visitFields(Visitor& visit, ChangeLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("muted", edit.muted, editFields::Flag{},
+        "whether it hides nothing, as if it were not there");
+    visit.maybe("solo", edit.solo, editFields::Flag{},
+        "whether all layers that are not solo hide nothing, as if muted");
+}
+
+template <> inline constexpr const char* editName<MoveLayer> = "moveLayer";
+template <>
+inline constexpr const char* editMeaning<MoveLayer> =
+    "Puts a sculpt layer at another place of the list.";
+template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visit.field("place", Presence::Required, edit.place, layerNumber,
+        "its new place in the list, 1 is the first");
+}
+
+template <> inline constexpr const char* editName<RemoveLayer> = "removeLayer";
+template <>
+inline constexpr const char* editMeaning<RemoveLayer> =
+    "Deletes a sculpt layer with what it has carved; not the only one.";
+template <class Visitor> void visitFields(Visitor& visit, RemoveLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+}
+
+template <> inline constexpr const char* editName<MergeLayers> = "mergeLayers";
+template <>
+inline constexpr const char* editMeaning<MergeLayers> =
+    "Lays what a sculpt layer has carved into another one, and deletes it.";
+template <class Visitor> void visitFields(Visitor& visit, MergeLayers& edit)
+{
+    visit.field("from", Presence::Required, edit.from, layerNumber,
+        "the sculpt layer that is laid into the other and deleted");
+    visit.field("into", Presence::Required, edit.into, layerNumber,
+        "the sculpt layer that stays; muted if the other is, and not if it is not");
+}
+
+template <> inline constexpr const char* editName<AddBookmark> = "addBookmark";
+template <>
+inline constexpr const char* editMeaning<AddBookmark> =
+    "Keeps a view of the patient by name. Bookmarks are numbered 1, 2, 3 … in the order they are "
+    "added.";
+template <class Visitor> void visitFields(Visitor& visit, AddBookmark& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the menu");
+    visitView(visit, edit.view);
+    visit.field("crosshairLps", Presence::Required, edit.crosshairLps, positionLps,
+        "where the slices cross, patient coordinates (LPS)");
+}
+
+template <> inline constexpr const char* editName<RemoveBookmark> = "removeBookmark";
+template <>
+inline constexpr const char* editMeaning<RemoveBookmark> = "Forgets a view that was kept.";
+template <class Visitor> void visitFields(Visitor& visit, RemoveBookmark& edit)
+{
+    visit.field("bookmark", Presence::Required, edit.bookmark, bookmarkNumber, "which bookmark");
+}
+
+} // namespace core::editSchema

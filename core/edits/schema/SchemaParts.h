@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/EditFields.h"
+#include "core/edits/EditLists.h"
+#include "core/edits/EditQuantise.h"
+#include "core/edits/Edits.h"
+
+namespace core::editSchema {
+
+/// Whether a field may be left out; then it has the value of a default-constructed edit.
+enum class Presence { Required, Optional };
+
+// The one place that knows the fields of each edit. visitFields() shows them to a visitor, which
+// reads, writes, checks, rounds or documents them:
+//
+//   field(name, presence, value, kind, meaning)    kind: editFields
+//   maybe(name, std::optional value, kind, meaning, absent)  may be left out; absent says what
+//                                                  that means, by itself "unchanged"
+//   constant(name, presence, json, meaning)        only this value is known
+//   group(name, meaning, visitInside)              an object of its own
+//   when(condition, visitInside)                   fields that are there only then
+//
+// editName<E> is the value of "edit" in JSON, editMeaning<E> its line in the documentation.
+
+template <class E> inline constexpr const char* editName = nullptr;
+template <class E> inline constexpr const char* editMeaning = nullptr;
+
+inline constexpr editFields::WholeNumber segmentNumber{1, 255};
+inline constexpr editFields::WholeNumber layerNumber{1, 254};
+inline constexpr editFields::Number modalityValue{
+    "modality units", -quantum::unbounded, quantum::unbounded, 0.0};
+inline constexpr editFields::Number millimetres{
+    "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
+inline constexpr editFields::Point positionLps{millimetres};
+inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
+
+/// A camera, as every edit that needs one writes it.
+template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
+{
+    using namespace editFields;
+    visit.group("view", "the camera, orthographic", [&](auto& inside) {
+        inside.field("eyeLps", Presence::Required, view.eyeLps, positionLps,
+            "where the viewer stands, patient coordinates (LPS)");
+        inside.field("targetLps", Presence::Required, view.targetLps, positionLps,
+            "the middle of the view plane, patient coordinates (LPS)");
+        inside.field("up", Presence::Required, view.up,
+            Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
+            "a direction that points upwards in the view, patient coordinates (LPS)");
+        inside.field("heightMm", Presence::Required, view.heightMm,
+            Number{"mm", 1.0 / quantum::perMillimetre, quantum::reachMm, quantum::perMillimetre},
+            "what the view's height shows; decides no voxel");
+        inside.constant(
+            "orthographic", Presence::Optional, true, "perspective views are converted");
+    });
+}
+
+/// What a clip box or planes hid when the cut was made.
+template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
+{
+    visit.maybe("hidden", hidden, editFields::HiddenSideList{},
+        "what is not seen, so that the cut neither starts nor cuts there: where normal · place > "
+        "offset, patient coordinates (LPS)",
+        "nothing");
+}
+
+/// A brush and the way it went, as every edit that has one writes it.
+template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
+{
+    using namespace editFields;
+    visit.field(
+        "radiusMm", Presence::Required, path.radiusMm, brushRadius, "radius of the ball or disc");
+    visit.field("shape", Presence::Optional, path.shape,
+        Choice<BrushPath::Shape, 2>{{"ball", "disc"}},
+        "a ball, or a disc that lies in one plane and is one voxel thick");
+    visit.maybe("normalLps", path.normalLps,
+        Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
+        "of a disc: a direction across its plane, which holds the first point", "none, of a ball");
+    visit.field("pointsLps", Presence::Required, path.pointsLps, PointList{positionLps},
+        "the path, straight from point to point, patient coordinates (LPS)");
+    visit.field("lifts", Presence::Optional, path.lifts, PlaceList{},
+        "points that the path does not run to but begins anew at, counted from 0");
+}
+
+} // namespace core::editSchema
