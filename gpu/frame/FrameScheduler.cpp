@@ -258,13 +258,19 @@ int FrameScheduler::coarseFactor(const View& view, bool editing)
     return std::clamp(int(std::ceil(std::sqrt(expected / coarseMilliseconds))), 1, coarsest);
 }
 
-void FrameScheduler::preparePass(View& view, const PassTarget& target)
+void FrameScheduler::drawPass(View& view, const PassTarget& target, const Tile& tile)
 {
     m_palette.set(view.request.segments);
-    if (const auto* slice = std::get_if<SliceScene>(&view.request.scene))
-        m_slice.prepare(m_volume, *slice, view.request.segments, m_palette, target);
-    else
-        m_raycast.prepare(m_volume, std::get<VolumeScene>(view.request.scene), m_palette, target);
+    if (const auto* volume = std::get_if<VolumeScene>(&view.request.scene)) {
+        m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices);
+        return;
+    }
+    m_slice.prepare(m_volume, std::get<SliceScene>(view.request.scene), view.request.segments,
+        m_palette, target);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
+    m_noVertices.drawFullScreenTriangle();
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void FrameScheduler::drawSlice(View& view, bool editing)
@@ -292,17 +298,13 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         .sample = view.sample,
     };
     view.targets.sumFrame.bind();
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
     if (view.stage == Stage::Accumulate) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     } else {
         glDisable(GL_BLEND);
     }
-    preparePass(view, target);
-    m_noVertices.drawFullScreenTriangle();
-    glDisable(GL_SCISSOR_TEST);
+    drawPass(view, target, tile);
     glDisable(GL_BLEND);
     Flying drawn{.view = view.request.view,
         .fence = Fence::insert(),
@@ -383,14 +385,9 @@ void FrameScheduler::warmUp(View& view)
     if (scene == nullptr || !m_volume.isDrawable())
         return;
     const PassTarget target{.frameSize = view.request.sizePixels};
-    if (!m_raycast.prepareWarmUp(m_volume, *scene, m_palette, target))
-        return;
     // One pixel of the sum, which the next picture begins anew.
     view.targets.sumFrame.bind();
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, 1, 1);
-    m_noVertices.drawFullScreenTriangle();
-    glDisable(GL_SCISSOR_TEST);
+    m_raycast.warmUp(m_volume, *scene, m_palette, target, m_noVertices);
 }
 
 void FrameScheduler::readBack(View& view, Frame::Quality quality)

@@ -98,7 +98,7 @@ private:
     [[nodiscard]] bool wants(const View& view, bool editing) const;
     void drawSlice(View& view, bool editing);
     void land(); ///< waits for the flying tile
-    void preparePass(View& view, const PassTarget& target);
+    void drawPass(View& view, const PassTarget& target, const Tile& tile);
     void finishPicture(View& view);
     void warmUp(View& view);
     void readBack(View& view, Frame::Quality quality);

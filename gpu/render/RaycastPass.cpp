@@ -76,29 +76,67 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, bool sculpted)
     return variants * std::size_t(scene.mode) + (sculpted ? 1 : 0) + (scene.clip.any() ? 2 : 0);
 }
 
-void RaycastPass::prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
-    const PassTarget& target)
+Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene)
 {
-    if (m_pieces.set(volume, scene, stepMm(scene, volume.geometry()))) {
-        Program& program = pieceProgram(scene);
-        m_pieces.bind(program, volume);
-        prepare(program, volume, scene, palette, target);
-        return;
-    }
-    const std::size_t variant = variantOf(scene, volume.cells().isSculpted());
+    if (kind == RayBlocks::Kind::Pieces)
+        return pieceProgram(scene);
+    const std::size_t variant = variantOf(scene, kind == RayBlocks::Kind::Sculpted);
     m_warm[variant] = true;
-    prepare(m_programs[variant], volume, scene, palette, target);
+    return m_programs[variant];
 }
 
-bool RaycastPass::prepareWarmUp(VolumeTextures& volume, const VolumeScene& scene,
-    const Palette& palette, const PassTarget& target)
+const RayBlocks& RaycastPass::blocksOf(
+    VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target)
+{
+    const bool same = scene == m_blocksScene && target.frameSize == m_blocksSize
+        && target.pixelScale == m_blocksScale && volume.revision() == m_blocksRevision;
+    if (same)
+        return m_blocks;
+    m_blocks = RayBlocks(volume, scene, target);
+    m_blocksScene = scene;
+    m_blocksSize = target.frameSize;
+    m_blocksScale = target.pixelScale;
+    m_blocksRevision = volume.revision();
+    return m_blocks;
+}
+
+void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+    const PassTarget& target, const Tile& tile, const VertexArray& noVertices)
+{
+    const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
+    std::array<std::vector<Tile>, RayBlocks::kinds> parts;
+    if (pieces || volume.cells().isSculpted())
+        parts = blocksOf(volume, scene, target).split(tile);
+    else
+        parts[std::size_t(RayBlocks::Kind::Plain)] = {tile};
+    glEnable(GL_SCISSOR_TEST);
+    for (std::size_t kind = 0; kind < parts.size(); ++kind) {
+        if (parts[kind].empty())
+            continue;
+        Program& program = programFor(RayBlocks::Kind(kind), scene);
+        if (RayBlocks::Kind(kind) == RayBlocks::Kind::Pieces)
+            m_pieces.bind(program, volume);
+        prepare(program, volume, scene, palette, target);
+        for (const Tile& part : parts[kind]) {
+            glScissor(part.minimum.x, part.minimum.y, part.size.x, part.size.y);
+            noVertices.drawFullScreenTriangle();
+        }
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void RaycastPass::warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+    const PassTarget& target, const VertexArray& noVertices)
 {
     const std::size_t variant = variantOf(scene, true);
     if (m_warm[variant])
-        return false;
+        return;
     m_warm[variant] = true;
     prepare(m_programs[variant], volume, scene, palette, target);
-    return true;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 1, 1);
+    noVertices.drawFullScreenTriangle();
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeScene& scene,

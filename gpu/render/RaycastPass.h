@@ -3,9 +3,11 @@
 
 #include "gpu/frame/Scene.h"
 #include "gpu/gl/Program.h"
+#include "gpu/gl/VertexArray.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/PassTarget.h"
 #include "gpu/render/PieceSet.h"
+#include "gpu/render/RayBlocks.h"
 #include "gpu/render/TransferLookup.h"
 
 #include <array>
@@ -23,15 +25,17 @@ public:
     /// Throws ShaderError. @param library outlives the pass
     explicit RaycastPass(const ShaderLibrary& library);
 
-    /// Makes everything ready for drawing a full-screen triangle. Cheap unless voxels, threshold or
-    /// transfer function changed (then the skip map is computed anew, linear in the cells).
-    void prepare(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
-        const PassTarget& target);
-    /// The same for the program that the first carving or the first shown segment will need:
+    /// Draws a tile into the bound framebuffer, whose scissor it sets. Cheap to begin unless
+    /// voxels, threshold or transfer function changed (then the skip map is computed anew, linear
+    /// in the cells).
+    /// @param tile as TilePlan cuts it @param noVertices of the context
+    void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+        const PassTarget& target, const Tile& tile, const VertexArray& noVertices);
+    /// Draws one pixel by the program that the first carving or the first shown segment will need:
     /// drivers compile a program only when it first draws, and that should not be while a pen
-    /// waits. @return false where that program has drawn already
-    bool prepareWarmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
-        const PassTarget& target);
+    /// waits. Nothing where that program has drawn already.
+    void warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+        const PassTarget& target, const VertexArray& noVertices);
 
 private:
     void prepare(Program& program, VolumeTextures& volume, const VolumeScene& scene,
@@ -44,8 +48,12 @@ private:
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
     static constexpr std::size_t variants = 4; ///< plain or sculpted, plus twice clipped or not
+    [[nodiscard]] Program& programFor(RayBlocks::Kind kind, const VolumeScene& scene);
     [[nodiscard]] Program& pieceProgram(const VolumeScene& scene);
     [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, bool sculpted);
+    /// Of this picture; looked for anew only when something changed.
+    [[nodiscard]] const RayBlocks& blocksOf(
+        VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
 
     std::array<Program, variants * renderModes> m_programs;
     std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
@@ -54,6 +62,11 @@ private:
     /// With pieces, clipped or not; made when first needed.
     std::array<Program, 2 * renderModes> m_piecePrograms;
     TransferLookup m_transfer;
+    RayBlocks m_blocks;
+    VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three
+    glm::ivec2 m_blocksSize{0};
+    float m_blocksScale = 0.0f;
+    std::uint64_t m_blocksRevision = 0;
 };
 
 } // namespace gpu

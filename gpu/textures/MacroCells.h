@@ -42,7 +42,9 @@ public:
     [[nodiscard]] glm::ivec3 cells() const { return m_cells; }
     [[nodiscard]] int greatestCode() const { return m_greatestCode; } ///< of the volume
     /// Whether anything is carved away or a segment is shown anywhere.
-    [[nodiscard]] bool isSculpted() const { return m_sculpted; }
+    [[nodiscard]] bool isSculpted() const { return !m_sculptedCells.empty(); }
+    /// Those that are carved somewhere or hold a shown segment.
+    [[nodiscard]] const std::vector<glm::ivec3>& sculptedCells() const { return m_sculptedCells; }
     /// RG16: least and greatest code of each cell.
     [[nodiscard]] const Texture3D& ranges() const { return m_ranges; }
 
@@ -80,7 +82,7 @@ private:
     Texture3D m_skipMap;
     VisibleCodes m_visible; ///< what m_skipMap was made for
     bool m_skipMapValid = false;
-    bool m_sculpted = false;
+    std::vector<glm::ivec3> m_sculptedCells;
 };
 
 } // namespace gpu

@@ -20,6 +20,7 @@ core::Result<void> VolumeTextures::open(
     m_maximumCells = {};
     m_pieces = {};
     m_replaced = true;
+    ++m_revision;
 
     const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
     GLint largest = 0;
@@ -58,6 +59,7 @@ void VolumeTextures::setGeometry(
     m_geometry = geometry;
     m_encoding = encoding;
     m_replaced = true;
+    ++m_revision;
 }
 
 void VolumeTextures::markDirty(VolumeField field, const core::VoxelBox& box)
@@ -69,7 +71,9 @@ void VolumeTextures::markDirty(VolumeField field, const core::VoxelBox& box)
 
 core::VoxelBox VolumeTextures::takeDirty(VolumeField field)
 {
-    return std::exchange(m_dirty[std::size_t(field)], {});
+    core::VoxelBox dirty = std::exchange(m_dirty[std::size_t(field)], {});
+    m_revision += dirty.empty() ? 0 : 1;
+    return dirty;
 }
 
 bool VolumeTextures::takeReplaced()

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] core::VoxelBox takeDirty(VolumeField field);
     /// Whether the field was ever marked since the volume was opened; before that it is empty.
     [[nodiscard]] bool touched(VolumeField field) const { return m_touched[std::size_t(field)]; }
+    /// Another number whenever changes were taken in or another volume or geometry came.
+    [[nodiscard]] std::uint64_t revision() const { return m_revision; }
     /// Another volume or geometry since the last call.
     [[nodiscard]] bool takeReplaced();
 
@@ -78,6 +80,7 @@ private:
     Texture3D m_segmentation;
     MacroCells m_cells;
     MaximumCells m_maximumCells;
+    std::uint64_t m_revision = 0;
     PieceTextures m_pieces;
     std::array<core::VoxelBox, 4> m_dirty;
     std::array<bool, 4> m_touched{};

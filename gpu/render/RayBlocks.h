@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/Scene.h"
+#include "gpu/frame/TilePlan.h"
+#include "gpu/render/PassTarget.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gpu {
+
+class VolumeTextures;
+
+/// What rays through a picture's blocks of 32 × 32 pixels may come near to. A ray caster that knows
+/// of cuts, segments and pieces costs several times as much as one that does not, and on a software
+/// renderer a branch saves nothing; so each block is drawn by the simplest program that draws it
+/// right. Found by projecting macro-cells and the boxes of pieces; never too little.
+class RayBlocks {
+public:
+    static constexpr int block = 32; ///< drawn pixels
+    enum class Kind : std::uint8_t { Plain, Sculpted, Pieces };
+    static constexpr std::size_t kinds = 3;
+
+    RayBlocks() = default;
+    /// Cost: linear in the macro-cells that are carved or segments.
+    RayBlocks(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
+
+    /// Rectangles that together are the tile, by kind. @param tile begins at a block's corner
+    [[nodiscard]] std::array<std::vector<Tile>, kinds> split(const Tile& tile) const;
+
+private:
+    void markCells(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
+    void markPieces(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
+    [[nodiscard]] Kind at(const glm::ivec2& place) const;
+    [[nodiscard]] std::vector<Kind> rowOf(int y, int fromX, int toX) const;
+
+    glm::ivec2 m_blocks{0};
+    std::vector<Kind> m_kinds; ///< empty: all plain
+};
+
+} // namespace gpu
