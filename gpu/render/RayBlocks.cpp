@@ -138,25 +138,27 @@ RayBlocks::RayBlocks(VolumeTextures& volume, const VolumeScene& scene, const Pas
     const glm::dvec2 drawn = glm::dvec2(target.frameSize) / double(target.pixelScale);
     m_blocks = glm::ivec2(glm::ceil(drawn / double(block)));
     m_kinds.assign(std::size_t(m_blocks.x) * std::size_t(m_blocks.y), Kind::Plain);
-    markCells(volume, scene, target);
+    // In the order of what they can draw.
+    markCells(volume, volume.cells().carvedCells(), Kind::Carved, scene, target);
+    markCells(volume, volume.cells().segmentCells(), Kind::Sculpted, scene, target);
     markPieces(volume, scene, target);
 }
 
-void RayBlocks::markCells(
-    VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target)
+void RayBlocks::markCells(VolumeTextures& volume, const std::vector<glm::ivec3>& cells, Kind kind,
+    const VolumeScene& scene, const PassTarget& target)
 {
     const core::VolumeGeometry& geometry = volume.geometry();
     const Projection projection(scene, target);
     const double radius =
         halfDiagonalMm(geometry, glm::dvec3(MacroCells::side + 1)) + marginMm(scene, geometry);
     Marks marks(m_blocks);
-    for (const glm::ivec3& cell : volume.cells().sculptedCells()) {
+    for (const glm::ivec3& cell : cells) {
         const glm::dvec3 middle = glm::dvec3(cell * MacroCells::side) + 0.5 * MacroCells::side;
         projection.addBall(
             marks, glm::dvec3(geometry.indexToWorld * glm::dvec4(middle, 1.0)), radius);
     }
-    marks.forEachMarked([this](const glm::ivec2& place) {
-        m_kinds[std::size_t(place.y * m_blocks.x + place.x)] = Kind::Sculpted;
+    marks.forEachMarked([&](const glm::ivec2& place) {
+        m_kinds[std::size_t(place.y * m_blocks.x + place.x)] = kind;
     });
 }
 

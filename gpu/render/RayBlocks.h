@@ -21,8 +21,9 @@ class VolumeTextures;
 class RayBlocks {
 public:
     static constexpr int block = 32; ///< drawn pixels
-    enum class Kind : std::uint8_t { Plain, Sculpted, Pieces };
-    static constexpr std::size_t kinds = 3;
+    /// Carved: cuts only. Sculpted: cuts and segments. Pieces: any of it.
+    enum class Kind : std::uint8_t { Plain, Carved, Sculpted, Pieces };
+    static constexpr std::size_t kinds = 4;
 
     RayBlocks() = default;
     /// Cost: linear in the macro-cells that are carved or segments.
@@ -32,10 +33,10 @@ public:
     [[nodiscard]] std::array<std::vector<Tile>, kinds> split(const Tile& tile) const;
 
 private:
-    void markCells(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
+    void markCells(VolumeTextures& volume, const std::vector<glm::ivec3>& cells, Kind kind,
+        const VolumeScene& scene, const PassTarget& target);
     void markPieces(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
     [[nodiscard]] Kind at(const glm::ivec2& place) const;
-    [[nodiscard]] std::vector<Kind> rowOf(int y, int fromX, int toX) const;
 
     glm::ivec2 m_blocks{0};
     std::vector<Kind> m_kinds; ///< empty: all plain

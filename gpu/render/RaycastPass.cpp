@@ -49,11 +49,17 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
 {
     for (std::size_t i = 0; i < m_programs.size(); ++i) {
         const std::size_t mode = i / variants;
+        const std::size_t kind = i % variants / 2;
+        // MIP and X-ray gain nothing by leaving segments out.
+        const bool flat =
+            RenderMode(mode) == RenderMode::Mip || RenderMode(mode) == RenderMode::Xray;
+        if (flat && RayBlocks::Kind(kind) == RayBlocks::Kind::Carved)
+            continue;
         m_programs[i] = Program(library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
-                .defines = {{"MODE", int(mode)}, {"SCULPTED", int(i & 1)},
-                    {"CLIPPED", int(i >> 1 & 1)}, {"PIECES", 0}}});
+                .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
+                    {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0}}});
     }
 }
 
@@ -66,21 +72,25 @@ Program& RaycastPass::pieceProgram(const VolumeScene& scene)
         program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
-                .defines = {
-                    {"MODE", int(mode)}, {"SCULPTED", 1}, {"CLIPPED", clipped}, {"PIECES", 1}}});
+                .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
+                    {"CLIPPED", clipped}, {"PIECES", 1}}});
     return program;
 }
 
-std::size_t RaycastPass::variantOf(const VolumeScene& scene, bool sculpted)
+std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const
 {
-    return variants * std::size_t(scene.mode) + (sculpted ? 1 : 0) + (scene.clip.any() ? 2 : 0);
+    const std::size_t index =
+        variants * std::size_t(scene.mode) + 2 * std::size_t(kind) + (scene.clip.any() ? 1 : 0);
+    return kind == RayBlocks::Kind::Carved && !m_programs[index]
+        ? variantOf(scene, RayBlocks::Kind::Sculpted)
+        : index;
 }
 
 Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene)
 {
     if (kind == RayBlocks::Kind::Pieces)
         return pieceProgram(scene);
-    const std::size_t variant = variantOf(scene, kind == RayBlocks::Kind::Sculpted);
+    const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
 }
@@ -128,14 +138,14 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
 void RaycastPass::warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target, const VertexArray& noVertices)
 {
-    const std::size_t variant = variantOf(scene, true);
-    if (m_warm[variant])
-        return;
-    m_warm[variant] = true;
-    prepare(m_programs[variant], volume, scene, palette, target);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, 1, 1);
-    noVertices.drawFullScreenTriangle();
+    for (const RayBlocks::Kind kind : {RayBlocks::Kind::Carved, RayBlocks::Kind::Sculpted}) {
+        if (m_warm[variantOf(scene, kind)])
+            continue;
+        prepare(programFor(kind, scene), volume, scene, palette, target);
+        noVertices.drawFullScreenTriangle();
+    }
     glDisable(GL_SCISSOR_TEST);
 }
 

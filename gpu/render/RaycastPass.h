@@ -31,9 +31,9 @@ public:
     /// @param tile as TilePlan cuts it @param noVertices of the context
     void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const Tile& tile, const VertexArray& noVertices);
-    /// Draws one pixel by the program that the first carving or the first shown segment will need:
+    /// Draws one pixel by each program that the first carving or the first shown segment will need:
     /// drivers compile a program only when it first draws, and that should not be while a pen
-    /// waits. Nothing where that program has drawn already.
+    /// waits. Nothing where they have drawn already.
     void warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const VertexArray& noVertices);
 
@@ -47,10 +47,10 @@ private:
     /// @return codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
-    static constexpr std::size_t variants = 4; ///< plain or sculpted, plus twice clipped or not
+    static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
     [[nodiscard]] Program& programFor(RayBlocks::Kind kind, const VolumeScene& scene);
     [[nodiscard]] Program& pieceProgram(const VolumeScene& scene);
-    [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, bool sculpted);
+    [[nodiscard]] std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const;
     /// Of this picture; looked for anew only when something changed.
     [[nodiscard]] const RayBlocks& blocksOf(
         VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);

@@ -38,6 +38,8 @@ Matter matterAt(vec3 at, float n)
     const float carved = texture(radiation, at).r;
     face = nearCarved(carved);
     matter.colour.a *= 1.0 - smoothstep(0.45, 0.55, carved);
+#endif
+#if SEGMENTS
     matter.inSegment = texture(segmentation, at).r >= 0.5;
     matter.colour.a = matter.inSegment ? 0.0 : matter.colour.a;
 #endif
@@ -144,7 +146,7 @@ vec3 restAlong(Ray ray)
         light = mix(light, onSurface, clamp(change / most, 0.0, 1.0));
         seen += through * (glow * light.rgb + glowOpacity * light.a);
         through *= groupThrough;
-#if SCULPTED
+#if SEGMENTS
         const vec3 place = samples.origin + samples.step * n;
         const vec3 inward = centralDifferences(segmentation, place, 1.0);
         const vec3 outward = normalize(gradientToWorld * -inward + 1e-9 * toViewer);

@@ -6,7 +6,7 @@
 //
 // llvmpipe computes both sides of an `if` and every loop's body at least once, for all pixels of a
 // group: what is not needed at all must not be compiled. Hence the variants by SCULPTED (something
-// is carved away or a segment is shown) and CLIPPED (a clip box or plane is on), and loops that put
+// is carved away or a segment is shown), SEGMENTS (a segment is shown; then SCULPTED, too) and CLIPPED (a clip box or plane is on), and loops that put
 // much work behind few tests.
 
 /* Textures */

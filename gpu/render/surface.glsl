@@ -17,7 +17,9 @@ bool isCarved(vec3 at)
 {
     return texture(radiation, at).r >= 0.5;
 }
+#endif
 
+#if SEGMENTS
 bool isSegment(vec3 at)
 {
     return texture(segmentation, at).r >= 0.5;
@@ -109,7 +111,9 @@ Hit firstHit(Ray ray)
         const float sculptedEnd = plain ? n : end;
         do {
             const vec3 at = samples.origin + samples.step * n;
+#if SEGMENTS
             segmentHit = n < sculptedEnd && isSegment(at);
+#endif
             hit = segmentHit || (n < sculptedEnd && isDense(at) && !isCarved(at));
             n = hit || n >= sculptedEnd ? n : floor(n) + 1.0;
         } while (n < sculptedEnd && !hit);
@@ -128,8 +132,10 @@ Hit firstHit(Ray ray)
     for (int halving = 0; halving < 5; ++halving) {
         const float middle = 0.5 * (before + t);
         const vec3 between = ray.origin + ray.direction * middle;
-#if SCULPTED
+#if SEGMENTS
         const bool inside = segmentHit ? isSegment(between) : isDense(between) && !isCarved(between);
+#elif SCULPTED
+        const bool inside = isDense(between) && !isCarved(between);
 #else
         const bool inside = isDense(between);
 #endif
@@ -178,7 +184,7 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     albedo = mix(albedo, mix(transferAt(value).rgb, faceGrey(value), greyFaces), face);
     normal = normalize(mix(normal, cutNormal, cut) + 1e-6 * toViewer);
     float grey = greyFaces * face;
-#if SCULPTED
+#if SEGMENTS
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     normal = segmentHit && !onBox ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
     // Where a segment's surface and the tissue's are one surface but for a fraction of a voxel, the

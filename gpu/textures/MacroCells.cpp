@@ -118,14 +118,17 @@ void MacroCells::update(Program& kernel, const Texture3D& radiation, const Textu
         }
     }
     m_skipMapValid = false;
-    m_sculptedCells.clear();
+    m_carvedCells.clear();
+    m_segmentCells.clear();
     std::size_t i = 0;
     for (int z = 0; z < m_cells.z; ++z) {
         for (int y = 0; y < m_cells.y; ++y) {
             for (int x = 0; x < m_cells.x; ++x, ++i) {
                 const Sculpt& cell = m_sculpt[i];
-                if (cell.greatestRadiation >= half || cell.greatestSegmentation >= half)
-                    m_sculptedCells.emplace_back(x, y, z);
+                if (cell.greatestRadiation >= half)
+                    m_carvedCells.emplace_back(x, y, z);
+                if (cell.greatestSegmentation >= half)
+                    m_segmentCells.emplace_back(x, y, z);
             }
         }
     }

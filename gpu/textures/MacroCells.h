@@ -42,9 +42,14 @@ public:
     [[nodiscard]] glm::ivec3 cells() const { return m_cells; }
     [[nodiscard]] int greatestCode() const { return m_greatestCode; } ///< of the volume
     /// Whether anything is carved away or a segment is shown anywhere.
-    [[nodiscard]] bool isSculpted() const { return !m_sculptedCells.empty(); }
-    /// Those that are carved somewhere or hold a shown segment.
-    [[nodiscard]] const std::vector<glm::ivec3>& sculptedCells() const { return m_sculptedCells; }
+    [[nodiscard]] bool isSculpted() const
+    {
+        return !m_carvedCells.empty() || !m_segmentCells.empty();
+    }
+    /// Those that are carved somewhere.
+    [[nodiscard]] const std::vector<glm::ivec3>& carvedCells() const { return m_carvedCells; }
+    /// Those that hold some of a shown segment.
+    [[nodiscard]] const std::vector<glm::ivec3>& segmentCells() const { return m_segmentCells; }
     /// RG16: least and greatest code of each cell.
     [[nodiscard]] const Texture3D& ranges() const { return m_ranges; }
 
@@ -82,7 +87,8 @@ private:
     Texture3D m_skipMap;
     VisibleCodes m_visible; ///< what m_skipMap was made for
     bool m_skipMapValid = false;
-    std::vector<glm::ivec3> m_sculptedCells;
+    std::vector<glm::ivec3> m_carvedCells;
+    std::vector<glm::ivec3> m_segmentCells;
 };
 
 } // namespace gpu

@@ -33,7 +33,7 @@ ShaderLibrary oneKind(const QTemporaryDir& folder)
             || !to.open(QIODevice::WriteOnly))
             qFatal("the shaders cannot be copied");
         if (path == QLatin1String("render/raycast.frag"))
-            to.write("#undef SCULPTED\n#define SCULPTED 1\n");
+            to.write("#undef SCULPTED\n#define SCULPTED 1\n#undef SEGMENTS\n#define SEGMENTS 1\n");
         to.write(from.readAll());
     }
     return ShaderLibrary(folder.path());
@@ -250,7 +250,7 @@ private Q_SLOTS:
                     continue;
                 ++looked;
                 QCOMPARE(kindAt(blocks, glm::ivec2(seenAt)),
-                    withPiece ? RayBlocks::Kind::Pieces : RayBlocks::Kind::Sculpted);
+                    withPiece ? RayBlocks::Kind::Pieces : RayBlocks::Kind::Carved);
             }
         }
         QVERIFY(looked > 50 * m_rounds);
