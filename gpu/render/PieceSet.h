@@ -19,6 +19,8 @@ public:
 
     /// Takes those that have something to show. @return whether there are any
     bool set(VolumeTextures& volume, const VolumeScene& scene, double stepMm);
+    /// Whether some are where they were cut and look as if they were not.
+    [[nodiscard]] bool anyAtHome() const { return m_home > 0; }
     /// Binds them for a program of the variant PIECES.
     void bind(Program& program, VolumeTextures& volume) const;
 

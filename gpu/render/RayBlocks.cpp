@@ -12,8 +12,6 @@ namespace gpu {
 
 namespace {
 
-constexpr int partsPerAxis = 6; // of a piece's box
-
 /// How far from a ray's samples the caster looks: at a surface for what shadows it (surface.glsl,
 /// openness), elsewhere a few voxels for gradients and for the face of a cut.
 double marginMm(const VolumeScene& scene, const core::VolumeGeometry& geometry)
@@ -167,7 +165,8 @@ void RayBlocks::markPieces(
 {
     const core::VolumeGeometry& geometry = volume.geometry();
     const Projection projection(scene, target);
-    const double margin = marginMm(scene, geometry);
+    const double radius =
+        halfDiagonalMm(geometry, glm::dvec3(MacroCells::side + 1)) + marginMm(scene, geometry);
     Marks marks(m_blocks);
     for (const ScenePiece& piece : scene.pieces) {
         const PieceTextures::Entry* entry = volume.pieces().entry({piece.layer, piece.segment});
@@ -175,16 +174,10 @@ void RayBlocks::markPieces(
             continue;
         const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
         const glm::dmat4 shownFromIndex = piece.shownFromTrue * geometry.indexToWorld;
-        // Balls around parts of its box lie closer to it than one around the whole.
-        const glm::dvec3 part =
-            glm::dvec3(entry->filled.maximum - entry->filled.minimum + 1) / double(partsPerAxis);
-        const double radius = (halfDiagonalMm(geometry, part) + margin) * std::max(zoom, 1.0);
-        for (int i = 0; i < partsPerAxis * partsPerAxis * partsPerAxis; ++i) {
-            const glm::ivec3 place(
-                i % partsPerAxis, i / partsPerAxis % partsPerAxis, i / partsPerAxis / partsPerAxis);
-            const glm::dvec3 middle =
-                glm::dvec3(entry->filled.minimum) - 0.5 + part * (glm::dvec3(place) + 0.5);
-            projection.addBall(marks, glm::dvec3(shownFromIndex * glm::dvec4(middle, 1.0)), radius);
+        for (const glm::ivec3& cell : entry->cells) {
+            const glm::dvec3 middle = glm::dvec3(cell * MacroCells::side) + 0.5 * MacroCells::side;
+            projection.addBall(marks, glm::dvec3(shownFromIndex * glm::dvec4(middle, 1.0)),
+                radius * std::max(zoom, 1.0));
         }
     }
     marks.forEachMarked([this](const glm::ivec2& place) {

@@ -17,7 +17,7 @@ class VolumeTextures;
 /// What rays through a picture's blocks of 32 × 32 pixels may come near to. A ray caster that knows
 /// of cuts, segments and pieces costs several times as much as one that does not, and on a software
 /// renderer a branch saves nothing; so each block is drawn by the simplest program that draws it
-/// right. Found by projecting macro-cells and the boxes of pieces; never too little.
+/// right. Found by projecting macro-cells and those of pieces; never too little.
 class RayBlocks {
 public:
     static constexpr int block = 32; ///< drawn pixels
@@ -26,7 +26,7 @@ public:
     static constexpr std::size_t kinds = 4;
 
     RayBlocks() = default;
-    /// Cost: linear in the macro-cells that are carved or segments.
+    /// Cost: linear in the macro-cells that are carved, segments or pieces.
     RayBlocks(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
 
     /// Rectangles that together are the tile, by kind. @param tile begins at a block's corner

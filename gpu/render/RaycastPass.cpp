@@ -67,13 +67,14 @@ Program& RaycastPass::pieceProgram(const VolumeScene& scene)
 {
     const auto mode = std::size_t(scene.mode);
     const int clipped = scene.clip.any() ? 1 : 0;
-    Program& program = m_piecePrograms[2 * mode + std::size_t(clipped)];
+    const int home = m_pieces.anyAtHome() ? 1 : 0;
+    Program& program = m_piecePrograms[4 * mode + std::size_t(2 * clipped + home)];
     if (!program)
         program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
-                    {"CLIPPED", clipped}, {"PIECES", 1}}});
+                    {"CLIPPED", clipped}, {"PIECES", 1}, {"HOME", home}}});
     return program;
 }
 

@@ -59,8 +59,8 @@ private:
     std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
     const ShaderLibrary& m_library;
     PieceSet m_pieces;
-    /// With pieces, clipped or not; made when first needed.
-    std::array<Program, 2 * renderModes> m_piecePrograms;
+    /// With pieces, clipped or not, some at home or none; made when first needed.
+    std::array<Program, 4 * renderModes> m_piecePrograms;
     TransferLookup m_transfer;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three

@@ -68,16 +68,21 @@ float leaveFree(Samples samples, int piece, float n)
 }
 
 /// Leaves free cells behind. @return the first sample at or after n that may show something
-float soonest(float n)
+/// @param until out: until here no way comes into another cell that may be free
+float soonest(float n, out float until)
 {
     float next = nowhere;
+    until = nowhere;
     for (int i = 0; i < wayCount; ++i) {
+        const Samples samples = samplesOfWay(i);
         const float from = max(ways[i].next, n);
         float free = from;
         if (from <= n && from < ways[i].last)
-            free = leaveFree(samplesOfWay(i), ways[i].piece, from);
+            free = leaveFree(samples, ways[i].piece, from);
         ways[i].next = free;
-        next = min(next, free < ways[i].last ? free : nowhere);
+        const bool ends = free >= ways[i].last;
+        next = min(next, ends ? nowhere : free);
+        until = min(until, ends ? nowhere : max(leaves(samples, cellOf(samples, free), 0.0), free));
     }
     return next;
 }
@@ -92,7 +97,7 @@ int wayAt(float n, int after)
     return found;
 }
 
-/// What all ways have at sample n, where soonest(n) has been.
+/// What all ways have at sample n, where soonest() of it or of an earlier one has been.
 Joint jointAt(float n)
 {
     Joint joint = Joint(vec3(0.0), 0.0, 0, -1);
@@ -100,50 +105,51 @@ Joint jointAt(float n)
     float through = 1.0;
     vec3 sum = vec3(0.0);
     float weight = 0.0;
-    for (int i = wayAt(n, -1); i >= 0; i = wayAt(n, i)) {
+    int found = wayAt(n, -1);
+    do {
+        const bool here = found >= 0;
+        const int i = max(found, 0);
         const int piece = ways[i].piece;
-        const Samples samples = samplesOfWay(i);
-        const vec3 at = samples.origin + samples.step * n;
+        const vec3 at = ways[i].origin + ways[i].step * n;
         const float code = texture(intensity, at).r;
+        const float carved = texture(radiation, at).r;
         vec4 colour = transferAt(code);
-        const float gap = gapAt(piece, at);
+        float own = 0.0;
         float kept = 1.0;
+        bool solid = false;
         if (piece < 0) {
-            const bool segment = texture(segmentation, at).r >= 0.5;
-            kept = segment ? 0.0 : 1.0 - smoothstep(0.45, 0.55, texture(radiation, at).r);
-            joint.solid = segment ? i : joint.solid;
+            solid = texture(segmentation, at).r >= 0.5;
+            kept = solid ? 0.0 : 1.0 - smoothstep(0.45, 0.55, carved);
         } else {
-            const float own = footprintAt(piece, at);
-            if (isSolid(piece)) {
-                kept = 0.0;
-                joint.solid = own >= 0.5 && joint.solid < 0 ? i : joint.solid;
-            } else {
-                kept = pieces[piece].low.w * smoothstep(0.45, 0.55, own);
-                const float row = pieces[piece].atlasHigh.w;
-                if (row >= 0.0) {
-                    const float last = float(textureSize(pieceTransfers, 0).x - 1);
-                    const float entry = code * pieces[piece].cellLow.w + pieces[piece].cellHigh.w;
-                    colour = texelFetch(
-                        pieceTransfers, ivec2(clamp(entry, 0.0, last), int(row)), 0);
-                }
-                // Magnified matter is as dense as it was.
-                const float shrink = pieces[piece].high.w;
-                colour.a = shrink == 1.0 ? colour.a : 1.0 - pow(1.0 - colour.a, shrink);
-                colour.rgb *= pieces[piece].colour.rgb;
-            }
+            own = footprintAt(piece, at);
+            const bool body = isSolid(piece);
+            solid = body && own >= 0.5;
+            kept = body ? 0.0 : pieces[piece].low.w * smoothstep(0.45, 0.55, own);
+            const float row = pieces[piece].atlasHigh.w;
+            const float last = float(textureSize(pieceTransfers, 0).x - 1);
+            const float entry = code * pieces[piece].cellLow.w + pieces[piece].cellHigh.w;
+            const vec4 special = texelFetch(
+                pieceTransfers, ivec2(clamp(entry, 0.0, last), int(max(row, 0.0))), 0);
+            colour = row >= 0.0 ? special : colour;
+            // Magnified matter is as dense as it was.
+            const float shrink = pieces[piece].high.w;
+            colour.a = shrink == 1.0 ? colour.a : 1.0 - pow(1.0 - colour.a, shrink);
+            colour.rgb *= pieces[piece].colour.rgb;
         }
-        float face = nearCarved(gap);
+        float face = nearCarved(gapOf(piece, own, carved, at));
 #if CLIPPED
         face = max(face, nearFace(n - ways[i].first + 1.0));
 #endif
         colour.rgb = mix(colour.rgb, faceGrey(code), face * greyFaces);
-        const float opacity = colour.a * kept;
+        const float opacity = here ? colour.a * kept : 0.0;
         sum += opacity * colour.rgb;
         weight += opacity;
         through *= 1.0 - opacity;
+        joint.solid = here && solid && joint.solid < 0 ? i : joint.solid;
         joint.owner = opacity > most ? i : joint.owner;
         most = max(most, opacity);
-    }
+        found = here ? wayAt(n, found) : -1;
+    } while (found >= 0);
     joint.opacity = 1.0 - through;
     joint.colour = weight > 0.0 ? sum * (joint.opacity / weight) : vec3(0.0);
     return joint;
@@ -152,8 +158,7 @@ Joint jointAt(float n)
 vec4 lightAt(Ray ray, int way, float n, float change)
 {
     const int piece = ways[way].piece;
-    const Samples samples = samplesOfWay(way);
-    const vec3 at = samples.origin + samples.step * n;
+    const vec3 at = ways[way].origin + ways[way].step * n;
     vec3 rise = tetrahedronDifferences(intensity, at);
     const vec3 gap = gapRise(piece, at);
     float face = nearCarved(gapAt(piece, at)) * smoothstep(0.02, 0.10, length(gap));
@@ -179,8 +184,7 @@ vec4 lightAt(Ray ray, int way, float n, float change)
 vec3 solidAt(Ray ray, int way, float n)
 {
     const int piece = ways[way].piece;
-    const Samples samples = samplesOfWay(way);
-    const vec3 at = samples.origin + samples.step * n;
+    const vec3 at = ways[way].origin + ways[way].step * n;
     vec3 inward = vec3(0.0);
     vec3 colour = vec3(0.0);
     if (piece < 0) {
@@ -218,56 +222,63 @@ vec3 seenAlong(Ray ray)
     float lastOpacity = 0.0;
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
-    while (n < last && through > enough) {
-        const float start = n;
-        n = soonest(n);
-        Joint joint = jointAt(n);
-        while (joint.opacity <= 0.0 && joint.solid < 0 && n < last) {
-            n = soonest(n + 1.0);
-            joint = jointAt(n);
-        }
-        if (n >= last)
-            break;
-        lastOpacity = n > start ? 0.0 : lastOpacity;
-        const float groupEnd = min(last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
-        const int owner = joint.owner;
-        vec3 glow = vec3(0.0);
-        float glowOpacity = 0.0;
-        float groupThrough = 1.0;
-        float change = 0.0;
-        float changeAt = 0.0;
-        float most = 1e-4;
+    // Surfaces of segments and solid pieces are rare and cost much: each ends the inner loop.
+    do {
         int solid = -1;
         do {
-            const float share = groupThrough * joint.opacity;
-            glow += groupThrough * joint.colour;
-            glowOpacity += share;
-            groupThrough *= 1.0 - joint.opacity;
-            const float jump = abs(joint.opacity - lastOpacity) * groupThrough;
-            change += jump;
-            changeAt += jump * n;
-            most = max(most, max(joint.opacity, lastOpacity));
-            lastOpacity = joint.opacity;
-            solid = joint.solid;
-            if (solid >= 0)
-                break;
-            n += 1.0;
-            soonest(n);
-            joint = jointAt(n);
-        } while (n < groupEnd && through * groupThrough > enough
-            && (joint.opacity <= 0.0 || joint.owner == owner));
-        const float changeN = change > 1e-6 ? changeAt / change : n;
-        light = mix(light, lightAt(ray, owner, changeN, change), clamp(change / most, 0.0, 1.0));
-        seen += through * (glow * light.rgb + glowOpacity * light.a);
-        through *= groupThrough;
+            const float start = n;
+            Joint joint;
+            bool found = false;
+            do {
+                float until;
+                n = soonest(n, until);
+                do {
+                    joint = jointAt(n);
+                    found = joint.opacity > 0.0 || joint.solid >= 0;
+                    n += found || n >= last ? 0.0 : 1.0;
+                } while (!found && n < until && n < last);
+            } while (!found && n < last);
+            lastOpacity = n > start ? 0.0 : lastOpacity;
+            const float groupEnd = min(last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
+            const int owner = joint.owner;
+            vec3 glow = vec3(0.0);
+            float glowOpacity = 0.0;
+            float groupThrough = 1.0;
+            float change = 0.0;
+            float changeAt = 0.0;
+            float most = 1e-4;
+            bool goesOn = found;
+            do {
+                const float opacity = goesOn ? joint.opacity : 0.0;
+                glow += goesOn ? groupThrough * joint.colour : vec3(0.0);
+                glowOpacity += groupThrough * opacity;
+                groupThrough *= 1.0 - opacity;
+                const float jump = goesOn ? abs(opacity - lastOpacity) * groupThrough : 0.0;
+                change += jump;
+                changeAt += jump * n;
+                most = max(most, max(opacity, lastOpacity));
+                lastOpacity = goesOn ? opacity : lastOpacity;
+                solid = goesOn ? joint.solid : -1;
+                n += goesOn && solid < 0 ? 1.0 : 0.0;
+                joint = jointAt(n);
+                goesOn = goesOn && solid < 0 && n < groupEnd && through * groupThrough > enough
+                    && (joint.opacity <= 0.0 || joint.owner == owner);
+            } while (goesOn);
+            const float changeN = change > 1e-6 ? changeAt / change : n;
+            light = mix(
+                light, lightAt(ray, owner, changeN, change), clamp(change / most, 0.0, 1.0));
+            seen += through * (glow * light.rgb + glowOpacity * light.a);
+            through *= groupThrough;
+        } while (solid < 0 && n < last && through > enough);
+        const int way = max(solid, 0);
+        const int piece = ways[way].piece;
+        const float opacity = solid < 0 ? 0.0 : piece < 0 ? 1.0 : pieces[piece].low.w;
+        seen += opacity > 0.0 ? through * opacity * solidAt(ray, way, n) : vec3(0.0);
+        through *= 1.0 - opacity;
         if (solid >= 0) {
-            const int piece = ways[solid].piece;
-            const float opacity = piece < 0 ? 1.0 : pieces[piece].low.w;
-            seen += through * opacity * solidAt(ray, solid, n);
-            through *= 1.0 - opacity;
-            ways[solid].last = -nowhere; // of a translucent one the front is seen
+            ways[way].last = -nowhere; // of a translucent one the front is seen
             n += 1.0;
         }
-    }
+    } while (n < last && through > enough);
     return seen;
 }

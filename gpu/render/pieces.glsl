@@ -76,16 +76,23 @@ float footprintAt(int piece, vec3 at)
     return texture(footprints, texel / vec3(textureSize(footprints, 0))).r;
 }
 
+/// gapAt() from what is known of the place: the piece's footprint, and the radiation.
+float gapOf(int piece, float own, float carved, vec3 at)
+{
+    float gap = carved;
+#if HOME
+    for (int k = 0; k < homeCount; ++k)
+        gap -= footprintAt(k, at);
+#endif
+    return piece >= homeCount ? 1.0 - own : max(gap, 0.0);
+}
+
 /// What is carved away of a place as far as its look goes. Where pieces are at home there is no
 /// cut: what they fill is not missing, and what surrounds them is not missing to them.
 float gapAt(int piece, vec3 at)
 {
-    if (piece >= homeCount)
-        return 1.0 - footprintAt(piece, at);
-    float gap = texture(radiation, at).r;
-    for (int k = 0; k < homeCount; ++k)
-        gap -= footprintAt(k, at);
-    return max(gap, 0.0);
+    const float own = piece >= homeCount ? footprintAt(piece, at) : 0.0;
+    return gapOf(piece, own, texture(radiation, at).r, at);
 }
 
 vec3 gapRise(int piece, vec3 at)

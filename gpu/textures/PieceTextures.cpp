@@ -68,6 +68,7 @@ void PieceTextures::updateCells(Program& kernel, const PieceSource& source)
     std::vector<std::uint8_t> greatest(cells);
     m_cells.read(entry.place / side, count, std::as_writable_bytes(std::span(greatest)));
     entry.filled = {};
+    entry.cells.clear();
     std::size_t from = 0;
     for (int z = 0; z < count.z; ++z) {
         for (int y = 0; y < count.y; ++y) {
@@ -75,6 +76,7 @@ void PieceTextures::updateCells(Program& kernel, const PieceSource& source)
                 if (greatest[from++] < 128)
                     continue;
                 const glm::ivec3 low = entry.box.minimum + glm::ivec3(x, y, z) * side;
+                entry.cells.push_back(low / side);
                 entry.filled = entry.filled.united({low, glm::min(low + side, entry.box.maximum)});
             }
         }

@@ -9,6 +9,7 @@
 
 #include <compare>
 #include <map>
+#include <vector>
 
 namespace gpu {
 
@@ -29,6 +30,7 @@ public:
         core::VoxelBox box; ///< of the volume; begins at the border of a cell
         glm::ivec3 place{0}; ///< texel of box.minimum, whole cells
         core::VoxelBox filled; ///< whole cells in which something is; empty: nothing is
+        std::vector<glm::ivec3> cells; ///< those cells, of the volume
     };
 
     /// Makes room for these boxes, empty.
