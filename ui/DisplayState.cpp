@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/DisplayState.h"
 
+#include "ui/DisplayJson.h"
 #include "ui/Pieces.h"
-#include "ui/tools/BrushTool.h"
-#include "ui/tools/DrillOptions.h"
+#include "ui/ToolSettings.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -21,10 +21,10 @@ namespace ui {
 
 namespace {
 
+using displayJson::read;
+
 constexpr std::array<const char*, gpu::renderModes> modeNames{
     "surface", "dvr", "mip", "xray"}; ///< gpu::RenderMode
-constexpr std::array<std::pair<const char*, Workspace::Brush>, 2> brushes{
-    {{"paint", Workspace::Brush::Paint}, {"carve", Workspace::Brush::Carve}}};
 constexpr std::array<const char*, 2> faceNames{"material", "grey"}; ///< gpu::CutFaces
 
 // --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
@@ -37,17 +37,6 @@ QJsonArray toJson(const glm::dvec3& point)
 QJsonObject toJson(const core::WindowLevel& window)
 {
     return {{QStringLiteral("centre"), window.centre}, {QStringLiteral("width"), window.width}};
-}
-
-void read(const QJsonValue& json, double& value)
-{
-    if (json.isDouble() && std::isfinite(json.toDouble()))
-        value = json.toDouble();
-}
-
-void read(const QJsonValue& json, bool& value)
-{
-    value = json.toBool(value);
 }
 
 void read(const QJsonValue& json, glm::dvec3& point)
@@ -63,26 +52,6 @@ void read(const QJsonValue& json, core::WindowLevel& window)
     read(json[QLatin1String("centre")], window.centre);
     if (json[QLatin1String("width")].toDouble() > 0.0)
         read(json[QLatin1String("width")], window.width);
-}
-
-QJsonObject toJson(const Workspace::BrushSettings& brush)
-{
-    return {{QStringLiteral("radiusMm"), brush.radiusMm}, {QStringLiteral("disc"), brush.disc},
-        {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
-        {QStringLiteral("upper"), brush.upper},
-        {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked}};
-}
-
-void read(const QJsonValue& json, Workspace::BrushSettings& brush)
-{
-    read(json[QLatin1String("radiusMm")], brush.radiusMm);
-    read(json[QLatin1String("disc")], brush.disc);
-    read(json[QLatin1String("onlyBetween")], brush.onlyBetween);
-    read(json[QLatin1String("lower")], brush.lower);
-    read(json[QLatin1String("upper")], brush.upper);
-    read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
-    brush.radiusMm =
-        std::clamp(brush.radiusMm, BrushTool::minimumRadiusMm, BrushTool::maximumRadiusMm);
 }
 
 // --- The 3D view's look. -------------------------------------------------------------------------
@@ -328,10 +297,8 @@ void DisplayState::keep()
 QJsonObject DisplayState::composed() const
 {
     const Workspace::ViewOptions& options = m_workspace.viewOptions();
-    const Workspace::DrillSettings& drill = m_workspace.drillSettings();
-    const Workspace::GrowSettings& growth = m_workspace.growSettings();
     const Tool* tool = m_workspace.activeTool();
-    return {{QStringLiteral("crosshairLps"), toJson(m_workspace.crosshairLps())},
+    QJsonObject object{{QStringLiteral("crosshairLps"), toJson(m_workspace.crosshairLps())},
         {QStringLiteral("window"), toJson(m_workspace.windowLevel())},
         {QStringLiteral("inverted"), options.inverted},
         {QStringLiteral("showCrosshair"), options.showCrosshair},
@@ -345,26 +312,11 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("views"), composedViews()},
         {QStringLiteral("activeSegment"), m_workspace.activeSegment()},
         {QStringLiteral("activeLayer"), m_workspace.activeLayer()},
-        {QStringLiteral("tool"), tool ? tool->iconName() : QString()},
-        {QStringLiteral("drill"),
-            QJsonObject{{QStringLiteral("radiusMm"), drill.radiusMm},
-                {QStringLiteral("depthMm"), drill.depthMm},
-                {QStringLiteral("throughGaps"), drill.throughGaps},
-                {QStringLiteral("shape"), int(drill.shape)},
-                {QStringLiteral("heightRatio"), drill.heightRatio},
-                {QStringLiteral("rotationDegrees"), drill.rotationDegrees},
-                {QStringLiteral("floorMm"), drill.floorMm},
-                {QStringLiteral("pressureExponent"), drill.pressureExponent},
-                {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate},
-                {QStringLiteral("laserDepthMm"), drill.laserDepthMm},
-                {QStringLiteral("sweep"), int(drill.sweep)}}},
-        {QStringLiteral("paint"), toJson(m_workspace.brushSettings(Workspace::Brush::Paint))},
-        {QStringLiteral("carve"), toJson(m_workspace.brushSettings(Workspace::Brush::Carve))},
-        {QStringLiteral("growth"),
-            QJsonObject{{QStringLiteral("lower"), growth.lower},
-                {QStringLiteral("upper"), growth.upper},
-                {QStringLiteral("overwriteUnlocked"), growth.overwriteUnlocked},
-                {QStringLiteral("generationsPerSecond"), growth.generationsPerSecond}}}};
+        {QStringLiteral("tool"), tool ? tool->iconName() : QString()}};
+    const QJsonObject settings = toolSettings(m_workspace, m_tools);
+    for (auto field = settings.constBegin(); field != settings.constEnd(); ++field)
+        object[field.key()] = field.value();
+    return object;
 }
 
 QJsonObject DisplayState::composedViews() const
@@ -419,53 +371,7 @@ void DisplayState::applyTools(const QJsonObject& state)
     if (m_workspace.session()->document().layer(layer))
         m_workspace.setActiveLayer(layer);
 
-    const QJsonValue drillJson = state[QLatin1String("drill")];
-    Workspace::DrillSettings drill = m_workspace.drillSettings();
-    read(drillJson[QLatin1String("radiusMm")], drill.radiusMm);
-    read(drillJson[QLatin1String("depthMm")], drill.depthMm);
-    read(drillJson[QLatin1String("throughGaps")], drill.throughGaps);
-    drill.radiusMm =
-        std::clamp(drill.radiusMm, DrillOptions::minimumRadiusMm, DrillOptions::maximumRadiusMm);
-    drill.depthMm =
-        std::clamp(drill.depthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
-    read(drillJson[QLatin1String("heightRatio")], drill.heightRatio);
-    read(drillJson[QLatin1String("floorMm")], drill.floorMm);
-    drill.floorMm =
-        std::clamp(drill.floorMm, DrillOptions::minimumFloorMm, DrillOptions::maximumFloorMm);
-    drill.pressureExponent = std::clamp(
-        drillJson[QLatin1String("pressureExponent")].toInt(drill.pressureExponent), 1, 3);
-    read(drillJson[QLatin1String("rotationDegrees")], drill.rotationDegrees);
-    drill.heightRatio = std::clamp(drill.heightRatio, DrillOptions::minimumHeightRatio, 1.0);
-    drill.rotationDegrees = std::clamp(drill.rotationDegrees, -180.0, 180.0);
-    const int shape = drillJson[QLatin1String("shape")].toInt();
-    if (shape >= 0 && shape <= int(core::MaskShape::Kind::Rounded))
-        drill.shape = core::MaskShape::Kind(shape);
-    bool rate = false;
-    read(drillJson[QLatin1String("rate")], rate);
-    drill.mode = rate ? core::DrillMode::Rate : core::DrillMode::Limit;
-    read(drillJson[QLatin1String("laserDepthMm")], drill.laserDepthMm);
-    drill.laserDepthMm =
-        std::clamp(drill.laserDepthMm, DrillOptions::minimumDepthMm, DrillOptions::maximumDepthMm);
-    const int sweep = drillJson[QLatin1String("sweep")].toInt();
-    if (sweep >= 0 && sweep <= int(Workspace::Sweep::Pen))
-        drill.sweep = Workspace::Sweep(sweep);
-    m_workspace.setDrillSettings(drill);
-
-    for (const auto& [name, brush] : brushes) {
-        Workspace::BrushSettings settings = m_workspace.brushSettings(brush);
-        read(state[QLatin1String(name)], settings);
-        m_workspace.setBrushSettings(brush, settings);
-    }
-
-    const QJsonValue growthJson = state[QLatin1String("growth")];
-    Workspace::GrowSettings growth = m_workspace.growSettings();
-    read(growthJson[QLatin1String("lower")], growth.lower);
-    read(growthJson[QLatin1String("upper")], growth.upper);
-    read(growthJson[QLatin1String("overwriteUnlocked")], growth.overwriteUnlocked);
-    read(growthJson[QLatin1String("generationsPerSecond")], growth.generationsPerSecond);
-    if (growth.lower <= growth.upper && growth.generationsPerSecond >= 0.0)
-        m_workspace.setGrowSettings(growth);
-
+    applyToolSettings(state, m_workspace, m_tools);
     const QString name = state[QLatin1String("tool")].toString();
     const auto tool = std::find_if(m_tools.begin(), m_tools.end(),
         [&name](const Tool* each) { return each->iconName() == name; });

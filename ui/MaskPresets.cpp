@@ -24,7 +24,8 @@ QJsonObject toJson(const MaskPreset& preset)
     return {{QStringLiteral("name"), preset.name}, {QStringLiteral("shape"), int(preset.shape)},
         {QStringLiteral("radiusMm"), preset.radiusMm},
         {QStringLiteral("heightRatio"), preset.heightRatio},
-        {QStringLiteral("rotationDegrees"), preset.rotationDegrees}};
+        {QStringLiteral("rotationDegrees"), preset.rotationDegrees},
+        {QStringLiteral("softnessMm"), preset.softnessMm}};
 }
 
 std::optional<MaskPreset> fromJson(const QJsonObject& json)
@@ -35,11 +36,13 @@ std::optional<MaskPreset> fromJson(const QJsonObject& json)
     preset.radiusMm = json[QLatin1String("radiusMm")].toDouble(std::nan(""));
     preset.heightRatio = json[QLatin1String("heightRatio")].toDouble(std::nan(""));
     preset.rotationDegrees = json[QLatin1String("rotationDegrees")].toDouble(std::nan(""));
+    preset.softnessMm = json[QLatin1String("softnessMm")].toDouble();
     const bool sound = !preset.name.isEmpty() && shape >= 0 && shape < shapes
         && preset.radiusMm >= DrillOptions::minimumRadiusMm
         && preset.radiusMm <= DrillOptions::maximumRadiusMm
         && preset.heightRatio >= DrillOptions::minimumHeightRatio && preset.heightRatio <= 1.0
-        && std::abs(preset.rotationDegrees) <= 180.0;
+        && std::abs(preset.rotationDegrees) <= 180.0 && preset.softnessMm >= 0.0
+        && preset.softnessMm <= DrillOptions::maximumSoftnessMm;
     if (!sound)
         return std::nullopt;
     preset.shape = core::MaskShape::Kind(shape);
@@ -91,7 +94,8 @@ MaskPreset presetOf(const Workspace::DrillSettings& settings, const QString& nam
         .shape = settings.shape,
         .radiusMm = settings.radiusMm,
         .heightRatio = settings.heightRatio,
-        .rotationDegrees = settings.rotationDegrees};
+        .rotationDegrees = settings.rotationDegrees,
+        .softnessMm = settings.softnessMm};
 }
 
 Workspace::DrillSettings withPreset(Workspace::DrillSettings settings, const MaskPreset& preset)
@@ -100,6 +104,7 @@ Workspace::DrillSettings withPreset(Workspace::DrillSettings settings, const Mas
     settings.radiusMm = preset.radiusMm;
     settings.heightRatio = preset.heightRatio;
     settings.rotationDegrees = preset.rotationDegrees;
+    settings.softnessMm = preset.softnessMm;
     return settings;
 }
 

@@ -9,13 +9,14 @@
 
 namespace ui {
 
-/// A mask that the user has given a name: shape, size and turn.
+/// A mask that the user has given a name: shape, size, turn and edge.
 struct MaskPreset {
     QString name;
     core::MaskShape::Kind shape = core::MaskShape::Kind::Circle;
     double radiusMm = 8.0; ///< of other shapes than the circle: half the width
     double heightRatio = 0.5;
     double rotationDegrees = 0.0;
+    double softnessMm = 0.0;
     bool operator==(const MaskPreset&) const = default;
 };
 

@@ -6,9 +6,12 @@
 #include "ui/widgets/FittingLabel.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -16,6 +19,8 @@ namespace {
 
 constexpr int barHeight = 36;
 constexpr int longestNamePixels = 170;
+constexpr int shortestNamePixels = 34; ///< "Undo"
+constexpr int iconPixels = 30; ///< a button without a name, and what surrounds a name
 
 QFrame* verticalLine(QWidget* parent)
 {
@@ -65,15 +70,41 @@ QToolButton* OptionBar::addAction(QAction& action)
     button->setIconSize(QSize(18, 18));
     button->setFont(theme::smallFont());
     button->setFocusPolicy(Qt::NoFocus);
-    const auto rename = [button, &action] {
-        const QString name = action.text();
-        button->setText(button->fontMetrics().elidedText(name, Qt::ElideRight, longestNamePixels));
-        button->setToolTip(
-            name + QStringLiteral("  ") + action.shortcut().toString(QKeySequence::NativeText));
-    };
-    connect(&action, &QAction::changed, button, rename);
-    rename();
+    // A long name never makes the window wider.
+    button->setMinimumWidth(iconPixels);
+    m_steps.append(button);
+    connect(&action, &QAction::changed, this, &OptionBar::showNames);
     return button;
+}
+
+void OptionBar::showNames()
+{
+    int room = width() - m_layout->minimumSize().width();
+    if (m_options)
+        room -= m_options->sizeHint().width() - m_options->minimumSizeHint().width();
+    const int each = std::min(room / std::max(int(m_steps.size()), 1), longestNamePixels);
+    for (QToolButton* button : m_steps) {
+        const QAction& action = *button->defaultAction();
+        button->setToolButtonStyle(
+            each < shortestNamePixels ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+        button->setText(button->fontMetrics().elidedText(action.text(), Qt::ElideRight, each));
+        button->setToolTip(action.text() + QStringLiteral("  ")
+            + action.shortcut().toString(QKeySequence::NativeText));
+    }
+}
+
+bool OptionBar::event(QEvent* event)
+{
+    const bool done = QFrame::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        showNames();
+    return done;
+}
+
+void OptionBar::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    showNames();
 }
 
 void OptionBar::showTool()

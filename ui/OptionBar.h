@@ -12,20 +12,26 @@ class QToolButton;
 
 namespace ui {
 
-/// Above the views: undo and redo with the name of what they concern, the active tool's few
-/// options, and at the right what its modifier keys do.
+/// Above the views: undo and redo with the name of what they concern (where the options leave room
+/// for it), the active tool's few options, and at the right what its modifier keys do.
 class OptionBar : public QFrame {
     Q_OBJECT
 
 public:
     OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget* parent = nullptr);
 
+protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QToolButton* addAction(QAction& action);
     void showTool();
+    void showNames();
 
     Workspace& m_workspace;
     QHBoxLayout* m_layout;
+    QList<QToolButton*> m_steps; ///< undo and redo
     QLabel* m_tool;
     QWidget* m_options = nullptr;
     QLabel* m_keys;

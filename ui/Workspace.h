@@ -36,6 +36,9 @@ public:
         core::MaskShape::Kind shape = core::MaskShape::Kind::Circle;
         double heightRatio = 0.5; ///< height to width, where they differ
         double rotationDegrees = 0.0;
+        double softnessMm = 0.0; ///< core::MaskShape's
+        bool turnsWithPen = true; ///< the mask, on top of rotationDegrees
+        bool foreshortened = false; ///< the mask, by the pen's tilt
         core::DrillMode mode = core::DrillMode::Limit;
         double floorMm = 30.0; ///< mode Rate
         int pressureExponent = 2; ///< 1 … 3: the depth goes with this power of the pressure

@@ -9,7 +9,8 @@
 #include "ui/DisplayState.h"
 #include "ui/MainWindow.h"
 #include "ui/Pieces.h"
-#include "ui/tools/Tool.h"
+#include "ui/tools/PeelTool.h"
+#include "ui/tools/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QFile>
@@ -79,6 +80,21 @@ private:
             window.grab().save(folder + QLatin1String(name));
     }
 
+    static inline const ui::Workspace::DrillSettings drill{.radiusMm = 3.5,
+        .depthMm = 12.5,
+        .throughGaps = true,
+        .shape = core::MaskShape::Kind::Rounded,
+        .heightRatio = 0.25,
+        .rotationDegrees = -40.0,
+        .softnessMm = 1.5,
+        .turnsWithPen = false,
+        .foreshortened = true,
+        .mode = core::DrillMode::Rate,
+        .floorMm = 22.5,
+        .pressureExponent = 3,
+        .laserDepthMm = 9.5,
+        .sweep = ui::Workspace::Sweep::UpDown};
+
     /// Everything that can be set, to something else than it is at the start.
     static void changeEverything(app::Application& application)
     {
@@ -86,13 +102,12 @@ private:
         ui::ViewGrid& views = application.window().views();
         workspace.setCrosshairLps({3.0, -2.0, 131.0});
         workspace.setWindowLevel({210.0, 1800.0});
-        workspace.setViewOptions(
-            {.showPatient = false,
-                .showCrosshair = false,
-                .showSegments = true,
-                .showCarved = false,
-                .carvedAsHole = true,
-                .inverted = true});
+        workspace.setViewOptions({.showPatient = false,
+            .showCrosshair = false,
+            .showSegments = true,
+            .showCarved = false,
+            .carvedAsHole = true,
+            .inverted = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;
@@ -116,7 +131,10 @@ private:
                 .map = {{{0.0, 0x204060, 0.0}, {90.0, 0xC06040, 0.5}}}});
         workspace.setActiveSegment(2);
         workspace.setActiveLayer(2);
-        workspace.setDrillSettings({.radiusMm = 3.5, .depthMm = 12.5, .throughGaps = true});
+        workspace.setDrillSettings(drill);
+        application.window().findChild<ui::PeelTool*>()->setDepthMm(7.5);
+        application.window().findChild<ui::ScissorsTool*>()->setSettings(
+            {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Paint,
             {.radiusMm = 6.5,
                 .disc = false,
@@ -182,6 +200,11 @@ private Q_SLOTS:
                 if (field != QLatin1String("showSegments"))
                     QVERIFY2(before[field] != initial[field], qPrintable(field));
             }
+            for (const char* tool : {"drill", "tools"}) {
+                const QJsonObject now = before[QLatin1String(tool)].toObject();
+                for (const QString& field : now.keys())
+                    QVERIFY2(now[field] != initial[QLatin1String(tool)][field], qPrintable(field));
+            }
             QCOMPARE(before.size(), initial.size());
             QCOMPARE(application->workspace().session()->history().rows().size(), rows);
             waitForPictures(application->window());
@@ -195,6 +218,10 @@ private Q_SLOTS:
         QCOMPARE(workspace.windowLevel(), (core::WindowLevel{210.0, 1800.0}));
         QCOMPARE(workspace.volumeDisplay().transferFunction.points[1].rgb, 0xC06040U);
         QCOMPARE(workspace.growSettings().generationsPerSecond, 20.0);
+        QVERIFY(workspace.drillSettings() == drill);
+        QCOMPARE(application->window().findChild<ui::PeelTool*>()->depthMm(), 7.5);
+        const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
+        QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
         const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);
         QVERIFY((paint
             == ui::Workspace::BrushSettings{.radiusMm = 6.5,
@@ -270,7 +297,7 @@ private Q_SLOTS:
         QTest::newRow("other types")
             << QByteArray("{'crosshairLps':'here','window':7,'inverted':'yes','volume':[1,2],"
                           "'views':'four','activeSegment':'one','tool':9,'drill':[],"
-                          "'growth':null}");
+                          "'growth':null,'tools':[3]}");
         QTest::newRow("out of range")
             << QByteArray("{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
                           "'activeSegment':99,'tool':'chainsaw','clip':{'box':{'minimum':[9,9,9],'"
@@ -279,6 +306,8 @@ private Q_SLOTS:
                           "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
                           "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},'volume':"
                           "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
+                          "'drill':{'shape':9,'sweep':-1,'rate':'often'},"
+                          "'tools':{'peel':{'depthMm':'deep'},'carve-scissors':7},"
                           "'growth':{'lower':9,'upper':-9}}");
     }
     void passesOverWhatMakesNoSense()

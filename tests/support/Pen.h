@@ -15,7 +15,11 @@ namespace test {
 class Pen {
 public:
     enum class End { Tip, Eraser };
-    explicit Pen(QWidget& widget, End end = End::Tip);
+    enum class Turns { No, Yes }; ///< whether it tells its rotation
+    explicit Pen(QWidget& widget, End end = End::Tip, Turns turns = Turns::No);
+
+    /// From now on. @param tilt degrees from upright, right and towards the user
+    void hold(const QPointF& tiltDegrees, double rotationDegrees = 0.0);
 
     void hover(const QPointF& at, quint64 milliseconds);
     void press(const QPointF& at, double pressure, quint64 milliseconds);
@@ -28,6 +32,8 @@ private:
 
     QWidget& m_widget;
     QPointingDevice m_device;
+    QPointF m_tiltDegrees;
+    double m_rotationDegrees = 0.0;
 };
 
 } // namespace test

@@ -40,7 +40,11 @@ std::optional<PointerReading> readPen(const QTabletEvent& event, bool& penDown)
     reading.sample.pressure =
         std::isfinite(event.pressure()) ? std::clamp(event.pressure(), 0.0, 1.0) : 0.0;
     reading.sample.tiltDegrees = {event.xTilt(), event.yTilt()};
-    reading.sample.rotationDegrees = event.rotation();
+    // One that cannot turn says 0.
+    const QPointingDevice* device = event.pointingDevice();
+    if (device && device->hasCapability(QInputDevice::Capability::Rotation)
+        && std::isfinite(event.rotation()))
+        reading.sample.rotationDegrees = event.rotation();
     reading.sample.eraserEnd = event.pointerType() == QPointingDevice::PointerType::Eraser;
     switch (event.type()) {
     case QEvent::TabletPress:

@@ -11,7 +11,61 @@
 
 namespace ui {
 
-core::MaskShape drillMask(const Workspace::DrillSettings& settings, double turn)
+namespace {
+
+constexpr double radian = 180.0 / 3.14159265358979323846; ///< degrees
+constexpr double steepestTiltDegrees = 70.0;
+/// A pen that leans less does so by chance: which way means nothing.
+constexpr double leastLean = 0.176; ///< tan 10°
+constexpr double outlineElementMm = 0.25;
+
+double tangent(double degrees)
+{
+    return std::tan(std::clamp(degrees, -steepestTiltDegrees, steepestTiltDegrees) / radian);
+}
+
+/// Where the pen's upper end leans to, right and up; as long as the tangent of its tilt.
+glm::dvec2 leanOf(const PointerSample& pen)
+{
+    return {tangent(pen.tiltDegrees.x()), -tangent(pen.tiltDegrees.y())};
+}
+
+/// Degrees counter-clockwise.
+double azimuth(const glm::dvec2& lean)
+{
+    return std::atan2(lean.y, lean.x) * radian;
+}
+
+double turnOf(const PointerSample& pen)
+{
+    if (pen.rotationDegrees)
+        return -*pen.rotationDegrees;
+    const glm::dvec2 lean = leanOf(pen);
+    return glm::length(lean) < leastLean ? 0.0 : azimuth(lean);
+}
+
+void foreshorten(core::MaskShape& mask, const glm::dvec2& lean)
+{
+    const double share = 1.0 / std::sqrt(1.0 + glm::dot(lean, lean));
+    if (share > 0.999)
+        return;
+    if (core::isRound(mask)) {
+        mask.kind = core::MaskShape::Kind::Ellipse;
+        mask.widthMm = 2.0 * mask.radiusMm * share;
+        mask.heightMm = 2.0 * mask.radiusMm;
+        mask.rotationDegrees = azimuth(lean);
+        return;
+    }
+    const glm::dvec2 along = glm::normalize(lean);
+    std::vector<glm::dvec2> outline = core::outlineMm(mask, outlineElementMm);
+    for (glm::dvec2& point : outline)
+        point -= (1.0 - share) * glm::dot(point, along) * along;
+    mask.polygonMm = std::move(outline);
+}
+
+} // namespace
+
+core::MaskShape drillMask(const Workspace::DrillSettings& settings, const PointerSample& pen)
 {
     core::MaskShape mask;
     mask.kind = settings.shape;
@@ -19,7 +73,11 @@ core::MaskShape drillMask(const Workspace::DrillSettings& settings, double turn)
     mask.widthMm = 2.0 * settings.radiusMm;
     mask.heightMm = std::max(mask.widthMm * settings.heightRatio, 0.1);
     mask.cornerMm = 0.25 * std::min(mask.widthMm, mask.heightMm);
+    const double turn = settings.turnsWithPen ? turnOf(pen) : 0.0;
     mask.rotationDegrees = std::remainder(settings.rotationDegrees + turn, 360.0);
+    mask.softnessMm = settings.softnessMm;
+    if (settings.foreshortened)
+        foreshorten(mask, leanOf(pen));
     return mask;
 }
 

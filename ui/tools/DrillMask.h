@@ -3,6 +3,7 @@
 
 #include "ui/Workspace.h"
 #include "ui/tools/SurfacePatch.h"
+#include "ui/tools/Tool.h"
 
 #include <QPolygonF>
 
@@ -10,10 +11,11 @@ class QPainter;
 
 namespace ui {
 
-/// The mask that the drill's settings stand for. @param turn degrees counter-clockwise on top of
-/// theirs
+/// The mask that the drill's settings stand for, in a pen held like this: turned with it (by the
+/// way it leans, where it does not tell its rotation) and, where that is set, foreshortened as a
+/// disc across the pen is when it leans. What comes out is all that an edit needs to know.
 [[nodiscard]] core::MaskShape drillMask(
-    const Workspace::DrillSettings& settings, double turn = 0.0);
+    const Workspace::DrillSettings& settings, const PointerSample& pen = {});
 
 /// Outlines of tools over a picture: a bright line with a dark rim, to be seen on bone and on black
 /// alike.

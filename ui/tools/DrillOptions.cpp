@@ -5,7 +5,7 @@
 #include "ui/Workspace.h"
 #include "ui/tools/DrillSurface.h"
 #include "ui/tools/MaskPresetMenu.h"
-#include "ui/tools/PressureMenu.h"
+#include "ui/tools/PenMenu.h"
 #include "ui/widgets/FittingLabel.h"
 
 #include <QCheckBox>
@@ -42,6 +42,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_radius(millimetreBox(this, minimumRadiusMm, maximumRadiusMm, QStringLiteral("drillRadius")))
     , m_height(new QDoubleSpinBox(this))
     , m_turn(new QDoubleSpinBox(this))
+    , m_softness(millimetreBox(this, 0.0, maximumSoftnessMm, QStringLiteral("drillSoftness")))
     , m_mode(new QComboBox(this))
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))
     , m_floor(millimetreBox(this, minimumFloorMm, maximumFloorMm, QStringLiteral("drillFloor")))
@@ -78,6 +79,10 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_turn->setSingleStep(5.0);
     m_turn->setSuffix(QStringLiteral("°"));
     m_turn->setToolTip(tr("Turned counter-clockwise"));
+    m_softness->setPrefix(tr("soft "));
+    m_softness->setSpecialValueText(tr("sharp"));
+    m_softness->setToolTip(tr("The mask's edge: sharp, or over so much from it inwards\n"
+                              "the depth rises to its full value"));
     for (QDoubleSpinBox* box : {m_height, m_turn}) {
         box->setFixedHeight(theme::controlHeight);
         box->setKeyboardTracking(false);
@@ -96,6 +101,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     layout->addWidget(m_radius);
     layout->addWidget(m_height);
     layout->addWidget(m_turn);
+    layout->addWidget(m_softness);
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_mode);
     m_depth->setToolTip(tr("At full pressure"));
@@ -103,7 +109,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_floor->setPrefix(tr("to "));
     m_floor->setToolTip(tr("The floor: no deeper than this below the surface"));
     layout->addWidget(m_floor);
-    layout->addWidget(new PressureMenu(workspace, this));
+    layout->addWidget(new PenMenu(workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(m_sweep);
     m_sweep->setVisible(!ofLaser());
@@ -116,11 +122,11 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     m_start->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_start->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     layout->addWidget(m_start, 1);
-    m_radius->setFixedWidth(80);
-    m_height->setFixedWidth(58);
-    m_turn->setFixedWidth(48);
-    m_depth->setFixedWidth(80);
-    m_floor->setFixedWidth(92);
+    m_radius->setFixedWidth(84);
+    m_height->setFixedWidth(62);
+    m_turn->setFixedWidth(58);
+    m_softness->setFixedWidth(106);
+    m_floor->setFixedWidth(104);
 
     showSettings();
     connect(&m_workspace, &Workspace::drillSettingsChanged, this, &DrillOptions::showSettings);
@@ -128,7 +134,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     connect(m_depth, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     connect(m_floor, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
-    for (const QDoubleSpinBox* box : {m_height, m_turn})
+    for (const QDoubleSpinBox* box : {m_height, m_turn, m_softness})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     for (const QComboBox* box : {m_shape, m_mode, m_sweep})
         connect(box, &QComboBox::currentIndexChanged, this, &DrillOptions::takeSettings);
@@ -143,6 +149,7 @@ void DrillOptions::showSettings()
     const QSignalBlocker shape(m_shape);
     const QSignalBlocker height(m_height);
     const QSignalBlocker turn(m_turn);
+    const QSignalBlocker softness(m_softness);
     const QSignalBlocker mode(m_mode);
     const QSignalBlocker floor(m_floor);
     const QSignalBlocker sweep(m_sweep);
@@ -156,6 +163,7 @@ void DrillOptions::showSettings()
     m_shape->setCurrentIndex(int(settings.shape));
     m_height->setValue(100.0 * settings.heightRatio);
     m_turn->setValue(settings.rotationDegrees);
+    m_softness->setValue(settings.softnessMm);
     m_mode->setCurrentIndex(int(settings.mode));
     m_sweep->setCurrentIndex(int(settings.sweep));
     // Of all shapes that are not round the radius is half the width.
@@ -165,7 +173,9 @@ void DrillOptions::showSettings()
     m_radius->setToolTip(round ? tr("Radius of the mask") : tr("Half the width of the mask"));
     m_height->setVisible(settings.shape != Kind::Circle && settings.shape != Kind::Square);
     m_turn->setVisible(settings.shape != Kind::Circle);
-    m_depth->setSuffix(settings.mode == core::DrillMode::Rate ? tr(" mm/s") : tr(" mm"));
+    const bool rate = settings.mode == core::DrillMode::Rate;
+    m_depth->setSuffix(rate ? tr(" mm/s") : tr(" mm"));
+    m_depth->setFixedWidth(rate ? 98 : 84);
     const core::Volume* volume = m_workspace.volume();
     m_start->setText(volume ? startText(m_workspace) : QString());
     switch (m_workspace.volumeDisplay().mode) {
@@ -196,6 +206,7 @@ void DrillOptions::takeSettings()
     settings.shape = core::MaskShape::Kind(m_shape->currentIndex());
     settings.heightRatio = m_height->value() / 100.0;
     settings.rotationDegrees = m_turn->value();
+    settings.softnessMm = m_softness->value();
     settings.mode = core::DrillMode(m_mode->currentIndex());
     settings.sweep = Workspace::Sweep(m_sweep->currentIndex());
     m_workspace.setDrillSettings(settings);

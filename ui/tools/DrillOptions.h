@@ -25,6 +25,7 @@ public:
     static constexpr double minimumHeightRatio = 0.05;
     static constexpr double minimumFloorMm = 1.0;
     static constexpr double maximumFloorMm = 200.0;
+    static constexpr double maximumSoftnessMm = 30.0;
 
     /// Which tool they are of: drill and laser differ in their depth.
     enum class Of { Drill, Laser };
@@ -42,6 +43,7 @@ private:
     QDoubleSpinBox* m_radius = nullptr;
     QDoubleSpinBox* m_height = nullptr; ///< per cent of the width
     QDoubleSpinBox* m_turn = nullptr;
+    QDoubleSpinBox* m_softness = nullptr;
     QComboBox* m_mode = nullptr;
     QDoubleSpinBox* m_depth = nullptr;
     QDoubleSpinBox* m_floor = nullptr; ///< mode Rate

@@ -110,7 +110,7 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) con
     core::DrillStroke stroke;
     stroke.layer = m_workspace.activeLayer();
     stroke.view = orthographicView(scene);
-    stroke.mask = drillMask(settings, m_penTurn);
+    stroke.mask = drillMask(settings, m_held);
     stroke.mode = settings.mode;
     stroke.floorMm = settings.floorMm;
     stroke.pressureExponent = settings.pressureExponent;
@@ -154,7 +154,7 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     if (!session || !worksIn(view) || m_strokeView)
         return;
     m_restores = restoresWith(sample);
-    m_penTurn = -sample.rotationDegrees;
+    m_held = sample;
     m_aim.reset();
     m_preview.forget();
     m_strokeView = view;
@@ -187,7 +187,6 @@ bool DrillTool::aims() const
 
 void DrillTool::aim(const PointerSample& sample, const ViewContext& view)
 {
-    m_penTilt = sample.tiltDegrees;
     m_aiming = std::make_shared<Aiming>();
     m_aiming->samples.push_back(sample);
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
@@ -217,7 +216,7 @@ void DrillTool::takeAim(const SurfacePatch& surface)
     }
     core::DrillStroke stroke = strokeIn(*m_strokeView, m_restores);
     const glm::dvec3 direction = sweepDirection(
-        m_workspace.drillSettings().sweep, stroke.view, surface.normalLps(), m_penTilt);
+        m_workspace.drillSettings().sweep, stroke.view, surface.normalLps(), m_held.tiltDegrees);
     m_aim.emplace(stroke.view, *place, direction);
     stroke.view = m_aim->view();
     if (!stroke.hidden)
@@ -239,8 +238,8 @@ std::vector<glm::dvec2> DrillTool::footprint(
     const PointerSample& sample, const ViewContext& view) const
 {
     const glm::dvec2 middle = view.toViewPlaneMm(sample.position);
-    std::vector<glm::dvec2> outline = core::outlineMm(
-        drillMask(m_workspace.drillSettings(), -sample.rotationDegrees), view.mmPerPixel());
+    std::vector<glm::dvec2> outline =
+        core::outlineMm(drillMask(m_workspace.drillSettings(), sample), view.mmPerPixel());
     for (glm::dvec2& point : outline)
         point += middle;
     return outline;
@@ -307,8 +306,7 @@ void DrillTool::cancel()
 
 void DrillTool::hover(const PointerSample& sample, const ViewContext& view)
 {
-    m_penTurn = -sample.rotationDegrees;
-    m_penTilt = sample.tiltDegrees;
+    m_held = sample;
     if (worksIn(view) && m_workspace.session())
         m_preview.lookAt(view, footprint(sample, view), previewAcross);
     showCursor(sample, view.view);
@@ -373,7 +371,8 @@ bool DrillTool::paintFootprint(QPainter& painter, const ViewContext& view) const
     const glm::dvec3 normal = patch.normalLps();
     const glm::dvec3 direction = followsSurface()
         ? normal
-        : sweepDirection(m_workspace.drillSettings().sweep, stroke.view, normal, m_penTilt);
+        : sweepDirection(
+            m_workspace.drillSettings().sweep, stroke.view, normal, m_held.tiltDegrees);
     const SweepAim standing(stroke.view, *foot, direction);
     const glm::dvec3 way = direction * (m_restores ? -depthMm() : depthMm());
     QPolygonF begins;
@@ -401,7 +400,7 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 
     if (!paintFootprint(painter, view))
         drawToolOutline(
-            painter, maskOutline(drillMask(settings, m_penTurn), m_cursor, view.mmPerPixel()));
+            painter, maskOutline(drillMask(settings, m_held), m_cursor, view.mmPerPixel()));
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(m_cursor, 2.0, 2.0);

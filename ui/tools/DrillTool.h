@@ -86,8 +86,7 @@ private:
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     double m_pressure = 0.0;
-    double m_penTurn = 0.0; ///< degrees counter-clockwise that the pen itself is turned by
-    QPointF m_penTilt; ///< degrees
+    PointerSample m_held; ///< how the pen is held: when it went down, or as it hovers
     bool m_restores = false; ///< the stroke, or what a press would do now
     core::PenSample m_told; ///< last
     QElapsedTimer m_sinceTold;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/PeelTool.h"
 
+#include "ui/DisplayJson.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 
@@ -92,6 +93,18 @@ QWidget* PeelTool::createOptions(QWidget* parent)
     connect(depth, &QDoubleSpinBox::valueChanged, this, &PeelTool::setDepthMm);
     connect(keep, &QPushButton::clicked, this, &PeelTool::confirm);
     return options;
+}
+
+QJsonObject PeelTool::settingsJson() const
+{
+    return {{QStringLiteral("depthMm"), m_depthMm}};
+}
+
+void PeelTool::applySettings(const QJsonObject& settings)
+{
+    double depthMm = m_depthMm;
+    displayJson::read(settings[QLatin1String("depthMm")], depthMm);
+    setDepthMm(depthMm);
 }
 
 void PeelTool::setDepthMm(double depthMm)

@@ -23,6 +23,9 @@ public:
     [[nodiscard]] QString keys() const override;
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
 
+    [[nodiscard]] QJsonObject settingsJson() const override;
+    void applySettings(const QJsonObject& settings) override;
+
     void cancel() override;
     void putAway() override;
     void changeDepth(int steps) override;

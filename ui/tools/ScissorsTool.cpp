@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/ScissorsTool.h"
 
+#include "ui/DisplayJson.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 
@@ -40,7 +41,7 @@ QWidget* ScissorsTool::createOptions(QWidget* parent)
     limited->setObjectName(QStringLiteral("scissorsLimited"));
     auto* depth = new QDoubleSpinBox(options);
     depth->setObjectName(QStringLiteral("scissorsDepth"));
-    depth->setRange(0.5, 300.0);
+    depth->setRange(minimumDepthMm, maximumDepthMm);
     depth->setDecimals(1);
     depth->setSingleStep(0.5);
     depth->setSuffix(tr(" mm"));
@@ -78,6 +79,23 @@ QWidget* ScissorsTool::createOptions(QWidget* parent)
     return options;
 }
 
+QJsonObject ScissorsTool::settingsJson() const
+{
+    return {{QStringLiteral("limited"), m_settings.limited},
+        {QStringLiteral("depthMm"), m_settings.depthMm},
+        {QStringLiteral("firstLayerOnly"), m_settings.firstLayerOnly}};
+}
+
+void ScissorsTool::applySettings(const QJsonObject& json)
+{
+    using displayJson::read;
+    Settings settings = m_settings;
+    read(json[QLatin1String("limited")], settings.limited);
+    read(json[QLatin1String("depthMm")], settings.depthMm, minimumDepthMm, maximumDepthMm);
+    read(json[QLatin1String("firstLayerOnly")], settings.firstLayerOnly);
+    setSettings(settings);
+}
+
 void ScissorsTool::setSettings(const Settings& settings)
 {
     m_settings = settings;
@@ -89,7 +107,7 @@ void ScissorsTool::changeDepth(int steps)
 {
     Settings settings = m_settings;
     settings.limited = true;
-    settings.depthMm = std::clamp(settings.depthMm + steps, 1.0, 300.0);
+    settings.depthMm = std::clamp(settings.depthMm + steps, 1.0, maximumDepthMm);
     setSettings(settings);
 }
 

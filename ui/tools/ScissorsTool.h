@@ -16,6 +16,8 @@ public:
         double depthMm = 20.0;
         bool firstLayerOnly = false;
     };
+    static constexpr double minimumDepthMm = 0.5;
+    static constexpr double maximumDepthMm = 300.0;
 
     using OutlineTool::OutlineTool;
 
@@ -24,6 +26,8 @@ public:
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] QString keys() const override;
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+    [[nodiscard]] QJsonObject settingsJson() const override;
+    void applySettings(const QJsonObject& settings) override;
     void changeDepth(int steps) override;
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }

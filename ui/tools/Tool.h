@@ -3,8 +3,11 @@
 
 #include "ui/tools/ViewContext.h"
 
+#include <QJsonObject>
 #include <QObject>
 #include <QString>
+
+#include <optional>
 
 class QPainter;
 class QWidget;
@@ -20,7 +23,8 @@ struct PointerSample {
     bool eraserEnd = false;
     /// Of a pen: degrees from upright, positive to the right and towards the user. A mouse: 0.
     QPointF tiltDegrees;
-    double rotationDegrees = 0.0; ///< of a pen about its own axis, where it tells
+    /// Of a pen about its own axis, clockwise; none: it does not tell.
+    std::optional<double> rotationDegrees;
 };
 
 /// What the left button or the pen does now. By default it ignores everything; the view navigates
@@ -38,6 +42,10 @@ public:
     [[nodiscard]] virtual QString keys() const { return {}; } ///< for the option bar's right end
     /// The tool's few options for the option bar; null: none. The parent owns it.
     [[nodiscard]] virtual QWidget* createOptions(QWidget* /*parent*/) { return nullptr; }
+    /// What the tool itself holds that a session keeps (ToolSettings.h); empty: nothing.
+    [[nodiscard]] virtual QJsonObject settingsJson() const { return {}; }
+    /// Puts back what is there and makes sense.
+    virtual void applySettings(const QJsonObject&) { }
     [[nodiscard]] virtual bool worksIn(const ViewContext& view) const = 0;
 
     /// Whether a press here is the tool's, in a view that it works in; else the view navigates.

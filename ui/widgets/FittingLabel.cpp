@@ -7,6 +7,12 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int leastLetters = 5;
+
+} // namespace
+
 FittingLabel::FittingLabel(Qt::Alignment alignment, QWidget* parent)
     : QLabel(parent)
 {
@@ -31,8 +37,10 @@ void FittingLabel::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setPen(palette().color(foregroundRole()));
     const QRect room = contentsRect();
-    painter.drawText(
-        room, int(alignment()), fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
+    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
+    // A letter or two tell nothing.
+    if (shown == text() || shown.size() > leastLetters)
+        painter.drawText(room, int(alignment()), shown);
 }
 
 } // namespace ui

@@ -18,14 +18,16 @@ class StylusGlueTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<QPointingDevice> device(
-        QInputDevice::DeviceType type, QPointingDevice::PointerType pointer)
+    std::unique_ptr<QPointingDevice> device(QInputDevice::DeviceType type,
+        QPointingDevice::PointerType pointer, QInputDevice::Capabilities more = {})
     {
         return std::make_unique<QPointingDevice>(QStringLiteral("test"), 7, type, pointer,
-            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3);
+            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure | more, 1, 3);
     }
     std::unique_ptr<QPointingDevice> m_pen =
         device(QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen);
+    std::unique_ptr<QPointingDevice> m_artPen = device(QInputDevice::DeviceType::Stylus,
+        QPointingDevice::PointerType::Pen, QInputDevice::Capability::Rotation);
     std::unique_ptr<QPointingDevice> m_eraser =
         device(QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Eraser);
     std::unique_ptr<QPointingDevice> m_mouse =
@@ -99,11 +101,17 @@ private Q_SLOTS:
     void knowsTiltAndRotation()
     {
         StylusGlue glue;
-        QTabletEvent press(QEvent::TabletPress, m_pen.get(), {1, 1}, {1, 1}, 0.5, 20, -35, 0, 90, 0,
-            Qt::NoModifier, Qt::LeftButton, Qt::LeftButton);
-        const auto reading = glue.read(press);
-        QCOMPARE(reading->sample.tiltDegrees, QPointF(20, -35));
-        QCOMPARE(reading->sample.rotationDegrees, 90.0);
+        const auto read = [&glue](const QPointingDevice& pen, double rotation) {
+            QTabletEvent press(QEvent::TabletPress, &pen, {1, 1}, {1, 1}, 0.5, 20, -35, 0, rotation,
+                0, Qt::NoModifier, Qt::LeftButton, Qt::LeftButton);
+            return glue.read(press)->sample;
+        };
+        QCOMPARE(read(*m_artPen, 90).tiltDegrees, QPointF(20, -35));
+        QCOMPARE(read(*m_artPen, 90).rotationDegrees.value_or(0.0), 90.0);
+        QCOMPARE(read(*m_artPen, 0).rotationDegrees.value_or(1.0), 0.0);
+        QVERIFY(!read(*m_artPen, std::nan("")).rotationDegrees);
+        // A pen that cannot tell says 0, which means nothing.
+        QVERIFY(!read(*m_pen, 0).rotationDegrees);
     }
 
     void noNumberIsNoPressure()

@@ -5,13 +5,18 @@
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
 #include "ui/MaskPresets.h"
+#include "ui/OptionBar.h"
 #include "ui/tools/DrillTool.h"
+#include "ui/tools/LaserTool.h"
 #include "ui/tools/MaskPresetMenu.h"
-#include "ui/tools/PressureMenu.h"
+#include "ui/tools/PenMenu.h"
+#include "ui/views/ViewGrid.h"
 #include "ui/widgets/PressureCurve.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSettings>
 #include <QtTest>
@@ -22,6 +27,24 @@ using Kind = core::MaskShape::Kind;
 /// What the option bar of the drill offers beside shape, size and depth.
 class DrillOptionsUiTest : public QObject {
     Q_OBJECT
+
+private:
+    /// All options that there can be, in a window as small as they come.
+    static void showEverything(test::WindowFixture& fixture, ui::Tool& tool)
+    {
+        ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
+        settings.mode = core::DrillMode::Rate;
+        settings.shape = Kind::Rounded;
+        settings.radiusMm = 12.5;
+        settings.heightRatio = 1.0;
+        settings.rotationDegrees = -135.0;
+        settings.softnessMm = 12.5;
+        settings.depthMm = 112.5;
+        settings.floorMm = 112.5;
+        fixture.workspace.setDrillSettings(settings);
+        fixture.workspace.setActiveTool(&tool);
+        fixture.window.resize(1280, 720);
+    }
 
 private Q_SLOTS:
     void init()
@@ -41,11 +64,13 @@ private Q_SLOTS:
         settings.radiusMm = 11.5;
         settings.heightRatio = 0.25;
         settings.rotationDegrees = -30.0;
+        settings.softnessMm = 2.5;
         fixture.workspace.setDrillSettings(settings);
         masks->save(QStringLiteral("  Saw   cut "));
         masks->save(QStringLiteral("   "));
         settings.shape = Kind::Circle;
         settings.radiusMm = 2.0;
+        settings.softnessMm = 0.0;
         settings.depthMm = 21.0;
         fixture.workspace.setDrillSettings(settings);
         masks->save(QStringLiteral("Burr"));
@@ -64,6 +89,7 @@ private Q_SLOTS:
         QCOMPARE(now.radiusMm, 11.5);
         QCOMPARE(now.heightRatio, 0.25);
         QCOMPARE(now.rotationDegrees, -30.0);
+        QCOMPARE(now.softnessMm, 2.5);
         QCOMPARE(now.depthMm, 21.0); // a mask says nothing of the depth
 
         masks->save(QStringLiteral("Burr")); // another mask under that name
@@ -80,17 +106,25 @@ private Q_SLOTS:
                  "\"rotationDegrees\":0}]",
                  "[{\"name\":\"a\",\"shape\":0,\"radiusMm\":1e9,\"heightRatio\":1,"
                  "\"rotationDegrees\":0}]",
+                 "[{\"name\":\"a\",\"shape\":0,\"radiusMm\":3,\"heightRatio\":1,"
+                 "\"rotationDegrees\":0,\"softnessMm\":-1}]",
                  "[{\"name\":\"a\",\"shape\":0,\"radiusMm\":3}]"}) {
             QSettings().setValue(QStringLiteral("drill/masks"), QByteArray(text));
             QVERIFY2(ui::maskPresets().empty(), text);
         }
+        // Of a Burin that knew no soft edge.
+        QSettings().setValue(QStringLiteral("drill/masks"),
+            QByteArray("[{\"name\":\"a\",\"shape\":0,\"radiusMm\":3,\"heightRatio\":1,"
+                       "\"rotationDegrees\":0}]"));
+        QCOMPARE(ui::maskPresets().size(), std::size_t(1));
+        QCOMPARE(ui::maskPresets()[0].softnessMm, 0.0);
     }
 
     void pressureAndFloorReachTheStroke()
     {
         test::WindowFixture fixture(test::smallStudy());
         ui::DrillOptions options(fixture.workspace, ui::DrillOptions::Of::Drill);
-        auto* pressure = options.findChild<ui::PressureMenu*>();
+        auto* pressure = options.findChild<ui::PenMenu*>();
         auto* curve = pressure ? pressure->findChild<ui::PressureCurve*>() : nullptr;
         QVERIFY(curve);
         QCOMPARE(curve->exponent(), 2);
@@ -107,7 +141,8 @@ private Q_SLOTS:
         QTest::keyClick(curve, Qt::Key_Left);
         QCOMPARE(fixture.workspace.drillSettings().pressureExponent, 2);
         QCOMPARE(pressure->toolTip(),
-            QStringLiteral("Pressure curve: half the pressure cuts 25 % of the depth"));
+            QStringLiteral(
+                "Pen: half the pressure cuts 25 % of the depth; how the mask follows it"));
 
         auto* floor = options.findChild<QDoubleSpinBox*>(QStringLiteral("drillFloor"));
         QVERIFY(floor && floor->isHidden());
@@ -120,19 +155,51 @@ private Q_SLOTS:
         QCOMPARE(fixture.workspace.drillSettings().floorMm, 12.5);
     }
 
-    /// However many options there are, a small window stays small.
+    void theSoftEdgeReachesTheStroke()
+    {
+        test::WindowFixture fixture(test::smallStudy());
+        ui::LaserTool tool(fixture.workspace);
+        ui::DrillOptions options(fixture.workspace, ui::DrillOptions::Of::Laser);
+        auto* softness = options.findChild<QDoubleSpinBox*>(QStringLiteral("drillSoftness"));
+        QVERIFY(softness);
+        QCOMPARE(softness->text(), QStringLiteral("sharp"));
+        softness->setValue(2.5);
+        QCOMPARE(softness->text(), QStringLiteral("soft 2.5 mm"));
+        const ui::ViewContext context = fixture.window.views().volume().context();
+        QCOMPARE(tool.strokeIn(context).mask.softnessMm, 2.5);
+        QVERIFY(!options.findChild<QCheckBox*>(QStringLiteral("drillForeshortened"))->isChecked());
+        options.findChild<QCheckBox*>(QStringLiteral("drillForeshortened"))->setChecked(true);
+        options.findChild<QCheckBox*>(QStringLiteral("drillTurnsWithPen"))->setChecked(false);
+        const ui::Workspace::DrillSettings& settings = fixture.workspace.drillSettings();
+        QVERIFY(settings.foreshortened && !settings.turnsWithPen);
+        QCOMPARE(settings.softnessMm, 2.5);
+    }
+
+    /// However many options there are, a small window stays small and cuts no text off.
     void theBarFitsASmallWindow()
     {
         test::WindowFixture fixture(test::smallStudy());
+        core::EditSession& session = *fixture.workspace.session();
+        for (const char* name : {"A segment with a name as long as names are", "Another one"})
+            QVERIFY(session.apply(core::AddSegment{.name = QLatin1String(name), .rgb = 1}));
+        QVERIFY(session.undo());
+        QVERIFY(session.settle());
         ui::DrillTool tool(fixture.workspace);
-        ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
-        settings.mode = core::DrillMode::Rate;
-        settings.shape = Kind::Rounded;
-        fixture.workspace.setDrillSettings(settings);
-        fixture.workspace.setActiveTool(&tool);
-        fixture.window.resize(1280, 720);
+        showEverything(fixture, tool);
         QTest::qWait(50);
         QCOMPARE(fixture.window.width(), 1280);
+        const auto* bar = fixture.window.findChild<ui::OptionBar*>();
+        for (const QDoubleSpinBox* box : bar->findChildren<QDoubleSpinBox*>()) {
+            if (!box->isVisible())
+                continue;
+            const auto* edit = box->findChild<QLineEdit*>();
+            QVERIFY2(box->fontMetrics().horizontalAdvance(box->text())
+                    <= edit->contentsRect().width() + 2,
+                qPrintable(QStringLiteral("%1: '%2' in %3 pixels")
+                               .arg(box->objectName(), box->text())
+                               .arg(edit->width())));
+            QVERIFY(bar->rect().contains(QRect(box->mapTo(bar, QPoint(0, 0)), box->size())));
+        }
         fixture.workspace.setActiveTool(nullptr);
     }
 
@@ -143,17 +210,13 @@ private Q_SLOTS:
             QSKIP("BURIN_SCREENSHOTS names no folder");
         test::WindowFixture fixture(test::smallStudy());
         ui::DrillTool tool(fixture.workspace);
-        ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
-        settings.mode = core::DrillMode::Rate;
-        settings.shape = Kind::Rounded;
-        fixture.workspace.setDrillSettings(settings);
-        fixture.workspace.setActiveTool(&tool);
-        fixture.window.resize(1280, 720);
+        showEverything(fixture, tool);
         QTest::qWait(200);
         QVERIFY(fixture.window.grab().save(QDir(folder).filePath(QStringLiteral("drill-bar.png"))));
-        ui::PressureCurve curve;
-        curve.resize(curve.sizeHint());
-        QVERIFY(curve.grab().save(QDir(folder).filePath(QStringLiteral("pressure-curve.png"))));
+        QMenu& menu = *fixture.window.findChild<ui::PenMenu*>()->menu();
+        menu.popup(QPoint(0, 0));
+        QVERIFY(menu.grab().save(QDir(folder).filePath(QStringLiteral("pen-menu.png"))));
+        menu.close();
         fixture.workspace.setActiveTool(nullptr);
     }
 };

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/ToolSettings.h"
+
+#include "ui/DisplayJson.h"
+#include "ui/Workspace.h"
+#include "ui/tools/BrushTool.h"
+#include "ui/tools/DrillOptions.h"
+#include "ui/tools/Tool.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+using displayJson::read;
+
+constexpr std::array<std::pair<const char*, Workspace::Brush>, 2> brushes{
+    {{"paint", Workspace::Brush::Paint}, {"carve", Workspace::Brush::Carve}}};
+
+QJsonObject toJson(const Workspace::DrillSettings& drill)
+{
+    return {{QStringLiteral("radiusMm"), drill.radiusMm},
+        {QStringLiteral("depthMm"), drill.depthMm},
+        {QStringLiteral("throughGaps"), drill.throughGaps},
+        {QStringLiteral("shape"), int(drill.shape)},
+        {QStringLiteral("heightRatio"), drill.heightRatio},
+        {QStringLiteral("rotationDegrees"), drill.rotationDegrees},
+        {QStringLiteral("softnessMm"), drill.softnessMm},
+        {QStringLiteral("turnsWithPen"), drill.turnsWithPen},
+        {QStringLiteral("foreshortened"), drill.foreshortened},
+        {QStringLiteral("floorMm"), drill.floorMm},
+        {QStringLiteral("pressureExponent"), drill.pressureExponent},
+        {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate},
+        {QStringLiteral("laserDepthMm"), drill.laserDepthMm},
+        {QStringLiteral("sweep"), int(drill.sweep)}};
+}
+
+/// An enumerator by its number. @param last the greatest
+template <typename Enum> void read(const QJsonValue& json, Enum& value, Enum last)
+{
+    const int number = json.toInt(-1);
+    if (number >= 0 && number <= int(last))
+        value = Enum(number);
+}
+
+void read(const QJsonValue& json, Workspace::DrillSettings& drill)
+{
+    using Options = DrillOptions;
+    const auto at = [&json](const char* field) { return json[QLatin1String(field)]; };
+    read(at("radiusMm"), drill.radiusMm, Options::minimumRadiusMm, Options::maximumRadiusMm);
+    read(at("depthMm"), drill.depthMm, Options::minimumDepthMm, Options::maximumDepthMm);
+    read(at("throughGaps"), drill.throughGaps);
+    read(at("shape"), drill.shape, core::MaskShape::Kind::Rounded);
+    read(at("heightRatio"), drill.heightRatio, Options::minimumHeightRatio, 1.0);
+    read(at("rotationDegrees"), drill.rotationDegrees, -180.0, 180.0);
+    read(at("softnessMm"), drill.softnessMm, 0.0, Options::maximumSoftnessMm);
+    read(at("turnsWithPen"), drill.turnsWithPen);
+    read(at("foreshortened"), drill.foreshortened);
+    read(at("floorMm"), drill.floorMm, Options::minimumFloorMm, Options::maximumFloorMm);
+    drill.pressureExponent = std::clamp(at("pressureExponent").toInt(drill.pressureExponent), 1, 3);
+    bool rate = drill.mode == core::DrillMode::Rate;
+    read(at("rate"), rate);
+    drill.mode = rate ? core::DrillMode::Rate : core::DrillMode::Limit;
+    read(at("laserDepthMm"), drill.laserDepthMm, Options::minimumDepthMm, Options::maximumDepthMm);
+    read(at("sweep"), drill.sweep, Workspace::Sweep::Pen);
+}
+
+QJsonObject toJson(const Workspace::BrushSettings& brush)
+{
+    return {{QStringLiteral("radiusMm"), brush.radiusMm}, {QStringLiteral("disc"), brush.disc},
+        {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
+        {QStringLiteral("upper"), brush.upper},
+        {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked}};
+}
+
+void read(const QJsonValue& json, Workspace::BrushSettings& brush)
+{
+    read(json[QLatin1String("radiusMm")], brush.radiusMm, BrushTool::minimumRadiusMm,
+        BrushTool::maximumRadiusMm);
+    read(json[QLatin1String("disc")], brush.disc);
+    read(json[QLatin1String("onlyBetween")], brush.onlyBetween);
+    read(json[QLatin1String("lower")], brush.lower);
+    read(json[QLatin1String("upper")], brush.upper);
+    read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
+}
+
+QJsonObject toJson(const Workspace::GrowSettings& growth)
+{
+    return {{QStringLiteral("lower"), growth.lower}, {QStringLiteral("upper"), growth.upper},
+        {QStringLiteral("overwriteUnlocked"), growth.overwriteUnlocked},
+        {QStringLiteral("generationsPerSecond"), growth.generationsPerSecond}};
+}
+
+void read(const QJsonValue& json, Workspace::GrowSettings& growth)
+{
+    Workspace::GrowSettings settings = growth;
+    read(json[QLatin1String("lower")], settings.lower);
+    read(json[QLatin1String("upper")], settings.upper);
+    read(json[QLatin1String("overwriteUnlocked")], settings.overwriteUnlocked);
+    read(json[QLatin1String("generationsPerSecond")], settings.generationsPerSecond);
+    if (settings.lower <= settings.upper && settings.generationsPerSecond >= 0.0)
+        growth = settings;
+}
+
+} // namespace
+
+QJsonObject toolSettings(const Workspace& workspace, const std::vector<Tool*>& tools)
+{
+    QJsonObject settings{{QStringLiteral("drill"), toJson(workspace.drillSettings())},
+        {QStringLiteral("growth"), toJson(workspace.growSettings())}};
+    for (const auto& [name, brush] : brushes)
+        settings[QLatin1String(name)] = toJson(workspace.brushSettings(brush));
+    QJsonObject own;
+    for (const Tool* tool : tools) {
+        if (const QJsonObject kept = tool->settingsJson(); !kept.isEmpty())
+            own[tool->iconName()] = kept;
+    }
+    settings[QStringLiteral("tools")] = own;
+    return settings;
+}
+
+void applyToolSettings(
+    const QJsonObject& state, Workspace& workspace, const std::vector<Tool*>& tools)
+{
+    Workspace::DrillSettings drill = workspace.drillSettings();
+    read(state[QLatin1String("drill")], drill);
+    workspace.setDrillSettings(drill);
+    for (const auto& [name, brush] : brushes) {
+        Workspace::BrushSettings settings = workspace.brushSettings(brush);
+        read(state[QLatin1String(name)], settings);
+        workspace.setBrushSettings(brush, settings);
+    }
+    Workspace::GrowSettings growth = workspace.growSettings();
+    read(state[QLatin1String("growth")], growth);
+    workspace.setGrowSettings(growth);
+    const QJsonValue own = state[QLatin1String("tools")];
+    for (Tool* tool : tools)
+        tool->applySettings(own[tool->iconName()].toObject());
+}
+
+} // namespace ui
