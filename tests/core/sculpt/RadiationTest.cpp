@@ -7,6 +7,8 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 using test::Bytes;
 
@@ -30,8 +32,8 @@ template <class Inside> Bytes shape(const glm::ivec3& size, Inside inside)
     return bytes;
 }
 
-/// The definition, one voxel, 343 terms.
-std::uint32_t blurAt(const Bytes& coverage, const glm::ivec3& centre)
+/// The definition, one voxel, 343 terms, in units of 2⁻²⁴.
+std::uint64_t sumAt(const Bytes& coverage, const glm::ivec3& centre)
 {
     using namespace core::radiation;
     std::uint64_t sum = 0;
@@ -45,7 +47,12 @@ std::uint32_t blurAt(const Bytes& coverage, const glm::ivec3& centre)
             }
         }
     }
-    return std::uint32_t((sum + (1u << 23)) >> 24);
+    return sum;
+}
+
+std::uint32_t blurAt(const Bytes& coverage, const glm::ivec3& centre)
+{
+    return std::uint32_t((sumAt(coverage, centre) + (1u << 23)) >> 24);
 }
 
 /// Where radiation falls through one half between a member and the voxel after it, by linear
@@ -65,6 +72,8 @@ class RadiationTest : public QObject {
 private Q_SLOTS:
     void neverHidesOrInventsAVoxel();
     void isTheSumOfItsDefinition();
+    void isWithinAQuantumOfTheSumOfGaussians_data();
+    void isWithinAQuantumOfTheSumOfGaussians();
     void leavesAFlatHalfSpaceToTheBlur_data();
     void leavesAFlatHalfSpaceToTheBlur();
     void thinPartsKeepAWidth_data();
@@ -132,6 +141,75 @@ void RadiationTest::isTheSumOfItsDefinition()
             }
         }
     }
+}
+
+void RadiationTest::isWithinAQuantumOfTheSumOfGaussians_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::newRow("random bytes") << 0;
+    QTest::newRow("dust") << 1;
+    QTest::newRow("balls with a ramp") << 2;
+    QTest::newRow("boxes") << 3;
+    QTest::newRow("half-spaces") << 4;
+}
+
+void RadiationTest::isWithinAQuantumOfTheSumOfGaussians()
+{
+    QFETCH(int, kind);
+    // Seed A's Gaussian, in doubles: σ = 1.198 (about R / 2.5), of sum 1, since a filled mask
+    // reaches 1 inside. The difference is what weights in 1/256 make.
+    std::array<double, 7> gaussian{};
+    double total = 0.0;
+    for (int i = -3; i <= 3; ++i) {
+        gaussian[std::size_t(i + 3)] = std::exp(-0.5 * i * i / (1.198 * 1.198));
+        total += gaussian[std::size_t(i + 3)];
+    }
+    double worst = 0.0;
+    const int count = test::longRun() ? 60 : 6;
+    for (int seed = 0; seed < count; ++seed) {
+        test::Random random{std::uint32_t(40 + seed)};
+        const glm::ivec3 size(16, 14, 12);
+        Bytes coverage = filled(size);
+        const auto codes = test::balls(size, 4, random);
+        glm::ivec3 low;
+        glm::ivec3 high;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = test::randomInt(random, 0, size[axis] - 1);
+            high[axis] = test::randomInt(random, low[axis], size[axis] - 1);
+        }
+        const int axis = seed % 3;
+        for (int z = 0; z < size.z; ++z) {
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    const glm::ivec3 v(x, y, z);
+                    const bool inBox = glm::all(glm::greaterThanEqual(v, low))
+                        && glm::all(glm::lessThanEqual(v, high));
+                    const std::array<int, 5> value{test::randomInt(random, 0, 255),
+                        random() % 4 ? 0 : 255, std::min(codes.at(v) / 4, 255), inBox ? 255 : 0,
+                        v[axis] >= low[axis] ? 255 : 0};
+                    coverage.at(v) = std::uint8_t(value[std::size_t(kind)]);
+                }
+            }
+        }
+        for (int z = 0; z < size.z; ++z) {
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    double sum = 0.0;
+                    for (int i = 0; i < 343; ++i) {
+                        const glm::ivec3 step(i % 7, i / 7 % 7, i / 49);
+                        const glm::ivec3 near = glm::ivec3(x, y, z) + step - 3;
+                        if (coverage.contains(near))
+                            sum += coverage.at(near) * gaussian[std::size_t(step.x)]
+                                * gaussian[std::size_t(step.y)] * gaussian[std::size_t(step.z)];
+                    }
+                    const double blur = double(sumAt(coverage, {x, y, z})) / double(1u << 24);
+                    worst = std::max(worst, std::abs(blur - sum / (total * total * total)));
+                }
+            }
+        }
+    }
+    qInfo("greatest difference %.2f of 255", worst);
+    QVERIFY2(worst <= 1.0, qPrintable(QString::number(worst)));
 }
 
 void RadiationTest::leavesAFlatHalfSpaceToTheBlur_data()
