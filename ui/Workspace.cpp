@@ -5,6 +5,7 @@
 #include "ui/HistoryMemory.h"
 #include "ui/InitialDisplay.h"
 #include "ui/OpeningView.h"
+#include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
 #include "ui/tools/Tool.h"
 
@@ -17,6 +18,7 @@ Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     : QObject(parent)
     , m_frames(frames)
     , m_pieces(new Pieces(*this))
+    , m_seeds(new PendingSeeds(*this))
 {
     m_retry.setInterval(std::chrono::seconds(5));
     connect(&m_retry, &QTimer::timeout, this, [this] {

@@ -14,6 +14,7 @@
 
 namespace ui {
 
+class PendingSeeds;
 class Pieces;
 class Tool;
 
@@ -120,6 +121,7 @@ public:
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
+    [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
@@ -196,6 +198,7 @@ private:
     VolumeDisplay m_volumeDisplay;
     core::ClipRegion m_clip;
     Pieces* m_pieces = nullptr;
+    PendingSeeds* m_seeds = nullptr;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

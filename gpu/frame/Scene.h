@@ -76,6 +76,13 @@ struct ScenePiece {
     bool operator==(const ScenePiece&) const = default;
 };
 
+/// A seed that waits for a growth, drawn as a radiated dot in its segment's colour.
+struct SceneSeed {
+    glm::dvec3 lps{0.0};
+    std::uint8_t label = 0;
+    bool operator==(const SceneSeed&) const = default;
+};
+
 /// The 3D view.
 struct VolumeScene {
     glm::dvec3 eyeLps{0.0, -500.0, 0.0};
@@ -92,6 +99,8 @@ struct VolumeScene {
     CutFaces cutFaces = CutFaces::Material; ///< of surface and volume rendering
     core::WindowLevel faceWindow; ///< of grey cut faces
     std::vector<ScenePiece> pieces; ///< hidden ones too; their order decides nothing
+    /// Those to be drawn, in any order; null or empty: none. Another list is another pointer.
+    std::shared_ptr<const std::vector<SceneSeed>> seeds;
     bool operator==(const VolumeScene&) const = default;
 };
 

@@ -42,10 +42,37 @@ TransferFunction materialColours(double from, double to)
     return {{{from, 0xB27059, 0.0}, {to, 0xF6E2C1, 1.0}}};
 }
 
+/// Of two rectangles; empty: none.
+Tile common(const Tile& a, const Tile& b)
+{
+    const glm::ivec2 low = glm::max(a.minimum, b.minimum);
+    const glm::ivec2 high = glm::min(a.minimum + a.size, b.minimum + b.size);
+    return glm::all(glm::lessThan(low, high)) ? Tile{low, high - low} : Tile{};
+}
+
+/// What is left of a tile without a rectangle in it.
+std::vector<Tile> around(const Tile& tile, const Tile& hole)
+{
+    if (hole.size.x == 0)
+        return {tile};
+    const glm::ivec2 end = tile.minimum + tile.size;
+    const glm::ivec2 holeEnd = hole.minimum + hole.size;
+    std::vector<Tile> parts;
+    for (const Tile& part : {Tile{tile.minimum, {tile.size.x, hole.minimum.y - tile.minimum.y}},
+             Tile{{tile.minimum.x, hole.minimum.y}, {hole.minimum.x - tile.minimum.x, hole.size.y}},
+             Tile{{holeEnd.x, hole.minimum.y}, {end.x - holeEnd.x, hole.size.y}},
+             Tile{{tile.minimum.x, holeEnd.y}, {tile.size.x, end.y - holeEnd.y}}}) {
+        if (part.size.x > 0 && part.size.y > 0)
+            parts.push_back(part);
+    }
+    return parts;
+}
+
 } // namespace
 
 RaycastPass::RaycastPass(const ShaderLibrary& library)
     : m_library(library)
+    , m_seeds(library)
 {
     for (std::size_t i = 0; i < m_programs.size(); ++i) {
         const std::size_t mode = i / variants;
@@ -59,22 +86,26 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
-                    {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0}}});
+                    {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
+                    {"SEEDS", 0}}});
     }
 }
 
-Program& RaycastPass::pieceProgram(const VolumeScene& scene)
+Program& RaycastPass::seldomProgram(const VolumeScene& scene, bool pieces, bool seeds)
 {
     const auto mode = std::size_t(scene.mode);
-    const int clipped = scene.clip.any() ? 1 : 0;
-    const int home = m_pieces.anyAtHome() ? 1 : 0;
-    Program& program = m_piecePrograms[4 * mode + std::size_t(2 * clipped + home)];
+    const bool clipped = scene.clip.any();
+    const bool home = pieces && m_pieces.anyAtHome();
+    const std::size_t variant = std::size_t(clipped) + 2 * std::size_t(pieces)
+        + 4 * std::size_t(seeds) + 8 * std::size_t(home);
+    Program& program = m_seldomPrograms[16 * mode + variant];
     if (!program)
         program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
-                    {"CLIPPED", clipped}, {"PIECES", 1}, {"HOME", home}}});
+                    {"CLIPPED", int(clipped)}, {"PIECES", int(pieces)}, {"SEEDS", int(seeds)},
+                    {"HOME", int(home)}}});
     return program;
 }
 
@@ -90,7 +121,7 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kin
 Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene)
 {
     if (kind == RayBlocks::Kind::Pieces)
-        return pieceProgram(scene);
+        return seldomProgram(scene, true, false);
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
@@ -115,11 +146,26 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     const PassTarget& target, const Tile& tile, const VertexArray& noVertices)
 {
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
+    const bool seeds = m_seeds.set(volume, scene);
+    const Tile seeded = seeds ? common(tile, m_seeds.blocksIn(scene, target)) : Tile{};
+    const bool sculpted = pieces || volume.cells().isSculpted();
     std::array<std::vector<Tile>, RayBlocks::kinds> parts;
-    if (pieces || volume.cells().isSculpted())
-        parts = blocksOf(volume, scene, target).split(tile);
-    else
-        parts[std::size_t(RayBlocks::Kind::Plain)] = {tile};
+    for (const Tile& rest : around(tile, seeded)) {
+        if (!sculpted) {
+            parts[std::size_t(RayBlocks::Kind::Plain)].push_back(rest);
+            continue;
+        }
+        const auto split = blocksOf(volume, scene, target).split(rest);
+        for (std::size_t kind = 0; kind < parts.size(); ++kind)
+            parts[kind].insert(parts[kind].end(), split[kind].begin(), split[kind].end());
+    }
+    const auto drawParts = [&](Program& program, const std::vector<Tile>& tiles) {
+        prepare(program, volume, scene, palette, target);
+        for (const Tile& part : tiles) {
+            glScissor(part.minimum.x, part.minimum.y, part.size.x, part.size.y);
+            noVertices.drawFullScreenTriangle();
+        }
+    };
     glEnable(GL_SCISSOR_TEST);
     for (std::size_t kind = 0; kind < parts.size(); ++kind) {
         if (parts[kind].empty())
@@ -127,11 +173,14 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         Program& program = programFor(RayBlocks::Kind(kind), scene);
         if (RayBlocks::Kind(kind) == RayBlocks::Kind::Pieces)
             m_pieces.bind(program, volume);
-        prepare(program, volume, scene, palette, target);
-        for (const Tile& part : parts[kind]) {
-            glScissor(part.minimum.x, part.minimum.y, part.size.x, part.size.y);
-            noVertices.drawFullScreenTriangle();
-        }
+        drawParts(program, parts[kind]);
+    }
+    if (seeded.size.x > 0) {
+        Program& program = seldomProgram(scene, pieces, true);
+        if (pieces)
+            m_pieces.bind(program, volume);
+        m_seeds.bind(program);
+        drawParts(program, {seeded});
     }
     glDisable(GL_SCISSOR_TEST);
 }

@@ -8,6 +8,7 @@
 #include "gpu/render/PassTarget.h"
 #include "gpu/render/PieceSet.h"
 #include "gpu/render/RayBlocks.h"
+#include "gpu/render/SeedDots.h"
 #include "gpu/render/TransferLookup.h"
 
 #include <array>
@@ -19,7 +20,7 @@ struct ViewFrame;
 
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
 /// intensity or X-ray; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not
-/// seen; shown segments are, whole, and pieces, each in its pose. Background black.
+/// seen; shown segments are, whole, pieces, each in its pose, and seeds as dots. Background black.
 class RaycastPass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -49,7 +50,8 @@ private:
 
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
     [[nodiscard]] Program& programFor(RayBlocks::Kind kind, const VolumeScene& scene);
-    [[nodiscard]] Program& pieceProgram(const VolumeScene& scene);
+    /// What is seldom needed, as a program of its own: compiled when it first is.
+    [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, bool pieces, bool seeds);
     [[nodiscard]] std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const;
     /// Of this picture; looked for anew only when something changed.
     [[nodiscard]] const RayBlocks& blocksOf(
@@ -59,8 +61,10 @@ private:
     std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
     const ShaderLibrary& m_library;
     PieceSet m_pieces;
-    /// With pieces, clipped or not, some at home or none; made when first needed.
-    std::array<Program, 4 * renderModes> m_piecePrograms;
+    SeedDots m_seeds;
+    /// With pieces, seeds or both, clipped or not, some pieces at home or none; made when
+    /// first needed.
+    std::array<Program, 16 * renderModes> m_seldomPrograms;
     TransferLookup m_transfer;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three

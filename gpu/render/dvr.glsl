@@ -146,6 +146,10 @@ vec3 restAlong(Ray ray)
         light = mix(light, onSurface, clamp(change / most, 0.0, 1.0));
         seen += through * (glow * light.rgb + glowOpacity * light.a);
         through *= groupThrough;
+#if SEEDS
+        const bool solid = solidFrom == nowhere && (through < 0.5 || segmentSeen);
+        solidFrom = solid ? ray.gridZero + stepMm * n : solidFrom;
+#endif
 #if SEGMENTS
         const vec3 place = samples.origin + samples.step * n;
         const vec3 inward = centralDifferences(segmentation, place, 1.0);

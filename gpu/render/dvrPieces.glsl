@@ -279,6 +279,9 @@ vec3 seenAlong(Ray ray)
             ways[way].last = -nowhere; // of a translucent one the front is seen
             n += 1.0;
         }
+#if SEEDS
+        solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
+#endif
     } while (n < last && through > enough);
     return seen;
 }

@@ -15,9 +15,16 @@
 #else
 #include "render/xray.glsl"
 #endif
+#if SEEDS
+#include "render/seeds.glsl"
+#endif
 
 void main()
 {
     const Ray ray = rayOf(gl_FragCoord.xy);
-    colour = vec4(seenAlong(ray), 1.0);
+    vec3 seen = seenAlong(ray);
+#if SEEDS
+    seen = withSeeds(ray, seen);
+#endif
+    colour = vec4(seen, 1.0);
 }

@@ -59,6 +59,10 @@ const uint segmentFlag = 4u;
 
 const float nowhere = 1e30; // no t
 
+#if SEEDS
+float solidFrom = nowhere; // t from which on nothing behind is seen
+#endif
+
 struct Ray {
     vec3 origin;    // texture
     vec3 direction; // texture per millimetre

@@ -278,6 +278,9 @@ vec3 seenAlong(Ray ray)
         next = hits[i] < nearest ? i : next;
         nearest = min(nearest, hits[i]);
     }
+#if SEEDS
+    solidFrom = nearest;
+#endif
     // Opaque ones are looked at once: what is drawn is worth many looks for what is next.
     vec3 seen = vec3(0.0);
     float through = 1.0;
@@ -311,6 +314,9 @@ vec3 seenAlong(Ray ray)
 vec3 seenAlong(Ray ray)
 {
     const Hit hit = firstHit(ray);
+#if SEEDS
+    solidFrom = hit.t;
+#endif
     const vec3 look = lookOf(ray, restOf, hit);
     return hit.t < nowhere ? look : vec3(0.0);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/SeedTool.h"
 
+#include "ui/PendingSeeds.h"
 #include "ui/SegmentActions.h"
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/PickQuestion.h"
+#include "ui/tools/SeedMarks.h"
 #include "ui/tools/SeedOptions.h"
 #include "ui/tools/SeenVoxels.h"
 
@@ -49,23 +51,18 @@ SeedTool::SeedTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
 {
-    const auto refresh = [this] {
-        m_marks.update(m_workspace.session());
-        Q_EMIT overlayChanged();
-    };
-    connect(&workspace, &Workspace::sessionChanged, this, [this, refresh] {
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
         m_path.clear();
-        refresh();
+        Q_EMIT overlayChanged();
     });
-    connect(&workspace, &Workspace::documentChanged, this,
-        [this, refresh](const core::DocumentChange& change) {
-            if (change.what == core::DocumentChange::What::History
-                || change.what == core::DocumentChange::What::Segments)
-                refresh();
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Segments)
+                Q_EMIT overlayChanged();
         });
+    connect(&workspace.seeds(), &PendingSeeds::changed, this, &Tool::overlayChanged);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
-    m_marks.update(workspace.session());
 }
 
 QString SeedTool::name() const
@@ -234,7 +231,8 @@ void SeedTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const core::EditSession* session = m_workspace.session();
     if (!session || !worksIn(view))
         return;
-    m_marks.paint(painter, view, *session);
+    if (view.isSlice())
+        paintSeedMarks(painter, view, m_workspace);
 
     const core::Segment* segment = session->document().segment(m_workspace.activeSegment());
     const QColor colour =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/tools/SeedMarks.h"
 #include "ui/tools/Tool.h"
 
 #include <optional>
@@ -47,7 +46,6 @@ private:
     std::vector<glm::dvec2> m_path; ///< logical pixels
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
-    SeedMarks m_marks;
 };
 
 } // namespace ui

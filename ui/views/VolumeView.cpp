@@ -2,6 +2,7 @@
 #include "ui/views/VolumeView.h"
 
 #include "ui/OpeningView.h"
+#include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
@@ -38,6 +39,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.pieces(), &Pieces::looksChanged, this, &VolumeView::requestMovingFrame);
+    connect(&workspace.seeds(), &PendingSeeds::changed, this, [this] { requestFrame(); });
     connect(&workspace, &Workspace::windowLevelChanged, this, [this] {
         if (std::get<gpu::VolumeScene>(scene()).faceWindow == this->workspace().windowLevel())
             requestMovingFrame();
@@ -103,6 +105,7 @@ gpu::Scene VolumeView::scene() const
     gpu::VolumeScene scene = volumeScene(m_camera, workspace().volumeDisplay());
     scene.clip = workspace().clip();
     scene.pieces = workspace().pieces().scene();
+    scene.seeds = workspace().seeds().scene();
     // Only where it shows: another grey scale of the slices is no other picture else.
     const bool shaded =
         scene.mode == gpu::RenderMode::Surface || scene.mode == gpu::RenderMode::Dvr;
