@@ -132,8 +132,8 @@ Tile SeedDots::blocksIn(const VolumeScene& scene, const PassTarget& target) cons
     glm::dvec2 high(-1e9);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::bvec3 upper(corner & 1, corner & 2, corner & 4);
-        const glm::dvec3 index = glm::mix(m_low - 1.0f, m_high + 1.0f, upper);
-        const glm::dvec3 lps = m_indexToWorld * glm::dvec4(index, 1.0);
+        const glm::dvec3 index(glm::mix(m_low - 1.0f, m_high + 1.0f, upper));
+        const glm::dvec3 lps(m_indexToWorld * glm::dvec4(index, 1.0));
         double mmPerPixel = view.mmPerPixel;
         if (!scene.orthographic) {
             const double depth = glm::dot(lps - eye, view.forward) / view.distanceMm;

@@ -269,6 +269,9 @@ vec3 seenAlong(Ray ray)
                 light, lightAt(ray, owner, changeN, change), clamp(change / most, 0.0, 1.0));
             seen += through * (glow * light.rgb + glowOpacity * light.a);
             through *= groupThrough;
+#if SEEDS
+            solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
+#endif
         } while (solid < 0 && n < last && through > enough);
         const int way = max(solid, 0);
         const int piece = ways[way].piece;

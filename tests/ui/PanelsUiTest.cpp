@@ -138,7 +138,7 @@ private Q_SLOTS:
     {
         PanelsFixture fixture(QSize(1280, 720));
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
-        QCOMPARE(clippedTexts(fixture.window), QStringList());
+        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
     }
 
     void theHistoryKeepsItsRowsInALowWindow()
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(session.settle());
         QTest::qWait(50);
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
-        QCOMPARE(clippedTexts(fixture.window), QStringList());
+        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
         const auto* list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
         QVERIFY2(list->height() >= 3 * list->sizeHintForRow(0),
             qPrintable(QString::number(list->height())));
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
         QVERIFY(fixture.column().verticalScrollBar()->isVisible());
         QVERIFY(fixture.column().widget()->width() <= fixture.column().viewport()->width());
-        QCOMPARE(clippedTexts(fixture.window), QStringList());
+        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
     }
 
     void panelsLeaveAndComeBack()
