@@ -72,7 +72,8 @@ private:
 
 /// What is left out of a ray does not show: pictures equal those of the same shaders that look at
 /// every sample. Tolerance: where a sample lies on the border of two cells, rounding decides to
-/// which it belongs; so 3 of 255 on at most 0.1 % of the pixels, else 1.
+/// which it belongs; so 3 of 255 on at most 0.1 % of the pixels, else 1. Of a maximum such a sample
+/// counts wholly or not at all: one pixel of a picture may be off by more.
 class SkippingGlTest : public test::GlTest {
     Q_OBJECT
 
@@ -240,7 +241,8 @@ private Q_SLOTS:
                     lit += known.r + known.g + known.b > 30 ? 1 : 0;
                 }
             }
-            QVERIFY2(off <= size.x * size.y / 1000 && most <= 3,
+            const bool oneOfMaximum = RenderMode(mode) == RenderMode::Mip && off <= 1;
+            QVERIFY2(off <= size.x * size.y / 1000 && (most <= 3 || oneOfMaximum),
                 qPrintable(QStringLiteral("round %1: %2 pixels off, by up to %3")
                                .arg(round)
                                .arg(off)
