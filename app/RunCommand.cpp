@@ -42,6 +42,7 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     case ErrorCode::UnknownSegment:
     case ErrorCode::SegmentNotCoded:
     case ErrorCode::SegmentLocked:
+    case ErrorCode::SegmentProtected:
     case ErrorCode::StepsEntangled:
         return recipe.path;
     default:

@@ -42,6 +42,8 @@ QString errorText(const core::Error& error)
     case ErrorCode::SegmentLocked:
         return first.isEmpty() ? QStringLiteral("every segment is locked")
                                : QStringLiteral("segment '%1' is locked").arg(first);
+    case ErrorCode::SegmentProtected:
+        return QStringLiteral("segment '%1' is protected from sculpting").arg(first);
     case ErrorCode::StepsEntangled:
         return QStringLiteral("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:

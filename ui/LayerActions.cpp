@@ -40,6 +40,31 @@ core::Result<int> addLayer(Workspace& workspace)
     return id;
 }
 
+QString carvingTarget(const Workspace& workspace, bool restores)
+{
+    const core::EditSession* session = workspace.session();
+    const core::SculptLayer* layer =
+        session ? session->document().layer(workspace.activeLayer()) : nullptr;
+    if (!layer)
+        return {};
+    if (layer->muted)
+        return QObject::tr("layer %1 is muted").arg(layer->name);
+    if (!session->document().carves(*layer))
+        return QObject::tr("layer %1 is left out").arg(layer->name);
+    if (restores)
+        return QObject::tr("restores layer %1").arg(layer->name);
+    QString spared;
+    int count = 0;
+    for (const core::Segment& segment : session->document().segments) {
+        if (segment.uncarvable && ++count == 1)
+            spared = segment.name;
+    }
+    const QString target = QObject::tr("carves layer %1").arg(layer->name);
+    return count == 0 ? target
+        : count == 1  ? QObject::tr("%1, not %2").arg(target, spared)
+                      : QObject::tr("%1, not %2 protected segments").arg(target).arg(count);
+}
+
 namespace {
 
 void apply(Workspace& workspace, const core::Edit& edit)

@@ -3,6 +3,8 @@
 
 #include "core/base/Result.h"
 
+#include <QString>
+
 #include <optional>
 
 namespace ui {
@@ -11,6 +13,9 @@ class Workspace;
 
 /// Adds a sculpt layer named "Sculpt 2" or so and makes it the active one. @return its id
 core::Result<int> addLayer(Workspace& workspace);
+
+/// What a tool that carves says of its target: "carves layer Sculpt 1, not Carotid".
+[[nodiscard]] QString carvingTarget(const Workspace& workspace, bool restores);
 
 // Each of the following is one step of undo; what cannot be done is told by the workspace.
 

@@ -27,6 +27,7 @@ enum class ErrorCode {
     SeedOutsideVolume,
     UnknownSegment,
     SegmentLocked, ///< argument 0: its name; none: every segment is
+    SegmentProtected, ///< from sculpting; argument 0: its name
     InvalidRecipe,
     // Export: argument 0 is the file, argument 1 what does not agree.
     ExportMismatch,

@@ -62,6 +62,13 @@ const CameraBookmark* Document::bookmark(int id) const
     return found == bookmarks.end() ? nullptr : &*found;
 }
 
+const Measurement* Document::measurement(int id) const
+{
+    const auto found = std::find_if(measurements.begin(), measurements.end(),
+        [id](const Measurement& candidate) { return candidate.id == id; });
+    return found == measurements.end() ? nullptr : &*found;
+}
+
 const Piece* Document::piece(int id) const
 {
     const auto found = std::find_if(
@@ -113,6 +120,14 @@ int Document::lastPieceGiven() const
     return last;
 }
 
+int Document::lastMeasurementGiven() const
+{
+    int last = greatestRemovedMeasurement;
+    for (const Measurement& measurement : measurements)
+        last = std::max(last, measurement.id);
+    return last;
+}
+
 const Growth* Document::growth(int plane) const
 {
     const auto found = std::find_if(growths.begin(), growths.end(),
@@ -124,7 +139,7 @@ QJsonObject Document::hashedState() const
 {
     QJsonArray segmentList;
     for (const Segment& segment : segments) {
-        segmentList.append(QJsonObject{
+        QJsonObject entry{
             {QStringLiteral("code"),
                 QJsonArray{segment.code.scheme, segment.code.value, segment.code.meaning}},
             {QStringLiteral("color"),
@@ -133,7 +148,10 @@ QJsonObject Document::hashedState() const
             {QStringLiteral("locked"), segment.locked},
             {QStringLiteral("name"), segment.name},
             {QStringLiteral("plane"), int(segment.plane)},
-        });
+        };
+        if (segment.uncarvable) // only where it says something, see below
+            entry.insert(QStringLiteral("protected"), true);
+        segmentList.append(entry);
     }
     QJsonArray layerList;
     for (const SculptLayer& layer : layers) {
@@ -142,7 +160,7 @@ QJsonObject Document::hashedState() const
             {QStringLiteral("muted"), layer.muted},
             {QStringLiteral("name"), layer.name},
         };
-        if (layer.solo) // only where it says something, see below
+        if (layer.solo)
             entry.insert(QStringLiteral("solo"), true);
         layerList.append(entry);
     }
@@ -193,6 +211,21 @@ QJsonObject Document::hashedState() const
     }
     if (!pieceList.isEmpty())
         state.insert(QStringLiteral("pieces"), pieceList);
+    QJsonArray measurementList;
+    for (const Measurement& measurement : measurements) {
+        QJsonObject entry{
+            {QStringLiteral("fromLps"), json(measurement.fromLps)},
+            {QStringLiteral("id"), measurement.id},
+            {QStringLiteral("toLps"), json(measurement.toLps)},
+        };
+        if (measurement.piece > 0)
+            entry.insert(QStringLiteral("piece"), measurement.piece);
+        measurementList.append(entry);
+    }
+    if (!measurementList.isEmpty())
+        state.insert(QStringLiteral("measurements"), measurementList);
+    if (greatestRemovedMeasurement > 0 && greatestRemovedMeasurement == lastMeasurementGiven())
+        state.insert(QStringLiteral("lastMeasurement"), greatestRemovedMeasurement);
     if (greatestRemovedPiece > 0 && greatestRemovedPiece == lastPieceGiven())
         state.insert(QStringLiteral("lastPiece"), greatestRemovedPiece);
     if (greatestRemovedBookmark > 0 && greatestRemovedBookmark == lastBookmarkGiven())

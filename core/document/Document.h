@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "core/document/Measurement.h"
 #include "core/document/OrthographicView.h"
 #include "core/document/Piece.h"
 #include "core/volume/Volume.h"
@@ -32,6 +33,7 @@ struct Segment {
     std::uint32_t rgb = 0; ///< 0xRRGGBB
     CodedConcept code; ///< not set: "not coded yet", asked for at export
     bool locked = false; ///< no tool, growth or write-back changes its voxels
+    bool uncarvable = false; ///< protected from sculpting: no tool carves where it is
     bool visible = true; ///< display only: neither a step of undo nor part of the hash
     std::int64_t voxels = 0; ///< kept up to date by the session; derived, not part of the hash
 };
@@ -67,10 +69,12 @@ struct Document {
     std::vector<Growth> growths;
     std::vector<CameraBookmark> bookmarks;
     std::vector<Piece> pieces; ///< by id, which decides nothing
+    std::vector<Measurement> measurements; ///< by id
     int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
     int greatestRemovedBookmark = 0; ///< likewise
     int greatestRemovedLayer = 0; ///< likewise
     int greatestRemovedPiece = 0;
+    int greatestRemovedMeasurement = 0;
 
     [[nodiscard]] const Segment* segment(int label) const;
     [[nodiscard]] Segment* segment(int label);
@@ -81,6 +85,7 @@ struct Document {
     /// Why it does not, in words ("is muted"); empty if it does.
     [[nodiscard]] QString whyItDoesNotCarve(const SculptLayer& layer) const;
     [[nodiscard]] const CameraBookmark* bookmark(int id) const;
+    [[nodiscard]] const Measurement* measurement(int id) const;
     [[nodiscard]] const Piece* piece(int id) const;
     [[nodiscard]] Piece* piece(int id);
     /// The piece that this sculpt layer cut; null: none.
@@ -90,6 +95,7 @@ struct Document {
     [[nodiscard]] int lastBookmarkGiven() const;
     [[nodiscard]] int lastLayerGiven() const;
     [[nodiscard]] int lastPieceGiven() const;
+    [[nodiscard]] int lastMeasurementGiven() const;
     /// The growth of a label plane; null if nothing has grown there.
     [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
@@ -105,6 +111,7 @@ struct DocumentChange {
         Layers,
         Bookmarks,
         Pieces,
+        Measurements,
         Labels,
         Coverage,
         Growth,

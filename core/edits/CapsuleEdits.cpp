@@ -2,6 +2,7 @@
 #include "core/edits/EngineEdits.h"
 
 #include "core/edits/HiddenSides.h"
+#include "core/edits/SparedSegments.h"
 
 #include <algorithm>
 #include <array>
@@ -257,11 +258,16 @@ Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& documen
         capsuleFrame(stroke.path, document.volumes.front().geometry, QStringLiteral("brush"));
     if (!frame)
         return tl::unexpected(frame.error());
+    if (const Result<void> checked =
+            checkSpared(stroke.spared, stroke.restore, QStringLiteral("brush"));
+        !checked)
+        return tl::unexpected(checked.error());
     CapsuleCut cut;
     cut.layer = std::uint8_t(stroke.layer);
     cut.restore = stroke.restore;
     cut.frame = *frame;
     cut.hidden = hiddenHalves(stroke.hidden, document.volumes.front().geometry);
+    cut.spared = sparedLabels(stroke.spared, document);
     return cut;
 }
 

@@ -68,6 +68,7 @@ Result<bool> apply(const ChangeSegment& edit, Document& document)
     changed |= assign(segment->rgb, edit.rgb);
     changed |= assign(segment->code, edit.code);
     changed |= assign(segment->locked, edit.locked);
+    changed |= assign(segment->uncarvable, edit.uncarvable);
     return changed;
 }
 
@@ -80,12 +81,17 @@ Result<bool> apply(const MoveSegment& edit, Document& document)
     return move(segments, segments.begin() + (segment - segments.data()), edit.place);
 }
 
-/// With what they are made of.
+/// What was measured on them stays, at its true place.
 template <class Which> void removePieces(Document& document, const Which& which)
 {
     for (const Piece& piece : document.pieces) {
-        if (which(piece))
-            document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        if (!which(piece))
+            continue;
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        for (Measurement& measurement : document.measurements) {
+            if (measurement.piece == piece.id)
+                measurement.piece = 0;
+        }
     }
     std::erase_if(document.pieces, which);
 }
@@ -277,11 +283,36 @@ Result<bool> apply(const SendPiecesHome&, Document& document)
 
 Result<bool> apply(const RemovePiece& edit, Document& document)
 {
-    const Piece* piece = document.piece(edit.piece);
-    if (!piece)
+    if (!document.piece(edit.piece))
         return unknownPiece("removePiece.piece", edit.piece);
-    document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, edit.piece);
-    document.pieces.erase(document.pieces.begin() + (piece - document.pieces.data()));
+    removePieces(document, [&edit](const Piece& each) { return each.id == edit.piece; });
+    return true;
+}
+
+Result<bool> apply(const AddMeasurement& edit, Document& document)
+{
+    if (edit.fromLps == edit.toLps)
+        return failure(ErrorCode::InvalidField, QStringLiteral("addMeasurement.toLps"),
+            QStringLiteral("is the same point as fromLps"));
+    if (edit.piece && !document.piece(*edit.piece))
+        return unknownPiece("addMeasurement.piece", *edit.piece);
+    document.measurements.push_back({.id = document.lastMeasurementGiven() + 1,
+        .fromLps = edit.fromLps,
+        .toLps = edit.toLps,
+        .piece = edit.piece.value_or(0)});
+    return true;
+}
+
+Result<bool> apply(const RemoveMeasurement& edit, Document& document)
+{
+    const Measurement* known = document.measurement(edit.measurement);
+    if (!known)
+        return failure(ErrorCode::InvalidField, QStringLiteral("removeMeasurement.measurement"),
+            QStringLiteral("there is no measurement %1").arg(edit.measurement));
+    document.greatestRemovedMeasurement =
+        std::max(document.greatestRemovedMeasurement, edit.measurement);
+    document.measurements.erase(
+        document.measurements.begin() + (known - document.measurements.data()));
     return true;
 }
 
@@ -331,27 +362,7 @@ Result<bool> apply(const SegmentToLayer&, Document&)
     return false;
 }
 
-/// A stroke into a layer that is not there or not seen would be lost work.
-Result<void> checkLayer(const char* field, int id, const Document& document)
-{
-    const SculptLayer* layer = document.layer(id);
-    if (!layer)
-        return unknownLayer(field, id);
-    if (const QString why = document.whyItDoesNotCarve(*layer); !why.isEmpty())
-        return failure(ErrorCode::InvalidField, QLatin1String(field),
-            QStringLiteral("sculpt layer '%1' %2: what is carved there would not be seen")
-                .arg(layer->name, why));
-    return {};
-}
-
 template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
-
-template <class T> Result<void> discardValue(const Result<T>& result)
-{
-    if (!result)
-        return tl::unexpected(result.error());
-    return {};
-}
 
 } // namespace
 
@@ -388,6 +399,8 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
                 return What::Layers;
             else if constexpr (isOneOf<E, AddBookmark, RemoveBookmark>)
                 return What::Bookmarks;
+            else if constexpr (isOneOf<E, AddMeasurement, RemoveMeasurement>)
+                return What::Measurements;
             else if constexpr (isOneOf<E, CutPiece, PastePiece, ChangePiece, SendPiecesHome,
                                    RemovePiece>)
                 return What::Pieces;
@@ -400,61 +413,6 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
 Result<bool> applyToDocument(const Edit& edit, Document& document)
 {
     return std::visit([&document](const auto& known) { return apply(known, document); }, edit);
-}
-
-Result<void> checkAgainst(const Document& document, const Edit& edit)
-{
-    if (changedPart(edit)) {
-        Document copy = document;
-        if (const Result<bool> applied = applyToDocument(edit, copy); !applied)
-            return tl::unexpected(applied.error());
-    }
-    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
-        return discardValue(labelCarved(*carved, document));
-    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
-        return discardValue(labelSeen(*seen, document));
-    if (const auto* cover = std::get_if<SegmentToLayer>(&edit)) {
-        if (const Result<void> checked = checkLayer("segmentToLayer.layer", cover->layer, document);
-            !checked)
-            return checked;
-        return discardValue(coverLabel(*cover, document));
-    }
-    if (const auto* seed = std::get_if<SeedStroke>(&edit))
-        return discardValue(seedPlacement(*seed, document));
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
-        return discardValue(growBurst(*grow, document));
-    if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer("drill.layer", drill->layer, document);
-            !checked)
-            return checked;
-        return discardValue(drillCut(*drill, document));
-    }
-    if (const auto* laser = std::get_if<LaserStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer("laser.layer", laser->layer, document);
-            !checked)
-            return checked;
-        return discardValue(laserCut(*laser, document));
-    }
-    if (const auto* paint = std::get_if<PaintStroke>(&edit))
-        return discardValue(paintLabel(*paint, document));
-    if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer("brush.layer", brush->layer, document);
-            !checked)
-            return checked;
-        return discardValue(capsuleCut(*brush, document));
-    }
-    if (const auto* peel = std::get_if<PeelCut>(&edit)) {
-        if (const Result<void> checked = checkLayer("peel.layer", peel->layer, document); !checked)
-            return checked;
-        return discardValue(maskPeel(*peel, document));
-    }
-    if (const auto* cut = std::get_if<ScissorsCut>(&edit)) {
-        if (const Result<void> checked = checkLayer("scissors.layer", cut->layer, document);
-            !checked)
-            return checked;
-        return discardValue(maskScissors(*cut, document));
-    }
-    return {}; // "undo only" and revisions read the history, not the document
 }
 
 Document initialDocument(Volume volume)

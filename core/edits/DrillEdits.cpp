@@ -54,7 +54,8 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
                       .maxDepthMm = rate ? stroke.floorMm : stroke.depthMm,
                       .throughGaps = stroke.throughGaps,
                       .restore = stroke.restore,
-                      .hidden = stroke.hidden},
+                      .hidden = stroke.hidden,
+                      .spared = stroke.spared},
             document, QStringLiteral("drill"));
     if (!frame)
         return tl::unexpected(frame.error());

@@ -285,4 +285,34 @@ QString PlaceList::check(const Value& value) const
     return RowList().check(value).isEmpty() ? QString() : QStringLiteral("must ascend, from 1 on");
 }
 
+QJsonValue SegmentList::write(const Value& value) const
+{
+    QJsonArray array;
+    for (const int segment : value)
+        array.append(segment);
+    return array;
+}
+
+QString SegmentList::read(const QJsonValue& json, Value& value) const
+{
+    RowList::Value numbers;
+    if (!RowList().read(json, numbers).isEmpty())
+        return QStringLiteral("must be a list of segments, whole numbers from 1 on");
+    value.clear();
+    for (const std::int64_t number : numbers)
+        value.push_back(int(std::min<std::int64_t>(number, 256))); // check() refuses that
+    return {};
+}
+
+QString SegmentList::check(const Value& value) const
+{
+    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+        return reason;
+    if (value.front() < 1 || value.back() > 255)
+        return QStringLiteral("must be numbers of segments, 1 … 255");
+    if (std::adjacent_find(value.begin(), value.end(), std::greater_equal<>()) != value.end())
+        return QStringLiteral("must ascend");
+    return {};
+}
+
 } // namespace core::editFields

@@ -83,4 +83,16 @@ struct PlaceList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// [segment, …]: numbers of segments, at least one, each greater than the one before.
+struct SegmentList {
+    using Value = std::vector<int>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[segment, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 } // namespace core::editFields

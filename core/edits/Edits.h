@@ -23,13 +23,14 @@ struct AddSegment {
     CodedConcept code{};
 };
 
-/// Rename, recolour, code or lock a segment; absent fields stay.
+/// Rename, recolour, code or lock a segment, or protect it from sculpting; absent fields stay.
 struct ChangeSegment {
     int segment = 0; ///< label
     std::optional<QString> name{};
     std::optional<std::uint32_t> rgb{};
     std::optional<CodedConcept> code{};
     std::optional<bool> locked{};
+    std::optional<bool> uncarvable{};
 };
 
 /// Put a segment at another place of the list.
@@ -105,6 +106,11 @@ struct HiddenSide {
 /// What an edit did not see: a cut neither starts nor cuts there.
 using HiddenSides = std::optional<std::vector<HiddenSide>>;
 
+/// Segments that a cut leaves as they are, by label, ascending: where they were when it was made.
+/// Whoever carries out a cut adds those that are protected (SparedSegments.h), so that the edit
+/// names what it reads. A cut that restores spares none.
+using SparedSegments = std::optional<std::vector<int>>;
+
 /// "Segment what I see": what is not carved, inside the clip region and within an interval of
 /// values becomes voxels of a segment, from wherever one looks.
 struct SegmentSeen {
@@ -124,6 +130,17 @@ struct AddBookmark {
 
 struct RemoveBookmark {
     int bookmark = 0; ///< id
+};
+
+/// Keep a distance that was measured: points at their true places.
+struct AddMeasurement {
+    glm::dvec3 fromLps{0.0};
+    glm::dvec3 toLps{0.0};
+    std::optional<int> piece{}; ///< id of the one that both points were picked on
+};
+
+struct RemoveMeasurement {
+    int measurement = 0; ///< id
 };
 
 /// Make what a sculpt layer has cut out a piece, which can be shown elsewhere.
@@ -213,6 +230,7 @@ struct DrillStroke {
     bool byTime = false;
     std::vector<PenSample> samples{};
     HiddenSides hidden{};
+    SparedSegments spared{};
 };
 
 /// As a drill, but the mask stands across the surface and goes in along its normal (seed A §4.3).
@@ -230,6 +248,7 @@ struct LaserStroke {
     bool byTime = false; ///< as DrillStroke's
     std::vector<PenSample> samples{};
     HiddenSides hidden{};
+    SparedSegments spared{};
 };
 
 /// Where a brush went: all that lies within its radius of the path, which runs straight from point
@@ -264,6 +283,7 @@ struct BrushStroke {
     BrushPath path{};
     bool restore = false;
     HiddenSides hidden{};
+    SparedSegments spared{};
 };
 
 /// Takes a shell of even thickness off the part of the surface that a closed curve surrounds.
@@ -279,6 +299,7 @@ struct PeelCut {
     double jumpMm = 4.0;
     bool restore = false;
     HiddenSides hidden{};
+    SparedSegments spared{};
 };
 
 /// Cuts out what lies under a closed curve, along the view.
@@ -291,6 +312,7 @@ struct ScissorsCut {
     double surfaceThreshold = 0.0; ///< modality units: what is seen
     bool restore = false;
     HiddenSides hidden{};
+    SparedSegments spared{};
 };
 
 /// "Undo only here": takes back older rows of the history and leaves what came after them. Their
@@ -316,6 +338,6 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
-    SendPiecesHome, RemovePiece, LaserStroke>;
+    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement>;
 
 } // namespace core

@@ -53,7 +53,8 @@ Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
             .maxDepthMm = stroke.mode == DrillMode::Rate ? stroke.floorMm : stroke.depthMm,
             .throughGaps = stroke.throughGaps,
             .restore = stroke.restore,
-            .hidden = stroke.hidden},
+            .hidden = stroke.hidden,
+            .spared = stroke.spared},
         document, QStringLiteral("laser"));
     if (!frame)
         return tl::unexpected(frame.error());

@@ -91,6 +91,8 @@ Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& docume
     if (!segment)
         return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
             QStringLiteral("in field 'segmentToLayer.segment'"));
+    if (segment->uncarvable)
+        return failure(ErrorCode::SegmentProtected, segment->name);
     return CoverLabel{
         .layer = std::uint8_t(edit.layer), .plane = segment->plane, .label = segment->label};
 }

@@ -3,6 +3,7 @@
 
 #include "core/edits/EngineEdits.h"
 #include "core/edits/HiddenSides.h"
+#include "core/edits/SparedSegments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,8 @@ Result<MaskFrame> maskFrame(
 {
     if (document.volumes.empty())
         return failure(ErrorCode::InvalidField, edit, QStringLiteral("no volume"));
+    if (const Result<void> checked = checkSpared(options.spared, options.restore, edit); !checked)
+        return tl::unexpected(checked.error());
     const Volume& volume = document.volumes.front();
     const VolumeGeometry& geometry = volume.geometry;
     const OrthographicView& view = options.view;
@@ -79,6 +82,7 @@ Result<MaskFrame> maskFrame(
     frame.throughGaps = options.throughGaps;
     frame.restore = options.restore;
     frame.hidden = hiddenHalves(options.hidden, geometry);
+    frame.spared = sparedLabels(options.spared, document);
 
     const glm::dmat3 indexToPlane = worldToPlane * glm::dmat3(geometry.indexToWorld);
     frame.planeOrigin = toFixed30(worldToPlane * (geometry.originLps() - view.targetLps));

@@ -17,6 +17,7 @@ struct MaskFrameOptions {
     bool throughGaps = false;
     bool restore = false;
     HiddenSides hidden{};
+    SparedSegments spared{};
 };
 
 /// Half the finest spacing resolves a mask; one that spans more than 512 elements needs no finer
@@ -26,7 +27,8 @@ struct MaskFrameOptions {
 /// Puts a mask plane before the first volume of a document. Doubles are used here and nowhere
 /// after; the build forbids fused multiply-add, so every machine agrees.
 /// @param edit name of the edit, for errors
-/// Errors: InvalidField (no volume; a view without direction, or that looks far past the volume).
+/// Errors: InvalidField (no volume; a view without direction, or that looks far past the volume;
+/// segments to spare while restoring).
 [[nodiscard]] Result<MaskFrame> maskFrame(
     const MaskFrameOptions& options, const Document& document, const QString& edit);
 

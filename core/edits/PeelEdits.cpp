@@ -57,7 +57,8 @@ Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document)
             .maxDepthMm = farthestPeelMm,
             .throughGaps = peel.throughGaps,
             .restore = peel.restore,
-            .hidden = peel.hidden},
+            .hidden = peel.hidden,
+            .spared = peel.spared},
         document, QStringLiteral("peel"));
     if (!plane)
         return tl::unexpected(plane.error());
@@ -85,7 +86,8 @@ Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& docume
             .maxDepthMm = std::min(cut.depthMm.value_or(wholeVolumeMm), wholeVolumeMm),
             .throughGaps = !cut.firstLayerOnly,
             .restore = cut.restore,
-            .hidden = cut.hidden},
+            .hidden = cut.hidden,
+            .spared = cut.spared},
         document, QStringLiteral("scissors"));
     if (!plane)
         return tl::unexpected(plane.error());

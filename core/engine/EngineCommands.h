@@ -9,6 +9,7 @@
 #include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/MaskPeel.h"
 #include "core/sculpt/MaskScissors.h"
+#include "core/sculpt/SparedLabels.h"
 
 #include <bitset>
 #include <cstdint>
@@ -86,12 +87,14 @@ struct PaintLabel {
 };
 
 /// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5; to
-/// restore, coverage = min(coverage, 255 − cut). Nothing happens to voxels that are hidden.
+/// restore, coverage = min(coverage, 255 − cut). Nothing happens to voxels that are hidden, and
+/// those that are spared are not carved.
 struct CapsuleCut {
     std::uint8_t layer = 0;
     bool restore = false;
     CapsuleFrame frame;
     std::vector<HiddenHalf> hidden{};
+    SparedLabels spared{};
 };
 
 /// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one

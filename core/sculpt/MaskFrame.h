@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sculpt/HiddenHalf.h"
+#include "core/sculpt/SparedLabels.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <glm/glm.hpp>
@@ -60,8 +61,8 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    ramp(t) = ((clamp(t, −r, r) + r)·255) / (2r),
 ///    cut = min(weight, ramp(zTo − z), ramp(z − zFrom)).
 ///    Nothing happens to a voxel that is hidden.
-///    Laying::Carve: coverage = max(coverage, cut). Laying::Refill: coverage = min(coverage,
-///    255 − cut).
+///    Laying::Carve: coverage = max(coverage, cut), unless the voxel is spared (SparedLabels.h).
+///    Laying::Refill: coverage = min(coverage, 255 − cut).
 struct MaskFrame {
     Fixed3 planeOrigin{}; ///< plane coordinates of voxel (0, 0, 0), mm · 2³⁰
     Fixed3 planePerI{}; ///< change per voxel along i, mm · 2³⁰
@@ -82,6 +83,7 @@ struct MaskFrame {
     bool throughGaps = false;
     bool restore = false; ///< the tool backwards: rule 4, and the columns that the tools make
     std::vector<HiddenHalf> hidden{}; ///< what a clip box or planes hide
+    SparedLabels spared{}; ///< what is not carved
 };
 
 /// What an element met: rules 4 and 5.

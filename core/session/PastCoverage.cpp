@@ -13,8 +13,9 @@ constexpr std::uint8_t scratchLayer = 255;
 
 } // namespace
 
-PastCoverage::PastCoverage(std::vector<RowId> path)
+PastCoverage::PastCoverage(std::vector<RowId> path, bool labels)
     : m_path(std::move(path))
+    , m_labels(labels)
     , m_place(m_path.size())
 {
 }
@@ -23,7 +24,8 @@ void PastCoverage::addDifferences(RowId row, std::vector<BrickImage>&& differenc
 {
     std::vector<BrickImage>& kept = m_differences[row];
     for (BrickImage& difference : differences) {
-        if (difference.key.field == Field::Coverage)
+        if (difference.key.field == Field::Coverage
+            || (m_labels && difference.key.field == Field::Labels))
             kept.push_back(std::move(difference));
     }
 }

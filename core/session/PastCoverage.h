@@ -14,14 +14,16 @@ using StrokeCut = std::map<std::uint32_t, std::vector<std::uint8_t>>;
 
 /// Lends the engine's coverage for a look into the past: takes it back to what it was before an
 /// older row and cuts there, into a layer that no document has, so that the stroke starts on the
-/// surface that it found then and what it cuts stands alone. Part of ReviseOperation.
+/// surface that it found then and what it cuts stands alone. Labels go back with it where strokes
+/// spare segments. Part of ReviseOperation.
 ///
 /// Nothing here is a row; whoever began it ends it by restore(). Tickets follow each other, so of
 /// several commands only the last is waited for.
 class PastCoverage {
 public:
     /// @param path rows from the earliest that is looked back to, to the history's position
-    explicit PastCoverage(std::vector<RowId> path);
+    /// @param labels whether labels are looked back to as well
+    PastCoverage(std::vector<RowId> path, bool labels);
 
     /// What a row of the path changed.
     void addDifferences(RowId row, std::vector<BrickImage>&& differences);
@@ -52,7 +54,8 @@ private:
     void mute(SessionState& state, RowId at);
 
     std::vector<RowId> m_path;
-    std::map<RowId, std::vector<BrickImage>> m_differences; ///< of coverage
+    bool m_labels = false;
+    std::map<RowId, std::vector<BrickImage>> m_differences; ///< of coverage, and of labels
     std::map<BrickKey, BrickImage> m_images; ///< at m_place
     std::map<BrickKey, BrickImage> m_toPut;
     std::size_t m_place; ///< rows of the path that are done there

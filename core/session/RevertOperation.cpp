@@ -3,6 +3,7 @@
 
 #include "core/edits/DocumentEdits.h"
 #include "core/history/StandingStrokes.h"
+#include "core/session/ProtectedVoxels.h"
 #include "core/session/RowReach.h"
 
 #include <algorithm>
@@ -98,8 +99,9 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
         claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
 }
 
-/// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches, also
-/// where nothing came of it: taking one of them back after it would leave what lay hidden below.
+/// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches,
+/// also where nothing came of it: taking one of them back after it would leave what lay hidden
+/// below.
 bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
     const Edit& later)
 {
@@ -286,9 +288,15 @@ void RevertOperation::layOver(SessionState& state)
             std::move(differences.begin(), differences.end(), std::back_inserter(taken));
     }
     m_differences.clear();
-    m_swap.start(state, std::move(taken), [&state](const auto& now, const auto& then) {
-        return checkLocks(state.document, now, then);
-    });
+    const std::vector<std::uint8_t> same(std::size_t(BrickGrid::voxelsPerBrick), 0);
+    for (const BrickKey& key : labelsOverCoverage(state.document, taken))
+        taken.push_back({key, same});
+    m_swap.start(
+        state, std::move(taken), [&state](const auto& now, const auto& then) -> Result<void> {
+            if (const Result<void> checked = checkLocks(state.document, now, then); !checked)
+                return checked;
+            return checkProtected(state.document, now, then);
+        });
 }
 
 void RevertOperation::takeResult(SessionState& state, EngineResult&& result)

@@ -2,6 +2,8 @@
 #include "core/session/ReviseOperation.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/SparedSegments.h"
+#include "core/session/ProtectedVoxels.h"
 #include "core/session/RowReach.h"
 
 #include <algorithm>
@@ -24,6 +26,13 @@ std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, R
     std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(result),
         [row](const StandingStroke& stroke) { return stroke.row < row; });
     return result;
+}
+
+bool spares(const StandingStroke& stroke)
+{
+    const Edit edit = plainEdit(stroke.form);
+    const SparedSegments* spared = sparedBy(edit);
+    return spared && *spared;
 }
 
 /// The first stroke that counts otherwise now than it did; 0: none.
@@ -54,7 +63,8 @@ void ReviseOperation::start(SessionState& state)
         m_done = true;
         return;
     }
-    m_past = PastCoverage(m_path);
+    m_past = PastCoverage(
+        m_path, spares(m_before) || std::any_of(m_strokes.begin(), m_strokes.end(), spares));
     m_toLoad = m_path;
     loadNext(state);
 }
@@ -296,10 +306,26 @@ void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
 void ReviseOperation::put(SessionState& state)
 {
     m_past.restore(state);
-    SwapBricks swap;
+    std::vector<BrickImage> bricks;
     for (auto& [key, image] : m_folded)
-        swap.bricks.push_back(std::move(image));
-    await(state.engine.submit(std::move(swap)),
+        bricks.push_back(std::move(image));
+    ReadBricks read{labelsOverCoverage(state.document, bricks)};
+    if (read.keys.empty())
+        return swap(state, std::move(bricks));
+    for (const BrickImage& brick : bricks)
+        read.keys.push_back(brick.key);
+    await(state.engine.submit(std::move(read)),
+        [this, bricks = std::move(bricks)](SessionState& now, EngineResult&& result) mutable {
+            const Result<void> checked = checkProtected(now.document, result.changes, bricks);
+            if (!checked)
+                return giveUp(now, checked.error());
+            swap(now, std::move(bricks));
+        });
+}
+
+void ReviseOperation::swap(SessionState& state, std::vector<BrickImage> bricks)
+{
+    await(state.engine.submit(SwapBricks{std::move(bricks)}),
         [this](SessionState& now, EngineResult&& result) { finish(now, std::move(result)); });
 }
 

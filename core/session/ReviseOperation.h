@@ -20,9 +20,10 @@ namespace core {
 /// Refused, naming the row, where something that is no stroke has written the layer since: a
 /// segment that was carved into it, a merger. Cuts alone would not make up what stands there.
 ///
-/// Every stroke keeps the surface it started on: that of the row before it, whatever has become of
-/// earlier strokes since. Later strokes that would have met another surface are told
-/// (SessionState::lastRevision).
+/// Every stroke keeps the surface it started on, and the voxels of segments that it spared: those
+/// of the row before it, whatever has become of earlier strokes since. Later strokes that would
+/// have met another surface are told (SessionState::lastRevision). Refused where it would carve a
+/// segment that is protected now.
 class ReviseOperation final : public Operation {
 public:
     /// @param again a row that is carried out again (opening a session); 0: a new one
@@ -52,6 +53,7 @@ private:
     /// Whether a stroke would start on another surface now; goes on with foldNext().
     void compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded);
     void put(SessionState& state);
+    void swap(SessionState& state, std::vector<BrickImage> bricks);
     void finish(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
 
@@ -65,7 +67,7 @@ private:
     std::size_t m_next = 0; ///< of them
     std::vector<RowId> m_path; ///< from the first of them to the position
     std::vector<RowId> m_toLoad; ///< the last is loaded next
-    PastCoverage m_past{std::vector<RowId>()};
+    PastCoverage m_past{std::vector<RowId>(), false};
     std::map<BrickKey, BrickImage> m_folded; ///< the bricks that are evaluated again
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;

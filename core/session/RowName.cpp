@@ -132,6 +132,10 @@ QString changeName(const ChangeSegment& edit, const Document& document)
         return (*edit.locked ? QStringLiteral("Lock segment '%1'")
                              : QStringLiteral("Unlock segment '%1'"))
             .arg(name);
+    if (edit.uncarvable)
+        return (*edit.uncarvable ? QStringLiteral("Protect segment '%1' from sculpting")
+                                 : QStringLiteral("Let tools carve segment '%1'"))
+            .arg(name);
     return QStringLiteral("Recolour segment '%1'").arg(name);
 }
 
@@ -219,7 +223,7 @@ QString pieceRowName(const Edit& edit, const Document& document)
     return {};
 }
 
-/// What changes layers or bookmarks; empty for other edits.
+/// What changes layers, measurements or bookmarks; empty for other edits.
 QString listName(const Edit& edit, const Document& document)
 {
     if (const auto* add = std::get_if<AddLayer>(&edit))
@@ -235,6 +239,14 @@ QString listName(const Edit& edit, const Document& document)
     if (const auto* merge = std::get_if<MergeLayers>(&edit))
         return QStringLiteral("Merge layer %1 into %2")
             .arg(layerName(merge->from, document), layerName(merge->into, document));
+    if (const auto* add = std::get_if<AddMeasurement>(&edit))
+        return QStringLiteral("Measure ") + millimetres(glm::distance(add->fromLps, add->toLps));
+    if (const auto* remove = std::get_if<RemoveMeasurement>(&edit)) {
+        const Measurement* measurement = document.measurement(remove->measurement);
+        return QStringLiteral("Remove measurement ")
+            + (measurement ? millimetres(measurement->lengthMm())
+                           : QString::number(remove->measurement));
+    }
     if (const auto* add = std::get_if<AddBookmark>(&edit))
         return QStringLiteral("Bookmark ") + quoted(add->name);
     if (const auto* remove = std::get_if<RemoveBookmark>(&edit)) {

@@ -2,6 +2,7 @@
 #include "core/session/RowReach.h"
 
 #include "core/edits/EngineEdits.h"
+#include "core/edits/SparedSegments.h"
 #include "core/edits/ToolMasks.h"
 
 #include <algorithm>
@@ -77,6 +78,10 @@ RowReach::SweptMask RowReach::sweptOutline(
 RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written)
 {
     const BrickGrid grid{document.volumes.front().geometry.size};
+    const SparedSegments* spared = sparedBy(edit);
+    std::optional<std::uint8_t> labelsRead;
+    if (spared && *spared)
+        labelsRead = sparedLabels(*spared, document).plane;
     if (const auto* seed = std::get_if<SeedStroke>(&edit)) {
         Bricks bricks;
         const Segment* segment = document.segment(seed->segment);
@@ -123,8 +128,11 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         Bricks bricks;
         const VolumeGeometry& geometry = document.volumes.front().geometry;
         if (const auto frame = capsuleFrame(brush->path, geometry, {})) {
-            for (const std::uint32_t brick : bricksUnder(brush->path, *frame, geometry))
+            for (const std::uint32_t brick : bricksUnder(brush->path, *frame, geometry)) {
                 bricks.keys.insert({Field::Coverage, std::uint8_t(brush->layer), brick});
+                if (labelsRead)
+                    bricks.keys.insert({Field::Labels, *labelsRead, brick});
+            }
         }
         m_reach = std::move(bricks);
     } else if (std::optional<Fields> fields = wholeFields(edit, document)) {
@@ -132,6 +140,8 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
     } else {
         m_reach = Bricks{{written.begin(), written.end()}};
     }
+    if (auto* mask = std::get_if<SweptMask>(&m_reach))
+        mask->labels = labelsRead;
 }
 
 std::optional<RowReach::Fields> RowReach::wholeFields(const Edit& edit, const Document& document)
@@ -182,7 +192,9 @@ bool RowReach::covers(const Fields& fields, const BrickKey& key)
 
 bool RowReach::covers(const SweptMask& mask, const BrickKey& key)
 {
-    if (key.field != Field::Coverage || mask.path.empty())
+    const bool isRead =
+        key.field == Field::Coverage || (key.field == Field::Labels && mask.labels == key.plane);
+    if (!isRead || mask.path.empty())
         return false;
     const glm::dvec3 middle = glm::dvec3(mask.grid.brickPosition(int(key.brick)) * BrickGrid::side)
         + (BrickGrid::side - 1) / 2.0;

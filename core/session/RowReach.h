@@ -25,6 +25,7 @@ namespace core {
 /// - a peel, scissors: likewise, under a disc around the curve;
 /// - paint: the labels and seed words of the bricks under the brush;
 /// - a carve brush: the coverage of its own layer in the bricks under the brush;
+/// - of all of these that spare segments, the labels of the same bricks too;
 /// - a layer that became a segment: the coverage of that layer, and the labels and seed words of
 /// the
 ///   segment's plane, since what other segments held decided too;
@@ -60,6 +61,7 @@ private:
         glm::dvec2 origin{0.0}; ///< of voxel (0, 0, 0), mm
         glm::dmat3x2 perVoxel{0.0}; ///< mm
         BrickGrid grid;
+        std::optional<std::uint8_t> labels; ///< the plane whose labels are read, if any is
         std::vector<glm::dvec2> path; ///< mm
         double reachMm = 0.0; ///< from the path to the middle of a brick
     };

@@ -82,6 +82,7 @@ void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> c
     tell(DocumentChange::What::Layers);
     tell(DocumentChange::What::Bookmarks);
     tell(DocumentChange::What::Pieces);
+    tell(DocumentChange::What::Measurements);
     tell(DocumentChange::What::Growth);
     tell(DocumentChange::What::History);
 }

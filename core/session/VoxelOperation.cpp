@@ -3,6 +3,7 @@
 
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EngineEdits.h"
+#include "core/edits/SparedSegments.h"
 #include "core/growth/SeedWord.h"
 
 #include <utility>
@@ -162,6 +163,8 @@ bool VoxelOperation::foresee(Document& document) const
 
 void VoxelOperation::start(SessionState& state)
 {
+    if (m_again == 0)
+        spareProtected(m_edit, state.document);
     const std::vector<PenSample>* samples = samplesOf(m_edit);
     const auto* grow = std::get_if<GrowSteps>(&m_edit);
     Result<EngineEdit> edit = engineEdit(state.document);

@@ -2,6 +2,7 @@
 #include "gpu/edit/CapsuleKernel.h"
 
 #include "gpu/edit/HiddenBricks.h"
+#include "gpu/edit/SparedVoxels.h"
 
 #include <algorithm>
 #include <array>
@@ -108,6 +109,7 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     setFrame(m_programs.cut);
     m_programs.cut.set("rampHalfWidth", m_frame.rampHalfWidth).set("refill", cut.restore);
     setHidden(m_programs.cut, cut.hidden);
+    setSpared(m_programs.cut, cut.spared);
 }
 
 void CapsuleKernel::setFrame(Program& each) const
@@ -253,6 +255,7 @@ void CapsuleKernel::cut(const core::CapsuleCut& cut, const Candidates& candidate
     coverage.ensure(fresh);
     coverage.pageTable().bindUnit(1);
     coverage.atlas().bindImage(0, GL_READ_WRITE);
+    bindSpared(m_fields, cut.spared);
     const Buffer hidden = hiddenBases(cut.hidden, m_fields.grid(), candidates.bricks);
     hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
     const std::vector<std::uint32_t> found = run(m_programs.cut, candidates, capsules);

@@ -20,8 +20,8 @@ ColumnCutter::ColumnCutter(Program& cut, VoxelFields& fields, BeforeImages& befo
         .set("planePerJ", round14(frame.planePerJ))
         .set("planePerK", round14(frame.planePerK))
         .set("pitch", frame.pitch)
-        .set("rampHalfWidth", frame.rampHalfWidth)
-        .set("refill", m_writer.refills());
+        .set("rampHalfWidth", frame.rampHalfWidth);
+    m_writer.prepare(m_cut);
     setHidden(m_cut, frame.hidden);
 }
 

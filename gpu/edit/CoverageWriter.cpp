@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/CoverageWriter.h"
 
+#include "gpu/edit/SparedVoxels.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -11,6 +13,12 @@ CoverageWriter::CoverageWriter(VoxelFields& fields, BeforeImages& before, const 
     , m_before(before)
     , m_target(target)
 {
+}
+
+void CoverageWriter::prepare(Program& program) const
+{
+    program.set("refill", refills());
+    setSpared(program, m_target.spared);
 }
 
 std::vector<std::uint32_t> CoverageWriter::begin(std::vector<std::uint32_t> candidates)
@@ -26,6 +34,7 @@ std::vector<std::uint32_t> CoverageWriter::begin(std::vector<std::uint32_t> cand
         coverage.ensure(candidates);
         coverage.pageTable().bindUnit(1);
         coverage.atlas().bindImage(0, GL_READ_WRITE);
+        bindSpared(m_fields, m_target.spared);
     }
     m_candidates = candidates;
     return candidates;

@@ -16,12 +16,14 @@ public:
     struct Target {
         std::uint8_t layer = 0;
         core::Laying laying = core::Laying::Carve;
+        core::SparedLabels spared{};
     };
     CoverageWriter(VoxelFields& fields, BeforeImages& before, const Target& target);
 
-    [[nodiscard]] bool refills() const { return m_target.laying == core::Laying::Refill; }
+    /// Tells a program with coverageWrite.glsl how to lay its cuts.
+    void prepare(Program& program) const;
     /// Leaves out bricks that nothing can happen to, keeps what the others hold, gives them pages
-    /// and binds them (unit 1, image 0).
+    /// and binds them (units 1 and 2, image 0).
     /// @param candidates ascending
     [[nodiscard]] std::vector<std::uint32_t> begin(std::vector<std::uint32_t> candidates);
     /// Once the kernel is through. @param flags one for each that begin() left: not 0, it changed
@@ -32,6 +34,8 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
 
 private:
+    [[nodiscard]] bool refills() const { return m_target.laying == core::Laying::Refill; }
+
     VoxelFields& m_fields;
     BeforeImages& m_before;
     Target m_target;

@@ -20,7 +20,7 @@ DrillKernel::DrillKernel(
     , m_cut(cut)
     , m_columns(cut.frame, fields.grid())
     , m_caster(programs.cast, fields, cut.frame)
-    , m_cutter(programs.cut, fields, before, cut.frame, {cut.layer, cut.laying})
+    , m_cutter(programs.cut, fields, before, cut.frame, {cut.layer, cut.laying, cut.frame.spared})
 {
 }
 

@@ -57,7 +57,7 @@ LaserKernel::LaserKernel(
     , m_fields(fields)
     , m_cut(cut)
     , m_caster(programs.cast, fields, cut.frame)
-    , m_writer(fields, before, {cut.layer, cut.laying})
+    , m_writer(fields, before, {cut.layer, cut.laying, cut.frame.spared})
     , m_mask(bufferOf(
           "laser mask", std::vector<std::uint32_t>(cut.mask.values.begin(), cut.mask.values.end())))
 {
@@ -68,8 +68,8 @@ LaserKernel::LaserKernel(
         .set("pitch", cut.frame.pitch)
         .set("rampHalfWidth", cut.frame.rampHalfWidth)
         .set("lift", cut.lift)
-        .set("refillsUpwards", cut.frame.restore)
-        .set("refill", m_writer.refills());
+        .set("refillsUpwards", cut.frame.restore);
+    m_writer.prepare(m_programs.cut);
     setHidden(m_programs.cut, cut.frame.hidden);
 }
 

@@ -9,7 +9,8 @@ PeelKernel::PeelKernel(
     , m_before(before)
     , m_peel(peel)
     , m_columns(peel.frame, fields.grid())
-    , m_cutter(programs.cut, fields, before, peel.frame, {peel.layer, peel.laying})
+    , m_cutter(
+          programs.cut, fields, before, peel.frame, {peel.layer, peel.laying, peel.frame.spared})
     , m_hits(castMask(programs, fields, peel.frame, peel.mask, m_columns.room()))
     , m_sheet(core::peelSheet(peel, m_hits))
 {

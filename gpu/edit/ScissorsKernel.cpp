@@ -9,8 +9,8 @@ std::vector<std::uint32_t> cutWithScissors(MaskPrograms& programs, VoxelFields& 
     BeforeImages& before, const core::MaskScissors& scissors)
 {
     MaskColumns columns(scissors.frame, fields.grid());
-    ColumnCutter cutter(
-        programs.cut, fields, before, scissors.frame, {scissors.layer, scissors.laying});
+    ColumnCutter cutter(programs.cut, fields, before, scissors.frame,
+        {scissors.layer, scissors.laying, scissors.frame.spared});
     std::vector<core::SurfaceHit> hits;
     if (scissors.fromSurface)
         hits = castMask(programs, fields, scissors.frame, scissors.mask, columns.room());

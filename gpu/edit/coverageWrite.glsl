@@ -1,6 +1,8 @@
 // Laying a cut into the coverage of a layer (core/sculpt/MaskFrame.h, the end of rule 6). Needs
 // edit/bricks.glsl.
 
+#include "edit/spared.glsl"
+
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 0, r8ui) uniform uimage3D coverage; // atlas
 
@@ -12,7 +14,7 @@ bool writeCut(uint entry, ivec3 voxel, uint cut)
     ivec3 texel = atlasTexel(entry, voxel);
     uint held = imageLoad(coverage, texel).r;
     uint value = refill ? min(held, 255u - cut) : max(held, cut);
-    if (value == held)
+    if (value == held || (!refill && isSpared(voxel)))
         return false;
     imageStore(coverage, texel, uvec4(value));
     return true;

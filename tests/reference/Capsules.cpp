@@ -131,6 +131,8 @@ void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::in
 {
     if (hidesVoxel(cut.hidden, voxel))
         return;
+    if (!cut.restore && cut.spared.labels.test(m_fields.labels(cut.spared.plane).at(voxel)))
+        return;
     const std::int64_t r = m_frame.rampHalfWidth;
     const std::int64_t t = m_frame.radius - (squareRoot(squared) << m_frame.shift);
     const std::int64_t value = (std::clamp(t, -r, r) + r) * 255 / (2 * r);

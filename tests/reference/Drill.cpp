@@ -10,7 +10,7 @@ namespace reference {
 Drill::Drill(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
     DenseFields& fields, core::DrillCut cut)
     : m_cut(std::move(cut))
-    , m_plane(codes, std::move(radiation), fields.coverage(m_cut.layer), m_cut.frame)
+    , m_plane(codes, std::move(radiation), fields, m_cut.layer, m_cut.frame)
 {
 }
 

@@ -28,8 +28,9 @@ Laser::Laser(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> ra
     : m_codes(codes)
     , m_radiation(radiation)
     , m_coverage(fields.coverage(cut.layer))
+    , m_labels(fields.labels(cut.frame.spared.plane))
     , m_cut(std::move(cut))
-    , m_plane(codes, std::move(radiation), m_coverage, m_cut.frame)
+    , m_plane(codes, std::move(radiation), fields, m_cut.layer, m_cut.frame)
 {
 }
 
@@ -214,6 +215,9 @@ void Laser::lay(const Beam& beam, std::int64_t depth)
                     (depth * weight(floorDivide(p[0], frame.pitch), floorDivide(p[1], frame.pitch)))
                     >> 8;
                 if (d <= 0 || hidesVoxel(frame.hidden, voxel))
+                    continue;
+                if (m_cut.laying == core::Laying::Carve
+                    && frame.spared.labels.test(m_labels.at(voxel)))
                     continue;
                 const auto cut = std::uint8_t(frame.restore
                         ? std::min(ramp(m_cut.lift - p[2], r), ramp(p[2] + d, r))

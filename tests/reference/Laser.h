@@ -45,6 +45,7 @@ private:
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
     DenseArray<std::uint8_t>& m_coverage;
+    const DenseArray<std::uint8_t>& m_labels; ///< of what is spared
     core::LaserCut m_cut;
     MaskPlane m_plane;
     std::map<MaskPlane::Place, std::vector<std::int64_t>>

@@ -39,10 +39,11 @@ std::int64_t squareRoot(std::int64_t value)
 }
 
 MaskPlane::MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
-    DenseArray<std::uint8_t>& coverage, core::MaskFrame frame)
+    DenseFields& fields, std::uint8_t layer, core::MaskFrame frame)
     : m_codes(codes)
     , m_radiation(std::move(radiation))
-    , m_coverage(coverage)
+    , m_coverage(fields.coverage(layer))
+    , m_labels(fields.labels(frame.spared.plane))
     , m_frame(frame)
 {
 }
@@ -160,6 +161,9 @@ void MaskPlane::lay(const std::map<Place, Column>& columns, core::Laying laying)
                         floorDivide(plane(1), m_frame.pitch)});
                     if (column == columns.end()
                         || hidesVoxel(m_frame.hidden, o + glm::ivec3(i, j, k)))
+                        continue;
+                    if (laying == core::Laying::Carve
+                        && m_frame.spared.labels.test(m_labels.at(o + glm::ivec3(i, j, k))))
                         continue;
                     const Column& c = column->second;
                     const std::int64_t z = plane(2);

@@ -30,7 +30,7 @@ public:
 
     /// @param radiation as it is now
     MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
-        DenseArray<std::uint8_t>& coverage, core::MaskFrame frame);
+        DenseFields& fields, std::uint8_t layer, core::MaskFrame frame);
 
     [[nodiscard]] const core::MaskFrame& frame() const { return m_frame; }
     [[nodiscard]] std::optional<Hit> cast(std::int64_t a, std::int64_t b) const;
@@ -41,6 +41,7 @@ private:
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
     DenseArray<std::uint8_t>& m_coverage;
+    const DenseArray<std::uint8_t>& m_labels; ///< of what is spared
     core::MaskFrame m_frame;
 };
 

@@ -78,7 +78,7 @@ Peel::Peel(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radi
     : m_peel(std::move(peel))
     , m_coverage(fields.coverage(m_peel.layer))
     , m_before(m_coverage)
-    , m_plane(codes, std::move(radiation), m_coverage, m_peel.frame)
+    , m_plane(codes, std::move(radiation), fields, m_peel.layer, m_peel.frame)
 {
     Hits hits;
     for (const auto& [place, weight] : weightsOf(m_peel.mask)) {
@@ -138,7 +138,7 @@ void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
 {
     const core::MaskFrame& frame = scissors.frame;
     const std::int64_t r = frame.rampHalfWidth;
-    MaskPlane plane(codes, std::move(radiation), fields.coverage(scissors.layer), frame);
+    MaskPlane plane(codes, std::move(radiation), fields, scissors.layer, frame);
     std::map<Place, MaskPlane::Column> columns;
     for (const auto& [place, weight] : weightsOf(scissors.mask)) {
         MaskPlane::Column column;

@@ -347,7 +347,7 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
         return known->second;
     const State& before = m_states.at(m_rows.at(stroke.row).parent);
     Bricks coverage = before.bricks;
-    std::erase_if(coverage, [](const auto& each) { return isOf(each.first, false); });
+    std::erase_if(coverage, [](const auto& each) { return each.first.field == Field::SeedWords; });
     EngineEdit edit;
     std::vector<EngineExtension> paths;
     if (const auto* drill = std::get_if<DrillStroke>(&stroke.form)) {
@@ -382,7 +382,7 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
     }
     Cut cut;
     for (const auto& [brick, bytes] : after(coverage, edit, paths, nullptr, &before.document)) {
-        if (brick.plane == truthLayer)
+        if (brick.field == Field::Coverage && brick.plane == truthLayer)
             cut[brick.brick] = bytes;
     }
     return m_cuts[key] = cut;
@@ -446,6 +446,13 @@ template <class T> void take(T& target, const std::optional<T>& value)
     target = value.value_or(target);
 }
 
+/// What was measured on a piece that is gone.
+void release(int piece, Document& document)
+{
+    for (Measurement& measurement : document.measurements)
+        measurement.piece = measurement.piece == piece ? 0 : measurement.piece;
+}
+
 void removeLayer(int id, Document& document)
 {
     for (std::size_t i = document.pieces.size(); i-- > 0;) {
@@ -453,6 +460,7 @@ void removeLayer(int id, Document& document)
         if (piece.layer != id)
             continue;
         document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        release(piece.id, document);
         document.pieces.erase(document.pieces.begin() + std::ptrdiff_t(i));
     }
     document.layers.erase(with(document.layers, &SculptLayer::id, id));
@@ -496,6 +504,7 @@ void changePieces(const Edit& edit, Document& document)
             piece.pose = PiecePose{};
     } else if (const auto* gone = std::get_if<RemovePiece>(&edit)) {
         pieces.erase(with(pieces, &Piece::id, gone->piece));
+        release(gone->piece, document);
         document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, gone->piece);
     }
 }
@@ -520,6 +529,7 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         take(segment.rgb, change->rgb);
         take(segment.code, change->code);
         take(segment.locked, change->locked);
+        take(segment.uncarvable, change->uncarvable);
     } else if (const auto* moved = std::get_if<MoveSegment>(&edit)) {
         move(segments, &Segment::label, moved->segment, moved->place);
     } else if (const auto* remove = std::get_if<RemoveSegment>(&edit)) {
@@ -527,10 +537,12 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, remove->segment);
         std::vector<Piece> left;
         for (const Piece& piece : document.pieces) {
-            if (piece.segment != remove->segment)
+            if (piece.segment != remove->segment) {
                 left.push_back(piece);
-            else
+            } else {
                 document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+                release(piece.id, document);
+            }
         }
         document.pieces = left;
     } else if (const auto* layer = std::get_if<AddLayer>(&edit)) {
@@ -561,6 +573,19 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .name = view->name,
             .view = view->view,
             .crosshairLps = view->crosshairLps});
+    } else if (const auto* measured = std::get_if<AddMeasurement>(&edit)) {
+        int id = document.greatestRemovedMeasurement;
+        for (const Measurement& measurement : document.measurements)
+            id = std::max(id, measurement.id);
+        document.measurements.push_back({.id = id + 1,
+            .fromLps = measured->fromLps,
+            .toLps = measured->toLps,
+            .piece = measured->piece.value_or(0)});
+    } else if (const auto* length = std::get_if<RemoveMeasurement>(&edit)) {
+        document.measurements.erase(
+            with(document.measurements, &Measurement::id, length->measurement));
+        document.greatestRemovedMeasurement =
+            std::max(document.greatestRemovedMeasurement, length->measurement);
     } else if (const auto* forgotten = std::get_if<RemoveBookmark>(&edit)) {
         document.bookmarks.erase(
             with(document.bookmarks, &CameraBookmark::id, forgotten->bookmark));

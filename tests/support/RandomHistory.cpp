@@ -189,7 +189,7 @@ private:
     Edit randomChange(const Document& document)
     {
         ChangeSegment change{.segment = any(document.segments).label};
-        switch (between(0, 3)) {
+        switch (between(0, 4)) {
         case 0:
             change.name = randomName();
             break;
@@ -200,6 +200,9 @@ private:
             change.code = chance(50) ? CodedConcept{QStringLiteral("SCT"),
                               QStringLiteral("89546000"), QStringLiteral("Skull")}
                                      : CodedConcept{};
+            break;
+        case 3:
+            change.uncarvable = chance(60);
             break;
         default:
             change.locked = chance(40);
@@ -255,10 +258,20 @@ private:
             seen.hidden = sides;
         return seen;
     }
+    /// Views and distances that are kept.
     Edit randomBookmark(const Document& document)
     {
         if (!document.bookmarks.empty() && chance(50))
             return RemoveBookmark{.bookmark = any(document.bookmarks).id};
+        if (!document.measurements.empty() && chance(30))
+            return RemoveMeasurement{.measurement = any(document.measurements).id};
+        if (chance(50)) {
+            AddMeasurement measured{.fromLps = randomDrill().view.targetLps,
+                .toLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
+            if (!document.pieces.empty() && chance(50))
+                measured.piece = any(document.pieces).id;
+            return measured;
+        }
         return AddBookmark{.name = randomName(),
             .view = randomDrill().view,
             .crosshairLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};

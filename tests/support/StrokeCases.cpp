@@ -638,6 +638,25 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         {first, core::PastePiece{.segment = 1, .name = QStringLiteral("Copy")}},
         core::RemoveSegment{.segment = 1}});
 
+    const core::Edit shield = core::ChangeSegment{.segment = 1, .uncarvable = true};
+    cases.push_back({"protect a segment", volume, {first}, shield});
+    cases.push_back(
+        {"drill beside a protected segment", volume, {first, seeds, all, shield}, drill});
+    cases.push_back(
+        {"restore a protected segment", volume, {first, seeds, all, drill, shield}, [&drill] {
+             core::DrillStroke filled = drill;
+             filled.restore = true;
+             return filled;
+         }()});
+    const core::AddMeasurement length{
+        .fromLps = glm::dvec3(1, 2, 3), .toLps = glm::dvec3(4, 6, 3), .piece = {}};
+    core::AddMeasurement onPiece = length;
+    onPiece.piece = 1;
+    cases.push_back({"measure", volume, {}, length});
+    cases.push_back({"measure on a piece", volume, {drill, lift}, onPiece});
+    cases.push_back(
+        {"remove a measurement", volume, {length}, core::RemoveMeasurement{.measurement = 1}});
+
     for (int number = 0; number < randomCount; ++number)
         cases.push_back(randomLists(number));
     for (int number = 0; number < randomCount; ++number) {

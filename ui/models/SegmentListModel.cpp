@@ -105,6 +105,8 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
         return segment->visible;
     case LockedRole:
         return segment->locked;
+    case ProtectedRole:
+        return segment->uncarvable;
     case VolumeRole:
         return millilitreText(segment->voxels, m_workspace.volume()->geometry.voxelVolumeMm3());
     case CodeRole:
@@ -150,6 +152,10 @@ bool SegmentListModel::change(const core::Segment& segment, const QVariant& valu
         if (value.toBool() == segment.locked)
             return false;
         edit.locked = value.toBool();
+    } else if (role == ProtectedRole) {
+        if (value.toBool() == segment.uncarvable)
+            return false;
+        edit.uncarvable = value.toBool();
     } else if (role == CodeRole) {
         const QStringList code = value.toStringList();
         const core::CodedConcept coded{code.value(0), code.value(1), code.value(2)};

@@ -20,6 +20,7 @@ public:
         ColourRole, ///< QColor; can be set
         VisibleRole, ///< bool; can be set
         LockedRole, ///< bool; can be set
+        ProtectedRole, ///< bool: no tool carves it; can be set
         VolumeRole, ///< QString: "9.8 mL", "—" while empty
         CodeRole, ///< QStringList {scheme, value, meaning}, empty if not coded; can be set
         CodeTextRole, ///< QString: the meaning, or "not coded yet"

@@ -147,7 +147,7 @@ void LayersPanel::addPassages(QMenu& menu, int layer)
     QAction* carve = menu.addAction(segment ? tr("Carve segment '%1' into it").arg(segment->name)
                                             : tr("Carve the segment into it"),
         this, [this, layer] { segmentToLayer(m_workspace, m_workspace.activeSegment(), layer); });
-    carve->setEnabled(segment && document.carves(*document.layer(layer)));
+    carve->setEnabled(segment && !segment->uncarvable && document.carves(*document.layer(layer)));
     QMenu* merge = menu.addMenu(tr("Merge into"));
     for (const core::SculptLayer& other : document.layers) {
         if (other.id == layer)

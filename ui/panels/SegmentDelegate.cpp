@@ -44,6 +44,11 @@ QRect SegmentDelegate::lockRect(const QRect& row)
     return {row.right() - lockWidth, row.top() + 4, 16, 16};
 }
 
+QRect SegmentDelegate::shieldRect(const QRect& row)
+{
+    return lockRect(row).translated(0, 17);
+}
+
 QSize SegmentDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
 {
     return {160, rowHeight};
@@ -88,11 +93,20 @@ void SegmentDelegate::paint(
     painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter,
         index.data(SegmentListModel::VolumeRole).toString());
     const bool locked = index.data(SegmentListModel::LockedRole).toBool();
-    // An open lock says where to click, to who is looking there.
-    if (locked || option.state.testFlag(QStyle::State_MouseOver)) {
+    const bool isProtected = index.data(SegmentListModel::ProtectedRole).toBool();
+    // What is not on says where to click, to who is looking there.
+    const bool looking = option.state.testFlag(QStyle::State_MouseOver);
+    if (locked || looking) {
         painter->drawPixmap(lockRect(row),
             tintedIcon(locked ? QStringLiteral("lock") : QStringLiteral("unlock"),
                 locked ? theme::text : theme::secondary, 16, ratio));
+    }
+    if (isProtected || looking) {
+        if (!isProtected)
+            painter->setOpacity(0.45);
+        painter->drawPixmap(shieldRect(row),
+            tintedIcon(QStringLiteral("shield"), isProtected ? theme::accent : theme::secondary, 16,
+                ratio));
     }
     painter->restore();
 }
@@ -109,8 +123,9 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
         const bool eye = eyeRect(option.rect).adjusted(-6, -10, 4, 10).contains(at);
         const bool colour = colourRect(option.rect).adjusted(-5, -13, 5, 13).contains(at);
         const bool code = codeRect(option.rect).contains(at);
-        const bool lock = lockRect(option.rect).adjusted(-3, -4, 4, 3).contains(at);
-        if (mouse->button() == Qt::LeftButton && (eye || colour || code || lock)) {
+        const bool lock = lockRect(option.rect).adjusted(-3, -4, 4, 0).contains(at);
+        const bool shield = shieldRect(option.rect).adjusted(-3, 0, 4, 3).contains(at);
+        if (mouse->button() == Qt::LeftButton && (eye || colour || code || lock || shield)) {
             // On release, so that a click begun elsewhere does nothing; a double click is two
             // clicks.
             if (release && eye) {
@@ -119,12 +134,15 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
             } else if (release && lock) {
                 model->setData(index, !index.data(SegmentListModel::LockedRole).toBool(),
                     SegmentListModel::LockedRole);
+            } else if (release && shield) {
+                model->setData(index, !index.data(SegmentListModel::ProtectedRole).toBool(),
+                    SegmentListModel::ProtectedRole);
             } else if (release && colour) {
                 Q_EMIT colourAsked(index);
             } else if (release && code) {
                 Q_EMIT codeAsked(index);
             }
-            return eye || colour || lock || twice;
+            return eye || colour || lock || shield || twice;
         }
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);

@@ -5,8 +5,9 @@
 
 namespace ui {
 
-/// A row of the segment list: eye, colour, name with its code below, volume, lock. A click on the
-/// eye shows or hides; a click on the colour or the code asks for it.
+/// A row of the segment list: eye, colour, name with its code below, volume, lock, and a shield
+/// where no sculpting tool carves. A click on the eye, the lock or the shield switches it; a click
+/// on the colour or the code asks for it.
 class SegmentDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -28,6 +29,7 @@ public:
     [[nodiscard]] static QRect eyeRect(const QRect& row);
     [[nodiscard]] static QRect colourRect(const QRect& row);
     [[nodiscard]] static QRect lockRect(const QRect& row);
+    [[nodiscard]] static QRect shieldRect(const QRect& row);
     [[nodiscard]] static QRect codeRect(const QRect& row);
 
 Q_SIGNALS:

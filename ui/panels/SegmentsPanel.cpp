@@ -160,6 +160,11 @@ void SegmentsPanel::showMenu(const QPoint& position)
     const bool locked = index.data(SegmentListModel::LockedRole).toBool();
     menu.addAction(locked ? tr("Unlock") : tr("Lock"), this,
         [this, index, locked] { m_model->setData(index, !locked, SegmentListModel::LockedRole); });
+    const bool isProtected = index.data(SegmentListModel::ProtectedRole).toBool();
+    menu.addAction(isProtected ? tr("Let tools carve it") : tr("Protect from sculpting"), this,
+        [this, index, isProtected] {
+            m_model->setData(index, !isProtected, SegmentListModel::ProtectedRole);
+        });
     menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, index, visible] {
         m_model->setData(index, !visible, SegmentListModel::VisibleRole);
     });
@@ -202,7 +207,8 @@ void SegmentsPanel::addPassages(QMenu& menu, const QModelIndex& index)
     add->setEnabled(!locked);
     QAction* carve = menu.addAction(tr("Carve it into layer '%1'").arg(layer->name), this,
         [this, label, id] { segmentToLayer(m_workspace, label, id); });
-    carve->setEnabled(document.carves(*layer));
+    carve->setEnabled(
+        document.carves(*layer) && !index.data(SegmentListModel::ProtectedRole).toBool());
 }
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/tools/CarveBrushTool.h"
 
 #include "core/edits/HiddenSides.h"
+#include "ui/LayerActions.h"
 #include "ui/tools/BrushOptions.h"
 #include "ui/tools/CursorLabel.h"
 
@@ -41,16 +42,7 @@ QWidget* CarveBrushTool::createOptions(QWidget* parent)
 
 QString CarveBrushTool::action(bool inverted) const
 {
-    const core::EditSession* session = workspace().session();
-    const core::SculptLayer* layer =
-        session ? session->document().layer(workspace().activeLayer()) : nullptr;
-    if (!layer)
-        return {};
-    if (layer->muted)
-        return tr("layer %1 is muted").arg(layer->name);
-    if (!session->document().carves(*layer))
-        return tr("layer %1 is left out").arg(layer->name);
-    return (inverted ? tr("restores layer %1") : tr("carves layer %1")).arg(layer->name);
+    return carvingTarget(workspace(), inverted);
 }
 
 QColor CarveBrushTool::colour() const

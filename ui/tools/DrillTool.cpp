@@ -3,6 +3,7 @@
 
 #include "core/edits/HiddenSides.h"
 #include "core/edits/ToolMasks.h"
+#include "ui/LayerActions.h"
 #include "ui/tools/CursorLabel.h"
 #include "ui/tools/DrillMask.h"
 #include "ui/tools/DrillOptions.h"
@@ -75,16 +76,7 @@ QString DrillTool::hint() const
 
 QString DrillTool::target() const
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::SculptLayer* layer =
-        session ? session->document().layer(m_workspace.activeLayer()) : nullptr;
-    if (!layer)
-        return {};
-    if (layer->muted)
-        return tr("layer %1 is muted").arg(layer->name);
-    if (!session->document().carves(*layer))
-        return tr("layer %1 is left out").arg(layer->name);
-    return (m_restores ? tr("restores layer %1") : tr("carves layer %1")).arg(layer->name);
+    return carvingTarget(m_workspace, m_restores);
 }
 
 QString DrillTool::keys() const

@@ -6,6 +6,7 @@
 namespace core::editSchema {
 
 inline constexpr editFields::WholeNumber bookmarkNumber{1, 1000000};
+inline constexpr editFields::WholeNumber measurementNumber{1, 1000000};
 
 template <> inline constexpr const char* editName<AddSegment> = "addSegment";
 template <>
@@ -23,7 +24,8 @@ template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
 template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
 template <>
 inline constexpr const char* editMeaning<ChangeSegment> =
-    "Renames, recolours, codes or locks a segment; fields left out stay as they are.";
+    "Renames, recolours, codes or locks a segment, or protects it from sculpting; fields left out "
+    "stay as they are.";
 template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
@@ -32,6 +34,8 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
     visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
     visit.maybe("locked", edit.locked, editFields::Flag{},
         "whether its voxels are kept from every tool and growth");
+    visit.maybe("protected", edit.uncarvable, editFields::Flag{},
+        "whether no sculpting tool carves where it is");
 }
 
 template <> inline constexpr const char* editName<MoveSegment> = "moveSegment";
@@ -129,6 +133,30 @@ inline constexpr const char* editMeaning<RemoveBookmark> = "Forgets a view that 
 template <class Visitor> void visitFields(Visitor& visit, RemoveBookmark& edit)
 {
     visit.field("bookmark", Presence::Required, edit.bookmark, bookmarkNumber, "which bookmark");
+}
+
+template <> inline constexpr const char* editName<AddMeasurement> = "addMeasurement";
+template <>
+inline constexpr const char* editMeaning<AddMeasurement> =
+    "Keeps the distance between two points. Measurements are numbered 1, 2, 3 … in the order they "
+    "are added.";
+template <class Visitor> void visitFields(Visitor& visit, AddMeasurement& edit)
+{
+    visit.field("fromLps", Presence::Required, edit.fromLps, positionLps,
+        "one end, at its true place, patient coordinates (LPS)");
+    visit.field("toLps", Presence::Required, edit.toLps, positionLps,
+        "the other end, at its true place, patient coordinates (LPS)");
+    visit.maybe("piece", edit.piece, editFields::WholeNumber{1, 1000000},
+        "the piece that it is shown on in 3D", "none");
+}
+
+template <> inline constexpr const char* editName<RemoveMeasurement> = "removeMeasurement";
+template <>
+inline constexpr const char* editMeaning<RemoveMeasurement> = "Forgets a distance that was kept.";
+template <class Visitor> void visitFields(Visitor& visit, RemoveMeasurement& edit)
+{
+    visit.field("measurement", Presence::Required, edit.measurement, measurementNumber,
+        "which measurement");
 }
 
 } // namespace core::editSchema

@@ -64,6 +64,15 @@ template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
         "nothing");
 }
 
+/// What a cut leaves as it is.
+template <class Visitor> void visitSpared(Visitor& visit, SparedSegments& spared)
+{
+    visit.maybe("spared", spared, editFields::SegmentList{},
+        "segments that are not carved, those that are protected added when it is carried out; "
+        "not while restoring",
+        "those that are protected");
+}
+
 /// A brush and the way it went, as every edit that has one writes it.
 template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
 {

@@ -96,6 +96,7 @@ void visitSamples(Visitor& visit, Stroke& edit, const char* samplesMeaning)
         "corners; in mode rate they always are");
     visit.field("samples", Presence::Required, edit.samples, SampleList{}, samplesMeaning);
     visitHidden(visit, edit.hidden);
+    visitSpared(visit, edit.spared);
 }
 
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
@@ -156,6 +157,7 @@ template <class Visitor> void visitFields(Visitor& visit, BrushStroke& edit)
     visit.field("restore", Presence::Optional, edit.restore, editFields::Flag{},
         "whether carved voxels come back instead");
     visitHidden(visit, edit.hidden);
+    visitSpared(visit, edit.spared);
 }
 
 template <> inline constexpr const char* editName<PeelCut> = "peel";
@@ -181,6 +183,7 @@ template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
     visit.field("restore", Presence::Optional, edit.restore, Flag{},
         "whether it fills again what was carved, from the surface outwards");
     visitHidden(visit, edit.hidden);
+    visitSpared(visit, edit.spared);
 }
 
 template <> inline constexpr const char* editName<ScissorsCut> = "scissors";
@@ -203,6 +206,7 @@ template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
     visit.field("restore", Presence::Optional, edit.restore, Flag{},
         "whether it fills again what was carved");
     visitHidden(visit, edit.hidden);
+    visitSpared(visit, edit.spared);
 }
 
 } // namespace core::editSchema

@@ -131,6 +131,13 @@ private Q_SLOTS:
         row("piece", ChangePiece{.piece = 3}, ErrorCode::InvalidField, "changePiece.piece");
         row("piece to remove", RemovePiece{.piece = 3}, ErrorCode::InvalidField,
             "removePiece.piece");
+        row("measurement", RemoveMeasurement{.measurement = 3}, ErrorCode::InvalidField,
+            "removeMeasurement.measurement");
+        const glm::dvec3 place(1, 2, 3);
+        row("no distance", AddMeasurement{.fromLps = place, .toLps = place},
+            ErrorCode::InvalidField, "addMeasurement.toLps");
+        row("piece to measure", AddMeasurement{.toLps = place, .piece = 3}, ErrorCode::InvalidField,
+            "addMeasurement.piece");
         AddBookmark nowhere = bookmark("Nowhere");
         nowhere.view.eyeLps = nowhere.view.targetLps;
         row("view of nothing", nowhere, ErrorCode::InvalidField, "addBookmark.view");

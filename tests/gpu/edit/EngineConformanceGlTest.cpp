@@ -57,7 +57,7 @@ std::vector<EngineCase> EngineConformanceGlTest::cases()
              test::laserCases(all ? 400 : 20), test::pickCases(all ? 150 : 8),
              test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
              test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
-             test::refusalCases()})
+             test::sparedCases(all ? 200 : 20), test::refusalCases()})
         collected.insert(collected.end(), more.begin(), more.end());
     return collected;
 }

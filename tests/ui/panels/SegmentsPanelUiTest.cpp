@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ui/LayerActions.h"
+#include "ui/panels/SegmentDelegate.h"
 #include "ui/panels/SegmentsPanel.h"
 
 #include "tests/support/FailingLog.h"
@@ -124,6 +126,32 @@ private Q_SLOTS:
         fixture.pressDelete(fixture.list);
         QCOMPARE(fixture.session().history().rows().size(), rows);
         QCOMPARE(failed.size(), 1);
+    }
+
+    /// The shield of a row: one click, one step; tools say whom they spare.
+    void aShieldKeepsToolsOff()
+    {
+        Fixture fixture;
+        QCOMPARE(
+            ui::carvingTarget(fixture.workspace, false), QStringLiteral("carves layer Sculpt 1"));
+        const QModelIndex bone = fixture.list->model()->index(1, 0);
+        const auto click = [&] {
+            const QRect row = fixture.list->visualRect(bone);
+            const QPoint at = ui::SegmentDelegate::shieldRect(row).center();
+            QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {}, at);
+            QVERIFY(fixture.session().settle());
+        };
+        click();
+        QVERIFY(fixture.session().document().segment(2)->uncarvable);
+        QVERIFY(!fixture.session().document().segment(2)->locked);
+        QCOMPARE(fixture.session().history().rows().back().name,
+            QStringLiteral("Protect segment 'Bone' from sculpting"));
+        QCOMPARE(ui::carvingTarget(fixture.workspace, false),
+            QStringLiteral("carves layer Sculpt 1, not Bone"));
+        QCOMPARE(
+            ui::carvingTarget(fixture.workspace, true), QStringLiteral("restores layer Sculpt 1"));
+        click();
+        QVERIFY(!fixture.session().document().segment(2)->uncarvable);
     }
 };
 

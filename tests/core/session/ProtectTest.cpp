@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/EditSession.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace core;
+
+namespace {
+
+struct Bench {
+    explicit Bench(const std::vector<Edit>& edits = {}, const QString& file = {})
+    {
+        session = *EditSession::create(engine, test::smallStudy(), {.file = file});
+        for (const Edit& edit : edits)
+            run(edit);
+    }
+    void run(const Edit& edit)
+    {
+        const Result<void> done = attempt(edit);
+        QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
+    }
+    [[nodiscard]] Result<void> attempt(const Edit& edit)
+    {
+        const Result<void> applied = session->apply(edit);
+        return applied ? session->settle() : applied;
+    }
+    /// Why an edit is refused; nothing may have changed then.
+    [[nodiscard]] ErrorCode refusal(const Edit& edit)
+    {
+        const QByteArray before = session->stateHash();
+        const std::size_t rows = session->history().rows().size();
+        const Result<void> done = attempt(edit);
+        if (done || session->stateHash() != before || session->history().rows().size() != rows)
+            return ErrorCode::Internal;
+        return done.error().code;
+    }
+    [[nodiscard]] reference::DenseArray<std::uint8_t> coverage(std::uint8_t layer = 1) const
+    {
+        reference::DenseFields fields = engine.fields();
+        return fields.coverage(layer);
+    }
+    [[nodiscard]] reference::DenseArray<std::uint8_t> labels() const
+    {
+        reference::DenseFields fields = engine.fields();
+        return fields.labels(0);
+    }
+
+    reference::ReferenceEngine engine;
+    std::unique_ptr<EditSession> session;
+};
+
+Edit protect(int segment, bool on = true)
+{
+    return ChangeSegment{.segment = segment, .uncarvable = on};
+}
+
+/// A ball in the shell of bone that the drill goes through.
+PaintStroke paintIn(int segment, double radiusMm = 3.0)
+{
+    const DrillStroke drill = test::drillAt(0);
+    PaintStroke paint{.segment = segment};
+    paint.path.radiusMm = radiusMm;
+    const glm::dvec3 towards = glm::normalize(drill.view.targetLps - drill.view.eyeLps);
+    const VolumeGeometry geometry = test::smallStudy().volume.geometry;
+    const glm::dvec3 middle = geometry.toWorld(glm::dvec3(geometry.size - 1) / 2.0);
+    paint.path.pointsLps = {middle - 15.0 * towards};
+    return paint;
+}
+
+DrillStroke deepDrill(double depthMm = 9.0)
+{
+    DrillStroke drill = test::drillAt(0);
+    drill.mask.radiusMm = 7.0;
+    drill.depthMm = depthMm;
+    drill.throughGaps = true;
+    return drill;
+}
+
+const Edit vessel = test::addSegment("Vessel");
+
+std::vector<Edit> cutsOfEveryTool()
+{
+    const DrillStroke drill = deepDrill();
+    LaserStroke laser{.view = drill.view, .mask = drill.mask, .depthMm = 9.0};
+    laser.surfaceThreshold = drill.surfaceThreshold;
+    laser.samples = drill.samples;
+    const std::vector<glm::dvec2> outline{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
+    PeelCut peel{.view = drill.view, .polygonMm = outline, .depthMm = 9.0};
+    peel.surfaceThreshold = drill.surfaceThreshold;
+    ScissorsCut scissors{.view = drill.view, .polygonMm = outline};
+    scissors.surfaceThreshold = drill.surfaceThreshold;
+    BrushStroke brush;
+    brush.path = paintIn(1, 6.0).path;
+    return {drill, laser, peel, scissors, brush};
+}
+
+} // namespace
+
+class ProtectTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// Voxel by voxel: nothing of the segment is carved, and all else is as it would be anyway.
+    void noToolCutsIt_data()
+    {
+        QTest::addColumn<int>("tool");
+        int tool = 0;
+        for (const char* name : {"drill", "laser", "peel", "scissors", "brush"})
+            QTest::newRow(name) << tool++;
+    }
+    void noToolCutsIt()
+    {
+        QFETCH(int, tool);
+        const Edit cut = cutsOfEveryTool()[std::size_t(tool)];
+        const Bench plain({vessel, paintIn(1), cut});
+        const Bench kept({vessel, paintIn(1), protect(1), cut});
+        const auto free = plain.coverage();
+        const auto spared = kept.coverage();
+        const auto labels = kept.labels();
+        int inside = 0;
+        int outside = 0;
+        for (std::size_t i = 0; i < labels.values.size(); ++i) {
+            QCOMPARE(int(spared.values[i]), labels.values[i] == 1 ? 0 : int(free.values[i]));
+            inside += labels.values[i] == 1 && free.values[i] >= 128;
+            outside += labels.values[i] != 1 && free.values[i] >= 128;
+        }
+        QVERIFY2(inside > 30 && outside > 100, qPrintable(QString::number(inside)));
+    }
+
+    /// The edit itself says what it spared: it comes out the same where nothing is protected.
+    void theEditNamesWhatItSpares()
+    {
+        Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
+        const auto drill = std::get<DrillStroke>(bench.session->history().rows().back().edit);
+        QCOMPARE(*drill.spared, std::vector<int>{1});
+        const Bench again({vessel, paintIn(1), drill});
+        QVERIFY(again.coverage().values == bench.coverage().values);
+        bench.run(protect(1, false));
+        bench.run(deepDrill());
+        const auto open = std::get<DrillStroke>(bench.session->history().rows().back().edit);
+        QVERIFY(!open.spared);
+        QVERIFY(bench.coverage().values != again.coverage().values);
+        DrillStroke unknown = deepDrill();
+        unknown.spared = std::vector<int>{1, 7};
+        QCOMPARE(bench.refusal(unknown), ErrorCode::UnknownSegment);
+        unknown.spared = std::vector<int>{1};
+        unknown.restore = true;
+        QCOMPARE(bench.refusal(unknown), ErrorCode::InvalidField);
+    }
+
+    /// What was carved before it was protected comes back; what restores, spares nothing.
+    void restoringFillsItToo()
+    {
+        DrillStroke restore = deepDrill();
+        restore.restore = true;
+        const std::vector<Edit> edits{vessel, paintIn(1), deepDrill(), restore};
+        const std::vector<Edit> guarded{vessel, paintIn(1), deepDrill(), protect(1), restore};
+        const Bench bench(guarded);
+        QVERIFY(bench.coverage().values == Bench(edits).coverage().values);
+        QVERIFY(
+            bench.coverage().values != Bench({vessel, paintIn(1), deepDrill()}).coverage().values);
+    }
+
+    void segmentsThatAreProtectedBecomeNoLayer()
+    {
+        Bench bench({vessel, paintIn(1), protect(1)});
+        QCOMPARE(
+            bench.refusal(SegmentToLayer{.segment = 1, .layer = 1}), ErrorCode::SegmentProtected);
+        bench.run(protect(1, false));
+        bench.run(SegmentToLayer{.segment = 1, .layer = 1});
+    }
+
+    /// A cut that spares segments has read their labels: paint before it cannot go alone.
+    void aCutHoldsTheLabelsThatItRead()
+    {
+        Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
+        QCOMPARE(bench.refusal(RevertRows{{2}}), ErrorCode::StepsEntangled);
+        bench.run(RevertRows{{4}});
+        bench.run(RevertRows{{2}});
+        // "Undo only" of the cut again: what it read must be there.
+        QCOMPARE(bench.refusal(RevertRows{{5}}), ErrorCode::StepsEntangled);
+        Bench open({vessel, paintIn(1), deepDrill()});
+        open.run(RevertRows{{2}}); // that one has read nothing of it
+    }
+
+    /// A revision finds the labels as they were at its row, whatever has become of them since.
+    void aRevisedCutSparesWhatItSpared()
+    {
+        PaintStroke erase = paintIn(1, 20.0);
+        erase.erase = true;
+        Bench bench({vessel, paintIn(1), protect(1), deepDrill(4.0), protect(1, false), erase});
+        QCOMPARE(bench.session->document().segment(1)->voxels, 0);
+        bench.run(ReviseStroke{.row = 4, .depthMm = 9.0});
+        const Bench drawnSo({vessel, paintIn(1), protect(1), deepDrill(9.0)});
+        QVERIFY(bench.coverage().values == drawnSo.coverage().values);
+        QVERIFY(bench.labels().values != drawnSo.labels().values);
+        // And a later cut, that is folded in, spares what it spared.
+        Bench two({vessel, paintIn(1), deepDrill(3.0), protect(1), deepDrill(9.0),
+            protect(1, false), erase});
+        const auto before = two.coverage();
+        two.run(ReviseStroke{.row = 3, .depthMm = 4.0});
+        two.run(ReviseStroke{.row = 3, .depthMm = 3.0});
+        QVERIFY(two.coverage().values == before.values);
+    }
+
+    /// Older cuts that come back, or grow deeper, do not cut what is protected by now.
+    void whatIsProtectedSinceIsNotCutByOlderSteps()
+    {
+        DrillStroke restore = deepDrill();
+        restore.restore = true;
+        Bench bench({deepDrill(), restore, vessel, paintIn(1), protect(1)});
+        QCOMPARE(bench.refusal(RevertRows{{2}}), ErrorCode::SegmentProtected);
+        bench.run(protect(1, false));
+        bench.run(RevertRows{{2}});
+
+        Bench deeper({deepDrill(2.0), vessel, paintIn(1), protect(1)});
+        QCOMPARE(
+            deeper.refusal(ReviseStroke{.row = 1, .depthMm = 9.0}), ErrorCode::SegmentProtected);
+        deeper.run(ReviseStroke{.row = 1, .depthMm = 1.0}); // less is no cut
+        deeper.run(protect(1, false));
+        deeper.run(ReviseStroke{.row = 1, .depthMm = 9.0});
+    }
+
+    /// On from the file: the same state, the same rows, and the flag.
+    void isInTheSession()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("protect.burin"));
+        QByteArray hash;
+        {
+            Bench bench({vessel, paintIn(1), protect(1), deepDrill()}, file);
+            hash = bench.session->stateHash();
+        }
+        reference::ReferenceEngine engine;
+        const auto opened = EditSession::open(engine, test::smallStudy(), file);
+        QVERIFY(opened);
+        QVERIFY((*opened)->document().segment(1)->uncarvable);
+        QCOMPARE((*opened)->stateHash(), hash);
+        QVERIFY((*opened)->undo());
+        QVERIFY((*opened)->undo());
+        QVERIFY((*opened)->settle());
+        QVERIFY(!(*opened)->document().segment(1)->uncarvable);
+    }
+};
+
+QTEST_GUILESS_MAIN(ProtectTest)
+#include "ProtectTest.moc"
