@@ -221,6 +221,21 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
     return {};
 }
 
+bool EditTransaction::join(core::EngineExtension& earlier, core::EngineExtension& next) const
+{
+    const auto append = [](auto& path, const auto& more) {
+        path.insert(path.end(), more.begin(), more.end());
+        return true;
+    };
+    if (earlier.index() != next.index())
+        return false;
+    if (auto* path = std::get_if<core::DrillPath>(&earlier); path && (m_drill || m_laser))
+        return append(path->samples, std::get<core::DrillPath>(next).samples);
+    if (auto* path = std::get_if<core::CapsulePath>(&earlier); path && m_capsule)
+        return append(path->capsules, std::get<core::CapsulePath>(next).capsules);
+    return false;
+}
+
 void EditTransaction::advance(int rings)
 {
     const int wanted = m_stepsLeft < 0 ? rings : std::min(rings, m_stepsLeft);

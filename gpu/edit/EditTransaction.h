@@ -46,6 +46,9 @@ public:
 
     /// Errors: InvalidField where the extension is of another kind of edit.
     core::Result<void> extend(const core::EngineExtension& extension);
+    /// Puts @p next behind @p earlier where extending by both at once comes to the same: pieces of
+    /// the open stroke's path. @return whether it did
+    [[nodiscard]] bool join(core::EngineExtension& earlier, core::EngineExtension& next) const;
 
     /// Steps of a growth that were asked for and not yet done.
     [[nodiscard]] bool hasStepsLeft() const { return m_stepsLeft != 0; }

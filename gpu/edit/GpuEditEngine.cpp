@@ -15,6 +15,8 @@ using Clock = EngineThread::Clock;
 
 constexpr double sliceMilliseconds = 10.0;
 constexpr std::size_t segmentationBricksPerSlice = 64;
+/// Keeps the slice of a path that has waited long within bounds.
+constexpr int extensionsAtOnce = 16;
 
 double millisecondsSince(Clock::time_point start)
 {
@@ -151,7 +153,20 @@ bool GpuEditEngine::takeNext(Waiting& next)
     next = std::move(m_waiting.front());
     m_waiting.pop_front();
     m_busy = true;
+    if (auto* extend = std::get_if<core::ExtendEdit>(&next.command); extend && m_transaction)
+        takeMore(*extend);
     return true;
+}
+
+/// What a pen told while something else was done is one piece of path: each costs as much as many.
+void GpuEditEngine::takeMore(core::ExtendEdit& first)
+{
+    for (int taken = 1; taken < extensionsAtOnce && !m_waiting.empty(); ++taken) {
+        auto* next = std::get_if<core::ExtendEdit>(&m_waiting.front().command);
+        if (!next || !m_transaction->join(first.extension, next->extension))
+            return;
+        m_waiting.pop_front();
+    }
 }
 
 bool GpuEditEngine::growthIsDue()

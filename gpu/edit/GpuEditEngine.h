@@ -48,6 +48,7 @@ private:
 
     /// Takes the next command unless it has to wait for steps of a growth.
     [[nodiscard]] bool takeNext(Waiting& next);
+    void takeMore(core::ExtendEdit& first); ///< m_mutex is held
     [[nodiscard]] bool growthIsDue();
     void growOneSlice();
     void carryOut(Waiting& next);

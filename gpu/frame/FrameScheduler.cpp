@@ -20,6 +20,11 @@ using Clock = std::chrono::steady_clock;
 /// thread to wake up; together they are what an edit may have to wait for.
 constexpr double sliceMilliseconds = 5.0;
 constexpr double coarseMilliseconds = 40.0;
+/// Of a coarse picture while edits run: they take about as long again. Under the pen it is drawn in
+/// one slice, since an edit between its tiles would only show it later.
+constexpr double editingMilliseconds = 20.0;
+/// Slices that others may draw before it is this view's turn, whoever holds the pointer.
+constexpr std::uint64_t longestWait = 8;
 /// A full picture expected to be faster than this comes at once, without a coarse one before it.
 constexpr double directMilliseconds = 90.0;
 constexpr int accumulated = 8;
@@ -97,6 +102,9 @@ bool FrameScheduler::work(bool editing)
     takeRequests();
     takeChanges();
     const bool waiting = deliver();
+    // An edit ran since it was queued: how long the tile itself took is not known.
+    if (editing && m_flying)
+        m_flying->cost = nullptr;
     if (View* view = next(editing)) {
         drawSlice(*view, editing);
         return true;
@@ -214,6 +222,11 @@ bool FrameScheduler::wants(const View& view, bool editing) const
     return view.stage == Stage::Coarse || !(view.request.interacting || editing);
 }
 
+bool FrameScheduler::isOverdue(const View& view) const
+{
+    return view.stage == Stage::Coarse && m_turn - view.turn > longestWait;
+}
+
 FrameScheduler::View* FrameScheduler::next(bool editing)
 {
     View* best = nullptr;
@@ -221,6 +234,13 @@ FrameScheduler::View* FrameScheduler::next(bool editing)
     for (auto& [id, view] : m_views) {
         if (!wants(view, editing))
             continue;
+        if (best != nullptr && isOverdue(view) != isOverdue(*best)) {
+            if (isOverdue(view)) {
+                best = &view;
+                bestId = id;
+            }
+            continue;
+        }
         const bool better = best == nullptr || view.stage < best->stage
             || (view.stage == best->stage && view.request.interacting && !best->request.interacting)
             || (view.stage == best->stage && view.request.interacting == best->request.interacting
@@ -252,10 +272,11 @@ int FrameScheduler::coarseFactor(const View& view, bool editing)
 {
     const glm::dvec2 size(view.request.sizePixels);
     const double expected = costOf(view.request.scene) * size.x * size.y * 1e-6;
+    const double wanted = editing ? editingMilliseconds : coarseMilliseconds;
     const bool patient = !view.request.interacting && !editing;
-    if (expected <= (patient ? directMilliseconds : coarseMilliseconds))
+    if (expected <= (patient ? directMilliseconds : wanted))
         return 1;
-    return std::clamp(int(std::ceil(std::sqrt(expected / coarseMilliseconds))), 1, coarsest);
+    return std::clamp(int(std::ceil(std::sqrt(expected / wanted))), 1, coarsest);
 }
 
 void FrameScheduler::drawPass(View& view, const PassTarget& target, const Tile& tile)
@@ -290,7 +311,11 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         view.milliseconds = 0.0;
     }
     double& cost = costOf(view.request.scene);
-    const Tile tile = view.tiles->take(sliceMilliseconds / cost * 1e6);
+    // While edits run one tile is under way, not two.
+    const double budget = !editing ? sliceMilliseconds
+        : view.request.interacting ? editingMilliseconds
+                                   : 2.0 * sliceMilliseconds;
+    const Tile tile = view.tiles->take(budget / cost * 1e6);
     const PassTarget target{
         .frameSize = view.request.sizePixels,
         .pixelScale = float(view.request.sizePixels.x) / float(view.tiles->size().x),
@@ -315,6 +340,8 @@ void FrameScheduler::drawSlice(View& view, bool editing)
     land();
     m_flying.emplace(std::move(drawn));
     ++m_counters.tiles;
+    if (editing)
+        land();
     if (view.tiles->finished())
         finishPicture(view);
 }
@@ -333,6 +360,8 @@ void FrameScheduler::land()
     const auto view = m_views.find(tile.view);
     if (view != m_views.end())
         view->second.milliseconds += spent.count();
+    if (!tile.cost)
+        return;
     // Follows slowly and by bounded steps: a first use compiles, a corner may be empty.
     double& cost = *tile.cost;
     const double measured = spent.count() / tile.pixels * 1e6;

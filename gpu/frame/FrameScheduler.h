@@ -81,7 +81,7 @@ private:
         Fence fence;
         std::chrono::steady_clock::time_point queued;
         double pixels = 0.0;
-        double* cost = nullptr; ///< of its kind, in m_cost
+        double* cost = nullptr; ///< of its kind, in m_cost; null: nothing to be learnt from it
     };
     /// A picture on its way from the GPU.
     struct Delivery {
@@ -96,6 +96,7 @@ private:
     void restart(View& view);
     [[nodiscard]] View* next(bool editing);
     [[nodiscard]] bool wants(const View& view, bool editing) const;
+    [[nodiscard]] bool isOverdue(const View& view) const;
     void drawSlice(View& view, bool editing);
     void land(); ///< waits for the flying tile
     void drawPass(View& view, const PassTarget& target, const Tile& tile);

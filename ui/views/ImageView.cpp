@@ -126,7 +126,8 @@ void ImageView::requestFrame(bool interacting)
     request.sizePixels = {int(width() * ratio), int(height() * ratio)};
     request.scene = scaled(scene(), 1.0 / ratio);
     request.segments = m_workspace.segmentDisplay();
-    request.interacting = interacting || m_rest.isActive() || m_dragging;
+    request.interacting =
+        interacting || m_rest.isActive() || m_dragging || m_gesture == Gesture::Tool;
     const bool same = m_requested && request.sizePixels == m_request.sizePixels
         && request.scene == m_request.scene && request.segments == m_request.segments
         && request.interacting == m_request.interacting;
@@ -230,6 +231,7 @@ void ImageView::pointerPressed(const PointerReading& reading)
         m_lastSample = reading.sample;
         m_workspace.showPressure(reading.sample.pressure);
         m_tool->press(reading.sample, context());
+        requestFrame();
     }
 }
 
@@ -284,6 +286,7 @@ void ImageView::loseStroke()
     m_glue.forget();
     if (m_tool)
         m_tool->cancel();
+    requestFrame();
 }
 
 void ImageView::endStrokeWithoutPen()
