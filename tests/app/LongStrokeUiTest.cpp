@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/ApplicationFixture.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/Pen.h"
+#include "ui/tools/Tool.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/views/VolumeView.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <sys/resource.h>
+
+namespace {
+
+constexpr double samplesPerSecond = 120.0;
+
+double milliseconds(const QElapsedTimer& timer)
+{
+    return double(timer.nsecsElapsed()) * 1e-6;
+}
+
+/// What happens in the window while the pen is down.
+struct Watch {
+    std::vector<double> handling; ///< ms, of each event of the pen
+    double longestTurn = 0.0; ///< ms between two looks at the event loop
+    std::vector<gpu::Frame::Quality> frames; ///< of the 3D view
+};
+
+/// Seconds of all processors that this program has used.
+double processorSeconds()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) { return time.tv_sec + 1e-6 * time.tv_usec; };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+QByteArray summary(const char* name, const Watch& watch, double seconds, double processors)
+{
+    std::vector<double> sorted = watch.handling;
+    std::sort(sorted.begin(), sorted.end());
+    double sum = 0.0;
+    for (const double each : sorted)
+        sum += each;
+    return QStringLiteral("%1: %2 s, %3 events; handled in %4 ms on average, 99 % within %5 ms, at "
+                          "most %6 ms; the event loop was away for %7 ms at most; %8 pictures a "
+                          "second in the 3D view, of %9 processors")
+        .arg(QLatin1String(name))
+        .arg(seconds, 0, 'f', 1)
+        .arg(sorted.size())
+        .arg(sum / double(sorted.size()), 0, 'f', 2)
+        .arg(sorted[sorted.size() * 99 / 100], 0, 'f', 2)
+        .arg(sorted.back(), 0, 'f', 2)
+        .arg(watch.longestTurn, 0, 'f', 1)
+        .arg(double(watch.frames.size()) / seconds, 0, 'f', 1)
+        .arg(processors, 0, 'f', 1)
+        .toUtf8();
+}
+
+} // namespace
+
+/// Issue 4, "no hitch": a stroke at a tablet's rate on the demonstration head, in the real window
+/// with the real engine. The numbers are printed; what decides is that nothing of the stroke is
+/// lost, that pictures keep coming, coarse ones, and that the full one comes back.
+class LongStrokeUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<test::ApplicationFixture> m_fixture;
+
+    static bool wait(const std::function<bool()>& condition)
+    {
+        return QTest::qWaitFor(condition, test::ApplicationFixture::patience);
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_fixture = std::make_unique<test::ApplicationFixture>();
+        Q_EMIT m_fixture->window().demonstrationAsked();
+        QVERIFY(wait([&] { return m_fixture->workspace().session() != nullptr; }));
+    }
+    void cleanupTestCase() { m_fixture.reset(); }
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void nothingHitches_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("drill") << QStringLiteral("drill");
+        QTest::newRow("laser") << QStringLiteral("laser");
+        QTest::newRow("carve brush") << QStringLiteral("carve");
+    }
+    void nothingHitches()
+    {
+        QFETCH(QString, name);
+        ui::MainWindow& window = m_fixture->window();
+        core::EditSession& session = m_fixture->session();
+        ui::VolumeView& view = window.views().volume();
+        for (ui::Tool* tool : window.findChildren<ui::Tool*>()) {
+            if (tool->iconName() == name)
+                m_fixture->workspace().setActiveTool(tool);
+        }
+        QVERIFY(m_fixture->workspace().activeTool());
+        view.lookFrom({0.0, -1.0, 0.0});
+        QVERIFY(wait([&] { return session.idle() && window.views().refined(); }));
+        const std::size_t rowsBefore = session.history().rows().size();
+
+        Watch watch;
+        // A picture that is new, whatever else is told of.
+        const auto counting = connect(&view, &ui::ImageView::qualityChanged, this,
+            [&watch, &view, last = view.picture().cacheKey()]() mutable {
+                if (std::exchange(last, view.picture().cacheKey()) != last && view.quality())
+                    watch.frames.push_back(*view.quality());
+            });
+        // Round and round over the forehead, as fast as a hand does.
+        const QPointF middle(0.5 * view.width(), 0.38 * view.height());
+        const double reach = 0.2 * view.height();
+        const double seconds = test::longRun() ? 10.0 : 1.5;
+        const int samples = int(seconds * samplesPerSecond);
+        const auto place = [&](int sample) {
+            const double angle = sample / samplesPerSecond * 2.2;
+            return middle
+                + QPointF(std::cos(angle), std::sin(1.7 * angle)) * reach
+                * (0.4 + 0.6 * double(sample) / samples);
+        };
+        const auto pressure = [](int sample) { return 0.55 + 0.45 * std::sin(sample * 0.05); };
+
+        test::Pen pen(view);
+        const double usedBefore = processorSeconds();
+        QElapsedTimer clock;
+        clock.start();
+        double looked = 0.0;
+        const auto handle = [&](const std::function<void(quint64)>& event) {
+            QElapsedTimer timer;
+            timer.start();
+            event(quint64(10000 + clock.elapsed()));
+            watch.handling.push_back(milliseconds(timer));
+        };
+        const auto look = [&] {
+            QCoreApplication::processEvents();
+            const double now = milliseconds(clock);
+            watch.longestTurn = std::max(watch.longestTurn, now - looked);
+            looked = now;
+        };
+        handle([&](quint64 time) { pen.press(place(0), pressure(0), time); });
+        for (int sample = 1; sample < samples; ++sample) {
+            // Who comes late gets all that is due at once, as from a tablet.
+            while (milliseconds(clock) < 1000.0 * sample / samplesPerSecond) {
+                look();
+                QThread::usleep(500);
+            }
+            handle([&](quint64 time) { pen.move(place(sample), pressure(sample), time); });
+        }
+        look();
+        const double lasted = milliseconds(clock) / 1000.0;
+        const double processors = (processorSeconds() - usedBefore) / lasted;
+        const std::vector<gpu::Frame::Quality> frames = watch.frames;
+        handle([&](quint64 time) { pen.release(place(samples - 1), time); });
+        disconnect(counting);
+        watch.frames = frames;
+        qInfo("%s", summary(qPrintable(name), watch, lasted, processors).constData());
+
+        // All of the stroke arrived, in one step.
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().rows().size(), rowsBefore + 1);
+        const core::HistoryRow& row = session.history().rows().back();
+        QVERIFY(row.statistics.voxelsChanged > 0);
+        if (const auto* drill = std::get_if<core::DrillStroke>(&row.edit))
+            QCOMPARE(drill->samples.size(), std::size_t(samples));
+        if (const auto* laser = std::get_if<core::LaserStroke>(&row.edit))
+            QCOMPARE(laser->samples.size(), std::size_t(samples));
+        // Pictures came while the pen was down; where drawing is slow, coarse ones.
+        QVERIFY2(frames.size() >= 3, qPrintable(QString::number(frames.size())));
+        const auto coarse = std::count(frames.begin(), frames.end(), gpu::Frame::Quality::Coarse);
+        QVERIFY2(2 * std::size_t(coarse) > frames.size(),
+            qPrintable(QStringLiteral("%1 of %2").arg(coarse).arg(frames.size())));
+        // Then the full picture comes back.
+        QVERIFY(wait([&] { return window.views().refined(); }));
+        QCOMPARE(
+            view.quality().value_or(gpu::Frame::Quality::Coarse), gpu::Frame::Quality::Refined);
+        test::look(window.grab(), qPrintable(QStringLiteral("long-stroke-%1.png").arg(name)));
+    }
+};
+
+QTEST_MAIN(LongStrokeUiTest)
+#include "LongStrokeUiTest.moc"
