@@ -325,6 +325,10 @@ Result<bool> apply(const GrowSteps&, Document&)
 {
     return false;
 }
+Result<bool> apply(const ShrinkSteps&, Document&)
+{
+    return false;
+}
 Result<bool> apply(const DrillStroke&, Document&)
 {
     return false;

@@ -66,6 +66,8 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
         return discardValue(seedPlacement(*seed, document));
     if (const auto* grow = std::get_if<GrowSteps>(&edit))
         return discardValue(growBurst(*grow, document));
+    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
+        return discardValue(shrinkGrowth(*shrink, document));
     if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
         if (const Result<void> checked = checkLayer("drill.layer", drill->layer, document);
             !checked)

@@ -104,6 +104,18 @@ QString WholeNumber::check(Value value) const
     return QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum);
 }
 
+QString Connectivity::read(const QJsonValue& json, Value& value) const
+{
+    return WholeNumber{6, 26}.read(json, value);
+}
+
+QString Connectivity::check(Value value) const
+{
+    if (value == 6 || value == 18 || value == 26)
+        return {};
+    return QStringLiteral("%1 is not supported, only 6, 18 and 26").arg(value);
+}
+
 QString Flag::read(const QJsonValue& json, Value& value) const
 {
     if (!json.isBool())
@@ -236,20 +248,25 @@ QString Row::check(Value value) const
     return value < 1 ? QStringLiteral("must be the number of a row, 1 or more") : QString();
 }
 
+QString StepCount::type() const
+{
+    return QStringLiteral("whole number or \"%1\"").arg(QLatin1String(all));
+}
+
 QJsonValue StepCount::write(const Value& value) const
 {
-    return value ? QJsonValue(*value) : QJsonValue(QStringLiteral("toClosure"));
+    return value ? QJsonValue(*value) : QJsonValue(QLatin1String(all));
 }
 
 QString StepCount::read(const QJsonValue& json, Value& value) const
 {
-    if (json.isString() && json.toString() == QLatin1String("toClosure")) {
+    if (json.isString() && json.toString() == QLatin1String(all)) {
         value.reset();
         return {};
     }
     int count = 0;
     if (!WholeNumber{0, 0}.read(json, count).isEmpty())
-        return QStringLiteral("must be a whole number or \"toClosure\"");
+        return QStringLiteral("must be a whole number or \"%1\"").arg(QLatin1String(all));
     value = count;
     return {};
 }

@@ -49,6 +49,18 @@ struct WholeNumber {
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
+/// How many neighbours a voxel has.
+struct Connectivity {
+    using Value = int;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("6, 18 or 26"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
 struct Flag {
     using Value = bool;
 
@@ -160,8 +172,9 @@ struct Row {
 /// A count of growth steps, or "toClosure".
 struct StepCount {
     using Value = std::optional<int>;
+    const char* all = "toClosure"; ///< the word for no value
 
-    [[nodiscard]] QString type() const { return QStringLiteral("whole number or \"toClosure\""); }
+    [[nodiscard]] QString type() const;
     [[nodiscard]] QString unit() const { return QStringLiteral("steps"); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;

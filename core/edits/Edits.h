@@ -184,9 +184,14 @@ struct SeedStroke {
 struct GrowSteps {
     double lower = 0.0; ///< modality units, inclusive
     double upper = 0.0;
-    int connectivity = 6;
+    int connectivity = 6; ///< 6, 18 or 26
     std::optional<int> steps{}; ///< none: to closure
     bool overwriteUnlocked = false;
+};
+
+/// Take back what growth added last, generation by generation.
+struct ShrinkSteps {
+    std::optional<int> steps{}; ///< none, or as many as there are: only the accepted seeds stay
 };
 
 struct PenSample {
@@ -338,6 +343,6 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
-    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement>;
+    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps>;
 
 } // namespace core

@@ -22,8 +22,12 @@ namespace core {
 [[nodiscard]] Result<SeedPlacement> seedPlacement(
     const SeedStroke& stroke, const Document& document);
 
-/// Errors: InvalidField (connectivity other than 6, lower > upper).
+/// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper).
 [[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
+
+/// Errors: SegmentLocked (no segment may change).
+[[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
+    const ShrinkSteps& shrink, const Document& document);
 
 /// Errors: UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EngineEdits.h"
 
+#include "core/edits/EditFields.h"
+#include "core/growth/SeedWord.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -57,9 +60,8 @@ Result<std::vector<glm::ivec3>> seedVoxels(const SeedStroke& stroke, const Volum
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
 {
-    if (grow.connectivity != 6)
-        return failure(ErrorCode::InvalidField, QStringLiteral("grow.connectivity"),
-            QStringLiteral("%1 is not supported, only 6").arg(grow.connectivity));
+    if (const QString wrong = editFields::Connectivity().check(grow.connectivity); !wrong.isEmpty())
+        return failure(ErrorCode::InvalidField, QStringLiteral("grow.connectivity"), wrong);
     if (!(grow.lower <= grow.upper))
         return failure(ErrorCode::InvalidField, QStringLiteral("grow.upper"),
             QStringLiteral("%1 is below lower, %2").arg(grow.upper).arg(grow.lower));
@@ -86,6 +88,28 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
     if (!anyGrows && burst.frozen.any())
         return failure(ErrorCode::SegmentLocked, QString());
     return burst;
+}
+
+Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)
+{
+    constexpr std::uint8_t plane = 0;
+    ShrinkGrowth command{.plane = plane};
+    if (const Growth* growth = document.growth(plane))
+        command.generation = growth->generation;
+    // The accepted seeds are the first generation.
+    const std::uint32_t steps = std::uint32_t(shrink.steps.value_or(int(seedWord::maxGeneration)));
+    command.keepSeeds = steps >= command.generation;
+    command.keep = command.keepSeeds ? 0 : command.generation - steps;
+    bool anyMay = false;
+    for (const Segment& segment : document.segments) {
+        if (segment.plane != plane)
+            continue;
+        anyMay = anyMay || !segment.locked;
+        command.frozen[segment.label] = segment.locked;
+    }
+    if (!anyMay && command.frozen.any())
+        return failure(ErrorCode::SegmentLocked, QString());
+    return command;
 }
 
 Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)

@@ -36,11 +36,14 @@ struct SeedPlacement {
 ///
 /// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label
 /// plane as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
+/// Neighbours of a voxel are the 6 that share a face with it, the 18 that share a face or an edge,
+/// or all 26: the first so many of seedWord::offsets.
 /// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
 /// was one, the generation is now one more. Then each step: every voxel that is no member and has a
-/// face neighbour that was a member before the step and whose label it accepts becomes
+/// neighbour that was a member before the step and whose label it accepts becomes
 /// member(generation + 1, label, direction), the smallest such word; if there was one, the
 /// generation is one more, else the growth is at closure and further steps do nothing.
+/// Where the plane held the label itself, the direction is 30 for a seed and 29 else (SeedWord.h).
 /// At generation seedWord::maxGeneration nothing is added any more, by opening or step, and this is
 /// not called closure.
 /// Closing with commit: the label plane receives the label of every member whose generation is
@@ -51,10 +54,28 @@ struct GrowBurst {
     std::uint8_t plane = 0;
     int lowCode = 0;
     int highCode = -1;
-    int connectivity = 6;
+    int connectivity = 6; ///< 6, 18 or 26
     std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
     std::bitset<256> overwritable{};
     std::bitset<256> frozen{}; ///< labels that do not grow: locked segments
+};
+
+/// Take back what a growth added after generation `keep`, for every label but those in `frozen`:
+/// its exact inverse (seed A §5.3, shrinking). Of each member of a later generation
+///
+///   a seed stays with `keepSeeds`, as one of generation 1; else it becomes a pending seed again;
+///   any other becomes seedWord::unvisited;
+///
+/// and where a member goes whose direction is neither 29 nor 30 and the plane holds its label, the
+/// plane becomes 0. So voxels that bore the label before the growth came keep it; what another
+/// label held there before is not put back, nor a pending seed that was grown over. The generation
+/// is then `keep`, or the greatest that a member has, if that is more.
+struct ShrinkGrowth {
+    std::uint8_t plane = 0;
+    std::uint32_t generation = 0; ///< the counter at present; no member has a greater one
+    std::uint32_t keep = 0; ///< not above it
+    bool keepSeeds = false;
+    std::bitset<256> frozen{};
 };
 
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
@@ -101,8 +122,9 @@ struct CapsuleCut {
 /// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
 /// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
 /// layers and segments, whole at once.
-using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel,
-    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, CoverLabel, FoldLayer>;
+using EngineEdit =
+    std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut, MaskPeel,
+        MaskScissors, LaserCut, LabelCarved, LabelSeen, CoverLabel, FoldLayer, ShrinkGrowth>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -140,11 +162,11 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
 // another kind of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is
 // open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
-// connectivity other than 6; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or
-// gapSamples is below 1; a laser, a brush's frame or what is hidden that is not sound (isSound());
-// bounds that are not (areSound()); a layer folded into itself; a table of opacities of another
-// length than 256. ReadBricks, ProbeVoxels and PickVoxels are served while a transaction is open
-// too.
+// connectivity other than 6, 18 and 26; a shrinking to more than there is; a segment label of 0; a
+// mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser, a brush's frame or
+// what is hidden that is not sound (isSound()); bounds that are not (areSound()); a layer folded
+// into itself; a table of opacities of another length than 256. ReadBricks, ProbeVoxels and
+// PickVoxels are served while a transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -215,7 +237,7 @@ using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, M
 struct EditStatistics {
     std::int64_t voxelsChanged = 0; ///< values that differ, over all fields but seed words
     int bricks = 0; ///< changed, all fields but seed words
-    int generations = 0; ///< steps a growth advanced (its opening included)
+    int generations = 0; ///< steps a growth advanced (its opening included), or was taken back
     double milliseconds = 0.0; ///< engine time; never part of a hash
 };
 
@@ -231,7 +253,7 @@ struct EngineResult {
     /// Sorted by key, only bricks that differ; an image that is all empty has no bytes.
     std::vector<BrickChange> changes;
     EditStatistics statistics;
-    std::uint32_t generation = 0; ///< EndEdit of a growth: the counter at its end
+    std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the counter at its end
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::vector<ProbedVoxel> probes;
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace core::seedWord {
@@ -10,19 +11,31 @@ namespace core::seedWord {
 ///   bit 31      1: not a member
 ///   bits 30..13 generation of a member, 1 … 262143; 0: painted, before any growth (PaintLabel)
 ///   bits 12..5  label of the segment it grows
-///   bits 4..0   direction to the parent, see below; 31: seed
+///   bits 4..0   direction to the parent, see below; 29 … 31: see below
 ///
 /// Members are claimed by `min`, so of all claims on a voxel the earliest generation wins, then the
 /// lowest label, then the lowest direction: the result does not depend on scheduling.
 ///
-/// Direction d means that the parent is the neighbour at −offset(d), where the offsets are
-/// 0: +x  1: −x  2: +y  3: −y  4: +z  5: −z (the step from parent to child).
+/// Direction d < 26 means that the parent is the neighbour at −offsets[d] (offsets[d] is the step
+/// from parent to child; that of d ^ 1 is the opposite one): 0 … 5 faces, 6 … 17 edges, 18 … 25
+/// corners. 31: a seed. Shrinking must know what is not its own to take away, so where the label
+/// plane held the label already when the voxel was claimed, a seed has 30, and any other member 29
+/// instead of its direction (the generations tell it: the lowest that leads from an earliest
+/// neighbour).
+constexpr std::uint32_t directions = 26;
+constexpr std::array<std::array<int, 3>, directions> offsets{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},
+    {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 0, 1},
+    {-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, -1}, {0, 1, -1}, {0, -1, 1}, {1, 1, 1},
+    {-1, -1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}}};
 constexpr std::uint32_t unvisited = 0xFFFFFFFFu;
 constexpr std::uint32_t notMember = 0x80000000u;
 constexpr std::uint32_t seedDirection = 31;
+constexpr std::uint32_t heldSeedDirection = 30;
+constexpr std::uint32_t heldDirection = 29;
 constexpr std::uint32_t maxGeneration = (1u << 18) - 1;
 
-constexpr std::uint32_t member(std::uint32_t generation, std::uint32_t label, std::uint32_t direction)
+constexpr std::uint32_t member(
+    std::uint32_t generation, std::uint32_t label, std::uint32_t direction)
 {
     return generation << 13 | label << 5 | direction;
 }
@@ -31,13 +44,30 @@ constexpr std::uint32_t pendingSeed(std::uint32_t label)
 {
     return notMember | label << 5 | seedDirection;
 }
-constexpr bool isMember(std::uint32_t word) { return (word & notMember) == 0; }
+constexpr bool isMember(std::uint32_t word)
+{
+    return (word & notMember) == 0;
+}
 constexpr bool isPendingSeed(std::uint32_t word)
 {
     return word != unvisited && !isMember(word) && (word & 31u) == seedDirection;
 }
-constexpr std::uint32_t generation(std::uint32_t word) { return word >> 13 & maxGeneration; }
-constexpr std::uint32_t label(std::uint32_t word) { return word >> 5 & 0xFFu; }
-constexpr std::uint32_t direction(std::uint32_t word) { return word & 31u; }
+constexpr std::uint32_t generation(std::uint32_t word)
+{
+    return word >> 13 & maxGeneration;
+}
+constexpr std::uint32_t label(std::uint32_t word)
+{
+    return word >> 5 & 0xFFu;
+}
+constexpr std::uint32_t direction(std::uint32_t word)
+{
+    return word & 31u;
+}
+/// Of a member: whether it was a seed.
+constexpr bool isSeed(std::uint32_t word)
+{
+    return direction(word) >= heldSeedDirection;
+}
 
 } // namespace core::seedWord

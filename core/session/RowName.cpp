@@ -376,6 +376,11 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("Grow %1%2, +%3")
             .arg(whatGrew(changes, document), counted(statistics.generations, "step"),
                 counted(statistics.voxelsChanged, "voxel"));
+    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
+        return QStringLiteral("Shrink %1, −%2")
+            .arg(shrink->steps ? counted(statistics.generations, "step")
+                               : QStringLiteral("to the seeds"),
+                counted(statistics.voxelsChanged, "voxel"));
     if (const auto* revert = std::get_if<RevertRows>(&edit))
         return revertName(*revert, statistics, changes, history);
     if (const auto* revise = std::get_if<ReviseStroke>(&edit))

@@ -91,7 +91,7 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
                 bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(grid.brickOf(voxel))});
         }
         m_reach = std::move(bricks);
-    } else if (std::holds_alternative<GrowSteps>(edit)
+    } else if (std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ShrinkSteps>(edit)
         || std::holds_alternative<RemoveSegment>(edit)) {
         m_reach = Plane{document.growths.front().plane};
     } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {

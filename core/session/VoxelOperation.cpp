@@ -28,7 +28,7 @@ bool openingAdmittedSeeds(const std::vector<BrickChange>& changes, std::uint32_t
         for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
             const std::uint32_t word = wordAt(change.after, voxel);
             if (seedWord::isMember(word) && seedWord::generation(word) == generation
-                && seedWord::direction(word) == seedWord::seedDirection)
+                && seedWord::isSeed(word))
                 return true;
         }
     }
@@ -84,6 +84,12 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(burst.error());
         m_firstGeneration = burst->generation;
         return EngineEdit(*std::move(burst));
+    }
+    if (const auto* shrink = std::get_if<ShrinkSteps>(&m_edit)) {
+        Result<ShrinkGrowth> command = shrinkGrowth(*shrink, document);
+        if (!command)
+            return tl::unexpected(command.error());
+        return EngineEdit(*std::move(command));
     }
     if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
         Result<EraseLabel> erase = eraseLabel(*remove, document);
@@ -288,7 +294,7 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.fail(*result.error);
     if (m_failed && !result.changes.empty())
         state.engine.submit(SwapBricks{imagesBefore(result.changes)});
-    if (isGrowth())
+    if (movesGeneration())
         state.tell(DocumentChange::What::Growth);
     const bool changed =
         !result.changes.empty() || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit));
@@ -306,7 +312,7 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
     }
     const Edit edit = carriedOut(result);
     std::optional<std::uint32_t> generation;
-    if (isGrowth())
+    if (movesGeneration())
         generation = result.generation;
     state.commit(edit, std::move(result.changes), result.statistics, generation);
 }

@@ -27,6 +27,10 @@ public:
     void end(SessionState& state, Ending ending);
     [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool isGrowth() const { return std::holds_alternative<GrowSteps>(m_edit); }
+    [[nodiscard]] bool movesGeneration() const
+    {
+        return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit);
+    }
     /// Open without a pen that is down: whatever comes next closes it.
     [[nodiscard]] bool standsOpen() const
     {

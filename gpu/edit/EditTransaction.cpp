@@ -3,6 +3,7 @@
 
 #include "gpu/edit/LayerWriter.h"
 #include "gpu/edit/ScissorsKernel.h"
+#include "gpu/edit/ShrinkKernel.h"
 
 namespace gpu {
 
@@ -22,8 +23,15 @@ core::Result<void> check(const core::SeedPlacement& edit, const core::BrickGrid&
 
 core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)
 {
-    if (edit.connectivity != 6)
-        return refusal("connectivity", "only 6 is known");
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refusal("connectivity", "is not 6, 18 or 26");
+    return {};
+}
+
+core::Result<void> check(const core::ShrinkGrowth& edit, const core::BrickGrid&)
+{
+    if (edit.keep > edit.generation)
+        return refusal("keep", "is more than there is");
     return {};
 }
 
@@ -180,6 +188,10 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_wholeKeys = coverLabel(programs.erase, fields, before, *cover);
     } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {
         transaction->m_wholeKeys = foldLayer(fields, before, *fold);
+    } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&edit)) {
+        ShrinkOutcome outcome = shrinkGrowth(programs.shrink, fields, before, *shrink);
+        transaction->m_wholeKeys = std::move(outcome.keys);
+        transaction->m_shrunkTo = outcome.generation;
     }
     return transaction;
 }
@@ -284,6 +296,10 @@ void EditTransaction::commit(core::EngineResult& result)
         result.atClosure = m_growth->atClosure();
         result.statistics.generations = int(m_growth->generation() - grow->generation);
     }
+    if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&m_edit)) {
+        result.generation = m_shrunkTo;
+        result.statistics.generations = int(shrink->generation - m_shrunkTo);
+    }
 }
 
 void EditTransaction::rollBack(core::EngineResult& result)
@@ -293,6 +309,8 @@ void EditTransaction::rollBack(core::EngineResult& result)
         m_growth->releaseUnused();
         result.generation = grow->generation;
     }
+    if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&m_edit))
+        result.generation = shrink->generation;
 }
 
 core::GrowthProgress EditTransaction::progress() const

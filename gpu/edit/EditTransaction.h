@@ -26,6 +26,7 @@ struct EditPrograms {
         , capsule(library)
         , label(library)
         , laser(library)
+        , shrink(library, ComputeProgramOptions{.label = "shrink", .path = "edit/shrink.comp"})
     {
     }
 
@@ -35,6 +36,7 @@ struct EditPrograms {
     CapsulePrograms capsule;
     LabelPrograms label;
     LaserPrograms laser;
+    Program shrink;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -72,6 +74,7 @@ private:
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
     std::vector<core::BrickKey> m_wholeKeys; ///< of an edit that is done once it has begun
+    std::uint32_t m_shrunkTo = 0; ///< generation
     std::vector<std::uint32_t> m_scissoredBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<DrillKernel> m_drill;

@@ -38,14 +38,29 @@ Buffer listBuffer(std::span<const std::uint32_t> list)
 
 } // namespace
 
-GrowthPrograms::GrowthPrograms(const ShaderLibrary& library)
-    : placeSeeds(program(library, "edit/placeSeeds.comp"))
-    , admit(program(library, "edit/growAdmit.comp"))
-    , front(program(library, "edit/growFront.comp"))
-    , ring(program(library, "edit/growRing.comp"))
-    , severalRings(program(library, "edit/growRing.comp", {{"SEVERAL_RINGS", 1}}))
-    , label(program(library, "edit/growLabel.comp"))
+GrowthPrograms::Rings::Rings(const ShaderLibrary& shaders, int connectivity)
+    : front(program(shaders, "edit/growFront.comp", {{"CONNECTIVITY", connectivity}}))
+    , ring(program(shaders, "edit/growRing.comp", {{"CONNECTIVITY", connectivity}}))
+    , severalRings(program(
+          shaders, "edit/growRing.comp", {{"CONNECTIVITY", connectivity}, {"SEVERAL_RINGS", 1}}))
 {
+}
+
+GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
+    : placeSeeds(program(shaders, "edit/placeSeeds.comp"))
+    , admit(program(shaders, "edit/growAdmit.comp"))
+    , label(program(shaders, "edit/growLabel.comp"))
+    , m_shaders(shaders)
+{
+    (void)rings(6);
+}
+
+GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity)
+{
+    const auto known = m_rings.find(connectivity);
+    if (known != m_rings.end())
+        return known->second;
+    return m_rings.try_emplace(connectivity, m_shaders, connectivity).first->second;
 }
 
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
@@ -79,6 +94,7 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::GrowBurst& burst)
     : m_programs(programs)
+    , m_rings(programs.rings(burst.connectivity))
     , m_fields(fields)
     , m_before(before)
     , m_burst(burst)
@@ -88,9 +104,9 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
 {
     setQueues(1u << 18);
     for (Program* each :
-        {&programs.admit, &programs.front, &programs.ring, &programs.severalRings, &programs.label})
+        {&programs.admit, &m_rings.front, &m_rings.ring, &m_rings.severalRings, &programs.label})
         setCriterion(*each);
-    programs.front.set("openGeneration", burst.generation);
+    m_rings.front.set("openGeneration", burst.generation);
 }
 
 void GrowthKernel::setCriterion(Program& each) const
@@ -126,8 +142,7 @@ void GrowthKernel::setQueues(std::uint32_t capacity)
     m_queueCapacity = capacity;
     m_queues = Buffer(
         {.label = "growth fronts", .bytes = 2 * std::size_t(capacity) * sizeof(std::uint32_t)});
-    for (Program* each :
-        {&m_programs.front, &m_programs.ring, &m_programs.severalRings, &m_programs.label})
+    for (Program* each : {&m_rings.front, &m_rings.ring, &m_rings.severalRings, &m_programs.label})
         each->set("queueCapacity", m_queueCapacity);
 }
 
@@ -173,10 +188,10 @@ void GrowthKernel::findFront()
     const std::set<std::uint32_t> touchedBefore = m_allTouched;
     for (;;) {
         start({});
-        m_programs.front.set("firstQueue", 1 - m_frontQueue);
+        m_rings.front.set("firstQueue", 1 - m_frontQueue);
         const Buffer list = listBuffer(held);
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-        m_programs.front.dispatch({unsigned(held.size()), 1, 1});
+        m_rings.front.dispatch({unsigned(held.size()), 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         m_frontCount = takeBatch().counts[1];
         if (m_frontCount <= m_queueCapacity)
@@ -208,14 +223,14 @@ void GrowthKernel::prepareBricks()
 void GrowthKernel::runRings(int count)
 {
     GrowthPrograms& programs = m_programs;
-    for (Program* each : {&programs.ring, &programs.severalRings, &programs.label})
+    for (Program* each : {&m_rings.ring, &m_rings.severalRings, &programs.label})
         each->set("firstQueue", m_frontQueue).set("baseGeneration", m_generation);
     m_frontQueue = (m_frontQueue + unsigned(count)) % 2;
 
     int ring = 0;
     if (m_frontCount <= smallFront) {
-        programs.severalRings.set("ringCount", unsigned(count));
-        programs.severalRings.dispatch({1, 1, 1});
+        m_rings.severalRings.set("ringCount", unsigned(count));
+        m_rings.severalRings.dispatch({1, 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         State state;
         m_state.read(std::span<State>(&state, 1));
@@ -226,8 +241,8 @@ void GrowthKernel::runRings(int count)
     // A front that outgrows these groups is walked in strides.
     const glm::uvec3 groups(std::min((2 * m_frontCount + 255) / 256, 65535u), 1, 1);
     for (; ring < count; ++ring) {
-        programs.ring.set("ring", unsigned(ring));
-        programs.ring.dispatch(groups);
+        m_rings.ring.set("ring", unsigned(ring));
+        m_rings.ring.dispatch(groups);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     }
     programs.label.set("ring", unsigned(count));

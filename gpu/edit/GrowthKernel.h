@@ -6,6 +6,7 @@
 #include "gpu/edit/VoxelFields.h"
 
 #include <array>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -13,14 +14,27 @@ namespace gpu {
 
 /// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
 struct GrowthPrograms {
-    explicit GrowthPrograms(const ShaderLibrary& library);
+    /// @param shaders outlives them
+    explicit GrowthPrograms(const ShaderLibrary& shaders);
+
+    /// What depends on how many neighbours a voxel has.
+    struct Rings {
+        Rings(const ShaderLibrary& shaders, int connectivity);
+
+        Program front;
+        Program ring;
+        Program severalRings;
+    };
+    /// @param connectivity 6, 18 or 26; the latter two are compiled when first needed
+    [[nodiscard]] Rings& rings(int connectivity);
 
     Program placeSeeds;
     Program admit;
-    Program front;
-    Program ring;
-    Program severalRings;
     Program label;
+
+private:
+    const ShaderLibrary& m_shaders;
+    std::map<int, Rings> m_rings;
 };
 
 /// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
@@ -74,6 +88,7 @@ private:
     void runRings(int count);
 
     GrowthPrograms& m_programs;
+    GrowthPrograms::Rings& m_rings;
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;

@@ -19,9 +19,11 @@ void main()
             continue;
         ivec3 texel = atlasTexel(entry, voxel);
         uint word = imageLoad(words, texel).r;
-        if (!isPendingSeed(word) || !mayGrow(labelOf(word)) || !accepts(labelOf(word), voxel))
+        bool held;
+        if (!isPendingSeed(word) || !mayGrow(labelOf(word)) || !accepts(labelOf(word), voxel, held))
             continue;
-        imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), seedDirection)));
+        uint direction = held ? heldSeedDirection : seedDirection;
+        imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), direction)));
         imageStore(labels, voxel, uvec4(labelOf(word)));
         reached[entry - 1u] = holdsFront;
         atomicAdd(state.admitted, 1u);

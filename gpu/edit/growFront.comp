@@ -1,4 +1,4 @@
-// Finds where a growth can go on: every member with a face neighbour that it could claim.
+// Finds where a growth can go on: every member with a neighbour (CONNECTIVITY) that it could claim.
 // One work-group a listed brick. The queue's order depends on scheduling and decides nothing.
 
 layout(local_size_x = 64) in;
@@ -11,14 +11,15 @@ uniform uint openGeneration; // members of later generations show in the label p
 
 bool canGoOn(ivec3 voxel, uint label)
 {
-    for (int direction = 0; direction < 6; ++direction) {
-        ivec3 neighbour = voxel + faceOffsets[direction];
+    for (int direction = 0; direction < CONNECTIVITY; ++direction) {
+        ivec3 neighbour = voxel + neighbourOffsets[direction];
+        bool held;
         if (!inside(neighbour, volumeSize))
             continue;
         uint entry = pageEntry(neighbour);
         if (entry != 0u && isMember(imageLoad(words, atlasTexel(entry, neighbour)).r))
             continue;
-        if (accepts(label, neighbour))
+        if (accepts(label, neighbour, held))
             return true;
     }
     return false;

@@ -1,10 +1,11 @@
-// One generation: every voxel of the front offers itself as parent to its face neighbours.
+// One generation: every voxel of the front offers itself as parent to its neighbours: those across
+// its faces, or as many as CONNECTIVITY says.
 //
 // The least word wins a voxel (earlier generation, lower label, lower direction), so the result is
 // the same on every device. Of all claims on a voxel exactly one finds a word that is no member's;
 // that one puts the voxel into the next front.
 //
-// A voxel is asked for by up to six neighbours and claimed once, so looking comes first: all six
+// A voxel is asked for by several neighbours and claimed once, so looking comes first: all their
 // words, then the criterion of those that are open, then the claims.
 //
 // Loops ask at their end: a device without branches (a software renderer) walks a loop once more
@@ -25,7 +26,7 @@ const uint largestFront = 1024u;
 uniform uint ring;
 #endif
 
-// Page entry of a face neighbour: the own one, but across a brick's face.
+// Page entry of a neighbour: the own one, but across a brick's border.
 uint neighbourEntry(uint ownEntry, ivec3 neighbour, ivec3 origin)
 {
     uint entry = ownEntry;
@@ -47,8 +48,8 @@ void growFrom(uint entry, uint ring)
     reached[page] = heldFront;
 
     uint open = 0u; // one bit a direction
-    for (uint direction = 0u; direction < 6u; ++direction) {
-        ivec3 neighbour = voxel + faceOffsets[direction];
+    for (uint direction = 0u; direction < uint(CONNECTIVITY); ++direction) {
+        ivec3 neighbour = voxel + neighbourOffsets[direction];
         uint there = neighbourEntry(page + 1u, neighbour, origin);
         uint word = imageLoad(words, atlasTexel(there, neighbour)).r;
         if (there != 0u && word > memberWord(generation, label, direction))
@@ -57,14 +58,19 @@ void growFrom(uint entry, uint ring)
     if (open != 0u) do {
         uint direction = uint(findLSB(open));
         open &= open - 1u;
+#if CONNECTIVITY == 6
         ivec3 step = ivec3(0);
         step[direction >> 1] = 1 - 2 * int(direction & 1u);
+#else
+        ivec3 step = neighbourOffsets[direction];
+#endif
         ivec3 neighbour = voxel + step;
+        bool held = false;
         // A brick at the rim reaches beyond the volume.
-        if (inside(neighbour, volumeSize) && accepts(label, neighbour)) {
+        if (inside(neighbour, volumeSize) && accepts(label, neighbour, held)) {
             uint there = neighbourEntry(page + 1u, neighbour, origin);
-            uint before = imageAtomicMin(
-                words, atlasTexel(there, neighbour), memberWord(generation, label, direction));
+            uint claim = memberWord(generation, label, held ? heldDirection : direction);
+            uint before = imageAtomicMin(words, atlasTexel(there, neighbour), claim);
             if (!isMember(before))
                 enqueue(ring, neighbour, there - 1u);
         }

@@ -45,11 +45,13 @@ ivec3 ownerOrigin(uint page)
 }
 
 // Whether a label may enter a voxel: its code is in the interval and no other segment holds it.
-bool accepts(uint label, ivec3 voxel)
+// @param held whether the label holds it already
+bool accepts(uint label, ivec3 voxel, out bool held)
 {
     uint code = imageLoad(codes, voxel).r;
     uint there = imageLoad(labels, voxel).r;
-    bool mayEnter = there == 0u || there == label;
+    held = there == label;
+    bool mayEnter = there == 0u || held;
     if (!mayEnter)
         mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
     return mayEnter && code >= lowCode && code <= highCode;

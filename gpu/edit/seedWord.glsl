@@ -3,9 +3,15 @@
 const uint unvisited = 0xFFFFFFFFu;
 const uint notMember = 0x80000000u;
 const uint seedDirection = 31u;
+const uint heldSeedDirection = 30u;
+const uint heldDirection = 29u;
 
-const ivec3 faceOffsets[6] = ivec3[6](ivec3(1, 0, 0), ivec3(-1, 0, 0), ivec3(0, 1, 0),
-    ivec3(0, -1, 0), ivec3(0, 0, 1), ivec3(0, 0, -1));
+const ivec3 neighbourOffsets[26] = ivec3[26](ivec3(1, 0, 0), ivec3(-1, 0, 0), ivec3(0, 1, 0),
+    ivec3(0, -1, 0), ivec3(0, 0, 1), ivec3(0, 0, -1), ivec3(1, 1, 0), ivec3(-1, -1, 0),
+    ivec3(1, -1, 0), ivec3(-1, 1, 0), ivec3(1, 0, 1), ivec3(-1, 0, -1), ivec3(1, 0, -1),
+    ivec3(-1, 0, 1), ivec3(0, 1, 1), ivec3(0, -1, -1), ivec3(0, 1, -1), ivec3(0, -1, 1),
+    ivec3(1, 1, 1), ivec3(-1, -1, -1), ivec3(1, 1, -1), ivec3(-1, -1, 1), ivec3(1, -1, 1),
+    ivec3(-1, 1, -1), ivec3(-1, 1, 1), ivec3(1, -1, -1));
 
 uint memberWord(uint generation, uint label, uint direction)
 {
@@ -30,6 +36,12 @@ bool isPendingSeed(uint word)
 uint labelOf(uint word)
 {
     return word >> 5 & 0xFFu;
+}
+
+// Of a member.
+bool isSeed(uint word)
+{
+    return (word & 31u) >= heldSeedDirection;
 }
 
 uint generationOf(uint word)

@@ -13,9 +13,6 @@ namespace seedWord = core::seedWord;
 
 namespace {
 
-const std::array<glm::ivec3, 6> offsets{glm::ivec3(1, 0, 0), glm::ivec3(-1, 0, 0),
-    glm::ivec3(0, 1, 0), glm::ivec3(0, -1, 0), glm::ivec3(0, 0, 1), glm::ivec3(0, 0, -1)};
-
 template <class Visit> void forEachVoxel(const glm::ivec3& size, Visit visit)
 {
     for (int z = 0; z < size.z; ++z)
@@ -49,6 +46,34 @@ void eraseLabel(DenseFields& fields, const core::EraseLabel& erase)
     }
 }
 
+std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink)
+{
+    auto& words = fields.seedWords(shrink.plane);
+    auto& labels = fields.labels(shrink.plane);
+    std::uint32_t greatest = shrink.keep;
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        std::uint32_t& word = words.at(voxel);
+        if (!seedWord::isMember(word))
+            return;
+        const std::uint32_t label = seedWord::label(word);
+        const std::uint32_t direction = seedWord::direction(word);
+        const bool seed = direction == 30 || direction == 31;
+        if (seedWord::generation(word) > shrink.keep && !shrink.frozen.test(label)) {
+            if (seed && shrink.keepSeeds) {
+                word = seedWord::member(1, label, direction);
+            } else {
+                word = seed ? seedWord::pendingSeed(label) : seedWord::unvisited;
+                std::uint8_t& held = labels.at(voxel);
+                if (direction != 29 && direction != 30 && held == label)
+                    held = 0;
+                return;
+            }
+        }
+        greatest = std::max(greatest, seedWord::generation(word));
+    });
+    return greatest;
+}
+
 Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::GrowBurst burst)
     : m_codes(codes)
     , m_burst(std::move(burst))
@@ -65,7 +90,7 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core
             olderMembers.push_back(voxel);
         } else if (seedWord::isPendingSeed(word) && m_generation < seedWord::maxGeneration
             && accepts(label, voxel)) {
-            word = seedWord::member(m_generation + 1, label, seedWord::seedDirection);
+            word = seedWord::member(m_generation + 1, label, holds(label, voxel) ? 30 : 31);
             admitted.push_back(voxel);
         }
     });
@@ -82,6 +107,11 @@ bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
 
+bool Growth::holds(std::uint32_t label, const glm::ivec3& voxel) const
+{
+    return m_labels.at(voxel) == label;
+}
+
 bool Growth::step()
 {
     // A member that was there two steps ago has no neighbour left that it could take: what it is
@@ -89,12 +119,15 @@ bool Growth::step()
     std::vector<glm::ivec3> added;
     for (const glm::ivec3& parent : m_front) {
         const std::uint32_t label = seedWord::label(m_words.at(parent));
-        for (std::uint32_t direction = 0; direction < offsets.size(); ++direction) {
-            const glm::ivec3 child = parent + offsets[direction];
+        for (std::uint32_t direction = 0; direction < std::uint32_t(m_burst.connectivity);
+             ++direction) {
+            const std::array<int, 3>& offset = seedWord::offsets[direction];
+            const glm::ivec3 child = parent + glm::ivec3(offset[0], offset[1], offset[2]);
             if (!m_words.contains(child) || !accepts(label, child))
                 continue;
             std::uint32_t& word = m_words.at(child);
-            const std::uint32_t claim = seedWord::member(m_generation + 1, label, direction);
+            const std::uint32_t claim =
+                seedWord::member(m_generation + 1, label, holds(label, child) ? 29 : direction);
             if (!seedWord::isMember(word)) {
                 word = claim;
                 added.push_back(child);

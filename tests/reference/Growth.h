@@ -12,6 +12,9 @@ void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement);
 /// Takes a label out of labels and seed words (core::EraseLabel).
 void eraseLabel(DenseFields& fields, const core::EraseLabel& erase);
 
+/// Takes back what a growth added (core::ShrinkGrowth). @return the generation then
+std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink);
+
 /// One open burst of growth (core::GrowBurst). Codes and fields are borrowed.
 class Growth {
 public:
@@ -28,6 +31,8 @@ public:
 
 private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
+    /// Whether the label plane held the label there before.
+    [[nodiscard]] bool holds(std::uint32_t label, const glm::ivec3& voxel) const;
     /// True if anything was added.
     bool step();
     /// One more generation is finished: counts it and shows it in the label plane.

@@ -102,9 +102,16 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SeedPlacement& 
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::GrowBurst& edit)
 {
-    if (edit.connectivity != 6)
-        return refuse("connectivity", "only 6 is known");
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refuse("connectivity", "is not 6, 18 or 26");
     return Growth(m_codes, m_fields, std::move(edit));
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShrinkGrowth& edit)
+{
+    if (edit.keep > edit.generation)
+        return refuse("keep", "is more than there is");
+    return Shrunk{edit.generation, shrinkGrowth(m_fields, edit)};
 }
 
 namespace {
@@ -275,19 +282,26 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
         return refuse("transaction", "no edit is open");
     core::EngineResult result;
     Growth* growth = std::get_if<Growth>(&m_open->work);
+    const Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
     if (command.ending == core::Ending::Rollback) {
         if (growth)
             result.generation = growth->openedAt();
+        if (shrunk)
+            result.generation = shrunk->from;
         m_fields = std::move(m_open->before);
     } else {
         if (growth) {
             result.generation = growth->generation();
             result.atClosure = growth->atClosure();
         }
+        if (shrunk)
+            result.generation = shrunk->to;
         result.changes = DenseFields::changes(m_open->before, m_fields);
         result.statistics = statisticsOf(result.changes);
         if (growth)
             result.statistics.generations = int(growth->frontSizes().size());
+        if (shrunk)
+            result.statistics.generations = int(shrunk->from - shrunk->to);
     }
     m_open.reset();
     return result;

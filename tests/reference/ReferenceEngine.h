@@ -35,7 +35,12 @@ public:
 private:
     /// An edit that is done once it has begun.
     struct Done { };
-    using Work = std::variant<Done, Growth, Drill, Capsules, Peel, Laser>;
+    /// Likewise; it tells how far the growth is now.
+    struct Shrunk {
+        std::uint32_t from = 0;
+        std::uint32_t to = 0;
+    };
+    using Work = std::variant<Done, Shrunk, Growth, Drill, Capsules, Peel, Laser>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;
@@ -54,6 +59,7 @@ private:
 
     [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);
+    [[nodiscard]] core::Result<Work> begin(core::ShrinkGrowth& edit);
     [[nodiscard]] core::Result<Work> begin(core::DrillCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::PaintLabel& edit);

@@ -259,7 +259,8 @@ std::vector<EngineCase> refusalCases()
     DrillCut noGap = drill;
     noGap.frame.gapSamples = 0;
     GrowBurst other = growth;
-    other.connectivity = 26;
+    other.connectivity = 14;
+    const ShrinkGrowth tooMuch{.generation = 2, .keep = 3};
 
     const auto steps = [](std::vector<EngineCommand> commands) {
         std::vector<EngineStep> all;
@@ -290,6 +291,7 @@ std::vector<EngineCase> refusalCases()
     add("label 0", {BeginEdit{SeedPlacement{.label = 0, .voxels = {{0, 0, 0}}}}, commit});
     add("connectivity",
         {beginSeeds, commit, BeginEdit{other}, ExtendEdit{GrowAdvance{}}, commit, readAll});
+    add("shrinking to more than there is", {BeginEdit{tooMuch}, commit, readAll});
     add("extensions of another kind",
         {beginSeeds, ExtendEdit{GrowAdvance{}}, commit, BeginEdit{growth}, ExtendEdit{DrillPath{}},
             ExtendEdit{GrowAdvance{2}}, commit, BeginEdit{drill}, ExtendEdit{GrowPause{}}, commit});

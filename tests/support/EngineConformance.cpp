@@ -115,7 +115,12 @@ private:
     {
         if (const auto* begin = std::get_if<core::BeginEdit>(&command)) {
             const auto* growth = std::get_if<core::GrowBurst>(&begin->edit);
+            const auto* shrink = std::get_if<core::ShrinkGrowth>(&begin->edit);
             m_opening = {};
+            if (shrink) {
+                m_opening.growthPlane = shrink->plane;
+                m_opening.generationBefore = shrink->generation;
+            }
             if (growth) {
                 m_opening.growthPlane = growth->plane;
                 m_opening.generationBefore = growth->generation;
@@ -140,6 +145,17 @@ private:
         core::GrowBurst burst = begin.burst;
         burst.generation = m_generations[burst.plane];
         carryOut(core::EngineCommand(core::BeginEdit{std::move(burst)}));
+    }
+
+    void carryOut(const Shrink& step)
+    {
+        settle();
+        core::ShrinkGrowth shrink = step.shrink;
+        shrink.generation = m_generations[shrink.plane];
+        shrink.keepSeeds = !step.generations || *step.generations >= shrink.generation;
+        shrink.keep = shrink.keepSeeds ? 0 : shrink.generation - *step.generations;
+        carryOut(core::EngineCommand(core::BeginEdit{shrink}));
+        carryOut(core::EngineCommand(core::EndEdit{step.ending}));
     }
 
     void carryOut(const Undo&)

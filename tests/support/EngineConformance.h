@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QString>
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,12 @@ namespace test {
 struct BeginGrowth {
     core::GrowBurst burst;
 };
+/// A whole edit that takes back the last generations of a plane's growth, or all but the seeds.
+struct Shrink {
+    core::ShrinkGrowth shrink; ///< `generation` and `keep` are filled in
+    std::optional<std::uint32_t> generations{};
+    core::Ending ending = core::Ending::Commit;
+};
 /// Swap back the last committed edit that is not yet undone; nothing if there is none.
 struct Undo { };
 /// Swap in again what was undone last; nothing if there is none.
@@ -27,7 +34,7 @@ struct Redo { };
 /// Wait, and note how the growth stands.
 struct Settle { };
 
-using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Undo, Redo, Settle>;
+using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Shrink, Undo, Redo, Settle>;
 
 struct EngineCase {
     QByteArray name;

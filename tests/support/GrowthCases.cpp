@@ -4,6 +4,7 @@
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
+#include <array>
 
 namespace test {
 
@@ -50,7 +51,8 @@ constexpr int closure = GrowAdvance::toClosure;
 const GrowBurst wholeRange{.lowCode = 0, .highCode = 65535};
 const GrowBurst tissue{.lowCode = tissueCode / 2, .highCode = tissueCode};
 
-EngineCase oneSeed(const char* name, Codes codes, const glm::ivec3& seed, const GrowBurst& burst)
+EngineCase oneSeed(
+    const QByteArray& name, Codes codes, const glm::ivec3& seed, const GrowBurst& burst)
 {
     EngineCase made{name, std::move(codes), {}};
     appendWhole(made.steps, SeedPlacement{.label = 1, .voxels = {seed}});
@@ -112,6 +114,7 @@ EngineCase randomGrowth(int number)
 {
     Random random(std::uint32_t(1000 + number));
     Random locks(std::uint32_t(9000 + number));
+    Random newer(std::uint32_t(17000 + number)); // older cases stay as they are
     const glm::ivec3 size = randomSize(random);
     EngineCase made{"random growth " + QByteArray::number(number), randomCodes(size, random), {}};
     if (random() % 2)
@@ -149,6 +152,7 @@ EngineCase randomGrowth(int number)
                 burst.overwritable[std::size_t(label)] = random() % 3 == 0;
             if (locks() % 4 == 0)
                 burst.frozen.set(std::size_t(randomInt(locks, 1, 4)));
+            burst.connectivity = std::array<int, 4>{6, 6, 18, 26}[newer() % 4];
             std::vector<int> portions;
             for (int i = randomInt(random, 0, 3); i > 0; --i)
                 portions.push_back(randomInt(random, 0, 4));
@@ -156,6 +160,20 @@ EngineCase randomGrowth(int number)
                 portions.push_back(closure);
             appendGrowth(made.steps, burst, portions,
                 random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
+            if (newer() % 2) {
+                Shrink shrink{.shrink = {.plane = burst.plane}};
+                if (newer() % 4)
+                    shrink.generations = std::uint32_t(randomInt(newer, 0, 8));
+                if (newer() % 4 == 0)
+                    shrink.shrink.frozen.set(std::size_t(randomInt(newer, 1, 4)));
+                if (newer() % 5 == 0)
+                    shrink.ending = core::Ending::Rollback;
+                made.steps.push_back(shrink);
+                if (newer() % 4 == 0)
+                    made.steps.push_back(Undo{});
+                if (newer() % 4 == 0)
+                    made.steps.push_back(Redo{});
+            }
             break;
         }
         }
@@ -222,6 +240,50 @@ std::vector<EngineCase> growthCases(int randomCount)
     frozen.frozen.reset();
     appendGrowth(thawed.steps, frozen, {closure});
     cases.push_back(thawed);
+
+    for (const int connectivity : {18, 26}) {
+        const QByteArray name = ", " + QByteArray::number(connectivity) + " neighbours";
+        GrowBurst wide = wholeRange;
+        wide.connectivity = connectivity;
+        cases.push_back(oneSeed(
+            "all alike, 64³" + name, constantVolume({64, 64, 64}, 65535), {31, 32, 33}, wide));
+        wide.lowCode = tissueCode / 2;
+        wide.highCode = tissueCode;
+        cases.push_back(oneSeed("checkerboard" + name, checkerboard({17, 33, 5}), {8, 8, 2}, wide));
+        cases.push_back(oneSeed("corridor" + name, spiralCorridor({17, 33, 5}), {0, 0, 0}, wide));
+        cases.push_back(oneSeed("shells" + name, shells({40, 40, 33}), {20, 3, 16}, wide));
+    }
+
+    for (const bool toSeeds : {false, true}) {
+        EngineCase shrunk{toSeeds ? "shrunk to the seeds" : "shrunk ring by ring, grown again",
+            balls(size, 6, random), {}};
+        shrunk.steps.push_back(command(
+            core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+        appendWhole(shrunk.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
+        appendWhole(shrunk.steps, SeedPlacement{.label = 2, .voxels = {size / 2}});
+        GrowBurst burst = wholeRange;
+        burst.overwritable.set(3);
+        appendGrowth(shrunk.steps, burst, {5});
+        appendWhole(shrunk.steps, SeedPlacement{.label = 3, .voxels = {{20, 4, 4}, {3, 9, 9}}});
+        appendGrowth(shrunk.steps, burst, {closure});
+        for (int i = 0; i < 4; ++i)
+            shrunk.steps.push_back(toSeeds ? Shrink{} : Shrink{.shrink = {}, .generations = 3});
+        shrunk.steps.push_back(Undo{});
+        shrunk.steps.push_back(Undo{});
+        shrunk.steps.push_back(Redo{});
+        appendGrowth(shrunk.steps, burst, {2, closure});
+        cases.push_back(shrunk);
+    }
+
+    EngineCase lockedShrink{"what is locked does not shrink", constantVolume(size, 7), {}};
+    appendWhole(lockedShrink.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
+    appendWhole(lockedShrink.steps, SeedPlacement{.label = 200, .voxels = {size / 2}});
+    appendGrowth(lockedShrink.steps, wholeRange, {4});
+    Shrink keeping{.shrink = {}, .generations = 2};
+    keeping.shrink.frozen.set(200);
+    lockedShrink.steps.push_back(keeping);
+    appendGrowth(lockedShrink.steps, wholeRange, {3});
+    cases.push_back(lockedShrink);
 
     for (const bool overwrite : {false, true}) {
         EngineCase painted{overwrite ? "painted labels, overwritable" : "painted labels",

@@ -193,6 +193,7 @@ core::GrowSteps randomGrowth(Random& random)
     grow.overwriteUnlocked = random() % 2;
     if (random() % 2)
         grow.steps = randomInt(random, 1, 12);
+    grow.connectivity = std::array<int, 3>{6, 18, 26}[std::size_t(grow.upper) % 3];
     return grow;
 }
 
@@ -403,6 +404,16 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growth of nothing", volume, {first, seeds}, none});
     cases.push_back({"growth of two", volume, {first, seeds, second, others, some}, all});
     cases.push_back({"growth over another", volume, {first, seeds, all, second, others}, over});
+    const core::ShrinkSteps three{.steps = 3};
+    cases.push_back({"shrinking", volume, {first, seeds, some, all}, three});
+    cases.push_back({"shrinking to the seeds", volume, {first, seeds, some}, core::ShrinkSteps{}});
+    cases.push_back({"shrinking two", volume, {first, seeds, some, second, others, over}, three});
+    cases.push_back({"shrinking beside a locked one", volume,
+        {first, seeds, some, second, others, all, lock}, core::ShrinkSteps{.steps = 1}});
+    cases.push_back({"shrinking of nothing", volume, {first, seeds}, three});
+    cases.push_back({"growth after shrinking", volume, {first, seeds, all, three}, over});
+    cases.push_back({"undo only a shrinking", volume, {first, seeds, all, three, drill},
+        core::RevertRows{{4}}});
     cases.push_back({"drill", volume, {}, drill});
     cases.push_back({"drill in a drill", volume, {drill}, drill});
     cases.push_back({"drill on a segment", volume, {first, seeds, all}, drill});

@@ -221,7 +221,7 @@ private Q_SLOTS:
         QTest::newRow("steps") << QByteArray("{'edit':'grow','lower':0,'upper':1,'steps':'all'}")
                                << QStringLiteral("grow.steps");
         QTest::newRow("connectivity")
-            << QByteArray("{'edit':'grow','lower':0,'upper':1,'connectivity':26,'steps':1}")
+            << QByteArray("{'edit':'grow','lower':0,'upper':1,'connectivity':14,'steps':1}")
             << QStringLiteral("grow.connectivity");
         QTest::newRow("number too great")
             << QByteArray("{'edit':'grow','lower':0,'upper':1e305,'steps':1}")

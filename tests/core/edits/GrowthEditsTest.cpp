@@ -111,7 +111,7 @@ private Q_SLOTS:
         const Result<GrowBurst> burst = growBurst({.lower = 2, .upper = 1}, smallDocument());
         QVERIFY(!burst);
         QCOMPARE(burst.error().code, ErrorCode::InvalidField);
-        QVERIFY(!growBurst({.lower = 0, .upper = 1, .connectivity = 26}, smallDocument()));
+        QVERIFY(!growBurst({.lower = 0, .upper = 1, .connectivity = 14}, smallDocument()));
     }
 
     void segmentsAreNumberedInOrder()

@@ -7,7 +7,10 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <memory>
+#include <set>
 
 using namespace core;
 using reference::ReferenceEngine;
@@ -56,12 +59,19 @@ std::vector<std::uint32_t> grownLiterally(const Codes& codes, const std::vector<
         return burst.lowCode <= codes.values[at] && codes.values[at] <= burst.highCode
             && (held[at] == 0 || held[at] == label || burst.overwritable[held[at]]);
     };
+    // What the label held already is marked: 30 for a seed, 29 for any other.
+    const auto mark = [&](std::size_t at, std::uint32_t label, std::uint32_t direction) {
+        if (held[at] != label)
+            return direction;
+        return direction == seedWord::seedDirection ? std::uint32_t(30) : std::uint32_t(29);
+    };
     std::uint32_t generation = burst.generation;
     bool admitted = false;
     for (std::size_t at = 0; at < words.size(); ++at) {
         const std::uint32_t label = seedWord::label(words[at]);
         if (seedWord::isPendingSeed(words[at]) && accepts(label, at)) {
-            words[at] = seedWord::member(generation + 1, label, seedWord::seedDirection);
+            words[at] =
+                seedWord::member(generation + 1, label, mark(at, label, seedWord::seedDirection));
             admitted = true;
         }
     }
@@ -76,16 +86,22 @@ std::vector<std::uint32_t> grownLiterally(const Codes& codes, const std::vector<
                     const std::size_t at = codes.offset(child);
                     if (seedWord::isMember(old[at]))
                         continue;
-                    for (std::uint32_t direction = 0; direction < 6; ++direction) {
-                        glm::ivec3 parent = child;
-                        parent[int(direction / 2)] += direction % 2 ? 1 : -1;
-                        if (!codes.contains(parent))
+                    for (std::uint32_t direction = 0; direction < seedWord::directions;
+                         ++direction) {
+                        const std::array<int, 3>& way = seedWord::offsets[direction];
+                        const int changed = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
+                        const int reach = burst.connectivity == 6 ? 1
+                            : burst.connectivity == 18            ? 2
+                                                                  : 3;
+                        const glm::ivec3 parent = child - glm::ivec3(way[0], way[1], way[2]);
+                        if (changed > reach || !codes.contains(parent))
                             continue;
                         const std::uint32_t word = old[codes.offset(parent)];
-                        if (!seedWord::isMember(word) || !accepts(seedWord::label(word), at))
+                        const std::uint32_t label = seedWord::label(word);
+                        if (!seedWord::isMember(word) || !accepts(label, at))
                             continue;
                         words[at] = std::min(words[at],
-                            seedWord::member(generation + 1, seedWord::label(word), direction));
+                            seedWord::member(generation + 1, label, mark(at, label, direction)));
                         added = true;
                     }
                 }
@@ -109,6 +125,10 @@ private Q_SLOTS:
     void isBreadthFirst_data();
     void isBreadthFirst();
     void followsTheRuleLiterally();
+    void directionsAreAllNeighboursInPairs();
+    void shrinkingIsTheInverse_data();
+    void shrinkingIsTheInverse();
+    void shrinkingLeavesWhatWasThere();
     void corridorIsAsLongAsItIs();
     void portionsMakeNoDifference();
     void competingLabelsMeetHalfWay();
@@ -192,6 +212,7 @@ void ReferenceGrowthTest::followsTheRuleLiterally()
             reference::DenseFields before = engine.fields();
             GrowBurst grow{.lowCode = test::randomInt(random, 0, 4),
                 .highCode = test::randomInt(random, 4, 9),
+                .connectivity = std::array<int, 3>{6, 18, 26}[std::size_t(seed + burst) % 3],
                 .generation = generation};
             grow.overwritable[2] = random() % 2;
             grow.overwritable[3] = random() % 2;
@@ -204,6 +225,132 @@ void ReferenceGrowthTest::followsTheRuleLiterally()
                     codes, before.labels(0).values, before.seedWords(0).values, grow, steps));
         }
     }
+}
+
+void ReferenceGrowthTest::directionsAreAllNeighboursInPairs()
+{
+    std::set<std::array<int, 3>> all;
+    for (std::uint32_t direction = 0; direction < seedWord::directions; ++direction) {
+        const std::array<int, 3>& way = seedWord::offsets[direction];
+        const std::array<int, 3>& back = seedWord::offsets[direction ^ 1U];
+        int axes = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            QCOMPARE(way[axis], -back[axis]);
+            QVERIFY(std::abs(way[axis]) <= 1);
+            axes += way[axis] != 0 ? 1 : 0;
+        }
+        QCOMPARE(axes, direction < 6 ? 1 : direction < 18 ? 2 : 3);
+        all.insert(way);
+    }
+    QCOMPARE(all.size(), std::size_t(26));
+}
+
+void ReferenceGrowthTest::shrinkingIsTheInverse_data()
+{
+    QTest::addColumn<int>("seed");
+    const int count = test::longRun() ? 150 : 20;
+    for (int seed = 0; seed < count; ++seed)
+        QTest::addRow("%d", seed) << seed;
+}
+
+/// To any generation: what growing so far from scratch gives, and growing on gives what was there.
+void ReferenceGrowthTest::shrinkingIsTheInverse()
+{
+    QFETCH(int, seed);
+    test::Random random(std::uint32_t(700 + seed));
+    const glm::ivec3 size(test::randomInt(random, 4, 24), test::randomInt(random, 4, 24),
+        test::randomInt(random, 4, 24));
+    const Codes codes = test::balls(size, 5, random);
+    test::Bytes labels{size, {}};
+    for (std::size_t i = 0; i < codes.values.size(); ++i)
+        labels.values.push_back(
+            random() % 6 ? std::uint8_t(0) : std::uint8_t(test::randomInt(random, 1, 3)));
+    GrowBurst grow{.lowCode = 0,
+        .highCode = test::randomInt(random, 300, test::tissueCode),
+        .connectivity = std::array<int, 3>{6, 18, 26}[random() % 3]};
+    std::vector<SeedPlacement> seeds;
+    for (int label = 1; label <= 3; ++label)
+        seeds.push_back({.label = std::uint8_t(label),
+            .voxels = {test::randomVoxel(random, size), test::randomVoxel(random, size)}});
+    const auto grown = [&](int steps) {
+        auto engine = std::make_unique<ReferenceEngine>();
+        (void)engine->openVolume(size, codes.values);
+        engine->submit(SwapBricks{test::bricksOf(labels, Field::Labels, 0)});
+        for (const SeedPlacement& placement : seeds)
+            submitWhole(*engine, placement);
+        submitWhole(*engine, grow, {GrowAdvance{steps}});
+        return engine;
+    };
+    auto engine = grown(GrowAdvance::toClosure);
+    const std::uint32_t last = lastResult(*engine).generation;
+    if (last == 0)
+        return; // no seed was accepted
+    reference::DenseFields whole = engine->fields();
+    // A seed that waited, not accepted, where another label grew over it is gone for good.
+    const auto withoutOverrun = [&whole](reference::DenseFields& fields) {
+        std::vector<std::uint32_t> words = fields.seedWords(0).values;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const std::uint32_t later = whole.seedWords(0).values[i];
+            if (seedWord::isPendingSeed(words[i]) && seedWord::isMember(later))
+                words[i] = seedWord::unvisited;
+        }
+        return words;
+    };
+    const std::uint32_t keep = 1 + random() % last;
+    submitWhole(*engine, ShrinkGrowth{.generation = last, .keep = keep});
+    const EngineResult shrunk = lastResult(*engine);
+    QCOMPARE(shrunk.generation, keep);
+    QCOMPARE(shrunk.statistics.generations, int(last - keep));
+    reference::DenseFields there = engine->fields();
+    reference::DenseFields scratch = grown(int(keep) - 1)->fields();
+    QVERIFY(there.seedWords(0).values == withoutOverrun(scratch));
+    QVERIFY(there.labels(0).values == scratch.labels(0).values);
+
+    grow.generation = keep;
+    submitWhole(*engine, grow, {GrowAdvance{}});
+    there = engine->fields();
+    QVERIFY(there.seedWords(0).values == whole.seedWords(0).values);
+    QVERIFY(there.labels(0).values == whole.labels(0).values);
+
+    grow.generation = 0;
+    // To the seeds: as the first generation was; to nothing: as if only sketched.
+    submitWhole(*engine, ShrinkGrowth{.generation = last, .keepSeeds = true});
+    QCOMPARE(lastResult(*engine).generation, 1u);
+    there = engine->fields();
+    scratch = grown(0)->fields();
+    QVERIFY(there.seedWords(0).values == withoutOverrun(scratch));
+    submitWhole(*engine, ShrinkGrowth{.generation = 1});
+    there = engine->fields();
+    QVERIFY(there.labels(0).values == labels.values);
+    for (const std::uint32_t word : there.seedWords(0).values)
+        QVERIFY(word == seedWord::unvisited || seedWord::isPendingSeed(word));
+}
+
+void ReferenceGrowthTest::shrinkingLeavesWhatWasThere()
+{
+    // A line of ten voxels of which the label held the third, and another label the sixth.
+    const glm::ivec3 size(10, 1, 1);
+    ReferenceEngine engine;
+    QVERIFY(engine.openVolume(size, test::constantVolume(size, 5).values));
+    test::Bytes labels{size, {0, 0, 4, 0, 0, 9, 0, 0, 0, 0}};
+    engine.submit(SwapBricks{test::bricksOf(labels, Field::Labels, 0)});
+    submitWhole(engine, SeedPlacement{.label = 4, .voxels = {{0, 0, 0}}});
+    GrowBurst grow{.lowCode = 5, .highCode = 5};
+    grow.overwritable.set(9);
+    submitWhole(engine, grow, {GrowAdvance{}});
+    reference::DenseFields fields = engine.fields();
+    QCOMPARE(fields.labels(0).values, std::vector<std::uint8_t>(10, 4));
+    submitWhole(engine, ShrinkGrowth{.generation = 10, .keepSeeds = true});
+    fields = engine.fields();
+    QCOMPARE(fields.labels(0).values, (std::vector<std::uint8_t>{4, 0, 4, 0, 0, 0, 0, 0, 0, 0}));
+    // Locked: neither shrinks nor lets the generation fall below its own.
+    submitWhole(engine, GrowBurst{.lowCode = 5, .highCode = 5, .generation = 1}, {GrowAdvance{4}});
+    ShrinkGrowth locked{.generation = 5, .keep = 2};
+    locked.frozen.set(4);
+    submitWhole(engine, locked);
+    const EngineResult result = lastResult(engine);
+    QVERIFY(result.changes.empty());
+    QCOMPARE(result.generation, 5u);
 }
 
 void ReferenceGrowthTest::corridorIsAsLongAsItIs()
