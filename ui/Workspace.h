@@ -62,6 +62,7 @@ public:
         double lower = 0.0; ///< modality units
         double upper = 0.0;
         bool overwriteUnlocked = false;
+        int connectivity = 6; ///< 6, 18 or 26
         double generationsPerSecond = 0.0; ///< 0: as fast as it goes
         bool operator==(const GrowSettings&) const = default;
     };

@@ -61,6 +61,9 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
     connect(m_play, &QPushButton::clicked, this, &GrowthPanel::playOrPause);
     connect(m_toClosure, &QPushButton::clicked, this, &GrowthPanel::runToClosure);
+    connect(m_shrink, &QPushButton::clicked, this, &GrowthPanel::shrinkStep);
+    connect(m_toSeeds, &QPushButton::clicked, this, &GrowthPanel::shrinkToSeeds);
+    connect(m_connectivity, &QComboBox::activated, this, &GrowthPanel::takeSettings);
 
     connect(&workspace, &Workspace::sessionChanged, this, &GrowthPanel::showVolume);
     connect(&workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::showSettings);
@@ -92,6 +95,22 @@ void GrowthPanel::build()
     m_toClosure =
         transportButton(this, QStringLiteral("growToClosure"), QStringLiteral("to-end"), tr("All"));
     m_toClosure->setToolTip(tr("Grow until nothing is left within the interval"));
+    m_shrink = transportButton(
+        this, QStringLiteral("growShrink"), QStringLiteral("step-back"), tr("Shrink"));
+    m_shrink->setToolTip(tr("Take back the last generation; hold it down for more"));
+    m_shrink->setAutoRepeat(true);
+    m_toSeeds = transportButton(
+        this, QStringLiteral("growToSeeds"), QStringLiteral("to-start"), tr("To seeds"));
+    m_toSeeds->setToolTip(tr("Take back all that has grown; the accepted seeds stay"));
+    m_connectivity = new QComboBox(this);
+    m_connectivity->setObjectName(QStringLiteral("growConnectivity"));
+    m_connectivity->setFixedHeight(theme::controlHeight);
+    m_connectivity->setToolTip(tr(
+        "Voxels that grow into each other share a face (6 neighbours), a face or an edge (18), or "
+        "a corner too (26)"));
+    m_connectivity->addItem(tr("faces"), 6);
+    m_connectivity->addItem(tr("edges"), 18);
+    m_connectivity->addItem(tr("corners"), 26);
     m_pace = new QComboBox(this);
     m_pace->setObjectName(QStringLiteral("growPace"));
     m_pace->setFixedHeight(theme::controlHeight);
@@ -117,6 +136,11 @@ void GrowthPanel::build()
     transport->addWidget(m_step, 2);
     transport->addWidget(m_play, 3);
     transport->addWidget(m_toClosure, 2);
+    auto* back = new QHBoxLayout;
+    back->setSpacing(theme::smallPadding);
+    back->addWidget(m_shrink, 1);
+    back->addWidget(m_toSeeds, 1);
+    back->addWidget(m_connectivity, 1);
     auto* pace = new QHBoxLayout;
     auto* paceLabel = new QLabel(tr("Pace"), this);
     paceLabel->setProperty("role", QStringLiteral("secondary"));
@@ -129,6 +153,7 @@ void GrowthPanel::build()
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_range);
     layout->addLayout(transport);
+    layout->addLayout(back);
     layout->addWidget(m_advice);
     layout->addLayout(pace);
     layout->addWidget(m_progress);
@@ -172,6 +197,7 @@ core::GrowSteps GrowthPanel::growEdit() const
     edit.lower = settings.lower;
     edit.upper = settings.upper;
     edit.overwriteUnlocked = settings.overwriteUnlocked;
+    edit.connectivity = settings.connectivity;
     return edit;
 }
 
@@ -209,6 +235,7 @@ void GrowthPanel::showSettings()
     const QSignalBlocker overwrite(m_overwrite);
     m_overwrite->setChecked(settings.overwriteUnlocked);
     m_pace->setCurrentIndex(std::max(0, m_pace->findData(settings.generationsPerSecond)));
+    m_connectivity->setCurrentIndex(std::max(0, m_connectivity->findData(settings.connectivity)));
 }
 
 void GrowthPanel::takeSettings()
@@ -217,6 +244,7 @@ void GrowthPanel::takeSettings()
     settings.lower = m_range->lower();
     settings.upper = m_range->upper();
     settings.overwriteUnlocked = m_overwrite->isChecked();
+    settings.connectivity = m_connectivity->currentData().toInt();
     settings.generationsPerSecond = m_pace->currentData().toDouble();
     m_workspace.setGrowSettings(settings);
 }
@@ -264,6 +292,25 @@ void GrowthPanel::runToClosure()
 {
     if (!m_running)
         begin(0.0);
+}
+
+void GrowthPanel::shrinkStep()
+{
+    shrink(1);
+}
+
+void GrowthPanel::shrinkToSeeds()
+{
+    shrink({});
+}
+
+void GrowthPanel::shrink(std::optional<int> steps)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_running)
+        return;
+    if (const auto applied = session->apply(core::ShrinkSteps{.steps = steps}); !applied)
+        m_workspace.fail(applied.error());
 }
 
 void GrowthPanel::finish()
@@ -347,6 +394,10 @@ void GrowthPanel::showState()
     m_step->setEnabled(canGrow && !m_running);
     m_play->setEnabled(canGrow);
     m_toClosure->setEnabled(canGrow && !m_running);
+    const core::Growth* growth = session ? session->document().growth(0) : nullptr;
+    const bool canShrink = growth && growth->generation > 1 && !allLocked && !m_running;
+    m_shrink->setEnabled(canShrink);
+    m_toSeeds->setEnabled(canShrink);
     // Dark on the accent, as its text is.
     m_play->setIcon(QIcon(tintedIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play"),
         canGrow ? theme::window : theme::secondary, 16, devicePixelRatioF())));
@@ -387,12 +438,14 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
     const std::uint32_t generation =
         document.growths.empty() ? 0 : document.growths.front().generation;
     const core::History& history = session->history();
-    if (history.position() == 0
-        || !std::holds_alternative<core::GrowSteps>(history.row(history.position()).edit))
+    const core::HistoryRow* row =
+        history.position() == 0 ? nullptr : &history.row(history.position());
+    const bool shrunk = row && std::holds_alternative<core::ShrinkSteps>(row->edit);
+    if (!row || (!shrunk && !std::holds_alternative<core::GrowSteps>(row->edit)))
         return tr("Generation %1").arg(countText(generation));
-    const auto added = history.row(history.position()).statistics.voxelsChanged;
-    return tr("Generation %1 · added %2 (%3)")
-        .arg(countText(generation), countText(added), millilitreText(added, voxelMm3));
+    const auto voxels = row->statistics.voxelsChanged;
+    return (shrunk ? tr("Generation %1 · taken back %2 (%3)") : tr("Generation %1 · added %2 (%3)"))
+        .arg(countText(generation), countText(voxels), millilitreText(voxels, voxelMm3));
 }
 
 QString GrowthPanel::seedText(int seeds) const

@@ -7,6 +7,7 @@
 
 #include <QTimer>
 
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -40,6 +41,8 @@ public Q_SLOTS:
     void step();
     void playOrPause();
     void runToClosure();
+    void shrinkStep();
+    void shrinkToSeeds();
 
 private:
     void build();
@@ -51,6 +54,7 @@ private:
     [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
     void poll();
     bool begin(double generationsPerSecond);
+    void shrink(std::optional<int> steps);
     void finish();
     void askSeedValues();
     void makeSeedButton();
@@ -62,6 +66,9 @@ private:
     QPushButton* m_step = nullptr;
     QPushButton* m_play = nullptr;
     QPushButton* m_toClosure = nullptr;
+    QPushButton* m_shrink = nullptr;
+    QPushButton* m_toSeeds = nullptr;
+    QComboBox* m_connectivity = nullptr;
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;

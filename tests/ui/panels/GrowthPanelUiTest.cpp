@@ -6,6 +6,7 @@
 #include "ui/widgets/HistogramRange.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -98,6 +99,43 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QVERIFY(fixture.session().document().segments[0].voxels > 0);
+    }
+
+    void shrinkingTakesBackWhatGrew()
+    {
+        SeededPanel fixture;
+        QVERIFY(!button(fixture.panel, "growShrink").isEnabled());
+        std::vector<std::int64_t> voxels;
+        for (int step = 0; step < 4; ++step) {
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            voxels.push_back(fixture.session().document().segments[0].voxels);
+        }
+        for (int step = 2; step >= 0; --step) {
+            click(button(fixture.panel, "growShrink"));
+            fixture.settle();
+            QCOMPARE(fixture.session().document().segments[0].voxels, voxels[std::size_t(step)]);
+        }
+        click(button(fixture.panel, "growToSeeds"));
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, std::int64_t(1));
+        QVERIFY(!button(fixture.panel, "growToSeeds").isEnabled());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, voxels[0]);
+    }
+
+    void connectivityIsPartOfTheEdit()
+    {
+        SeededPanel fixture;
+        auto* choice = fixture.panel.findChild<QComboBox*>(QStringLiteral("growConnectivity"));
+        QVERIFY(choice);
+        QCOMPARE(fixture.panel.growEdit().connectivity, 6);
+        QTest::keyClick(choice, Qt::Key_End);
+        QCOMPARE(fixture.panel.growEdit().connectivity, 26);
+        click(button(fixture.panel, "growStep"));
+        fixture.settle();
+        QCOMPARE(fixture.lastGrowth()->connectivity, 26);
     }
 
     void playRunsToClosureAsOneStepOfUndo_data()
