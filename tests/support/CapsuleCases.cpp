@@ -379,4 +379,24 @@ std::vector<EngineCase> capsuleCases(int randomCount)
     return cases;
 }
 
+std::vector<EngineCase> carveCases(int randomCount)
+{
+    std::vector<EngineCase> cases;
+    for (int number = 0; number < randomCount; ++number) {
+        Random random(std::uint32_t(17000 + number));
+        const glm::ivec3 size(
+            randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32));
+        Scene scene("random carving " + QByteArray::number(number), std::uint32_t(18000 + number),
+            size, random() % 2);
+        for (const bool restore : {false, true}) {
+            BrushStroke stroke = randomBrush(scene.document, random);
+            stroke.layer = 1;
+            stroke.restore = restore;
+            scene.append(stroke, random() % 8 ? core::Ending::Commit : core::Ending::Rollback);
+        }
+        cases.push_back(std::move(scene.made));
+    }
+    return cases;
+}
+
 } // namespace test

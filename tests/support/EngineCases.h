@@ -47,10 +47,12 @@ namespace test {
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> laserCases(int randomCount);
-[[nodiscard]] std::vector<EngineCase> peelCases(int randomCount); ///< and scissors
+[[nodiscard]] std::vector<EngineCase> peelCases(int randomCount); ///< some with scissors between
+[[nodiscard]] std::vector<EngineCase> scissorsCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> pickCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> eraseCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> capsuleCases(int randomCount); ///< paint and carve brush
+[[nodiscard]] std::vector<EngineCase> carveCases(int randomCount); ///< by turns carve and restore
 [[nodiscard]] std::vector<EngineCase> layerCases(int randomCount); ///< muted ones
 [[nodiscard]] std::vector<EngineCase> layerWriteCases(int randomCount); ///< to and from segments
 [[nodiscard]] std::vector<EngineCase> sparedCases(int randomCount); ///< of every tool that carves

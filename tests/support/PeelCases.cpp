@@ -147,4 +147,29 @@ std::vector<EngineCase> peelCases(int randomCount)
     return cases;
 }
 
+std::vector<EngineCase> scissorsCases(int randomCount)
+{
+    std::vector<EngineCase> cases;
+    for (int number = 0; number < randomCount; ++number) {
+        Random random(std::uint32_t(23000 + number));
+        const glm::ivec3 size(
+            randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32));
+        const glm::dvec3 spacing(1.0, 1.0, random() % 3 ? 1.0 : 8.0);
+        const core::Document scene = document(size, random, spacing);
+        EngineCase made{
+            "random scissors " + QByteArray::number(number), codesFor(size, random), {}};
+        for (const bool restore : {false, true}) {
+            core::ScissorsCut cut = randomScissors(scene, random);
+            cut.restore = restore;
+            cut.firstLayerOnly = cut.firstLayerOnly && !restore;
+            appendWhole(made.steps, *core::maskScissors(cut, scene), {},
+                random() % 8 ? core::Ending::Commit : core::Ending::Rollback);
+        }
+        if (random() % 2)
+            made.steps.push_back(Undo{});
+        cases.push_back(std::move(made));
+    }
+    return cases;
+}
+
 } // namespace test

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/DrillPathSampler.h"
+#include "core/edits/EngineEdits.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -7,6 +9,8 @@
 #include "tests/support/FailingLog.h"
 
 #include <QtTest>
+
+#include <map>
 
 using namespace core;
 using reference::DelayedEngine;
@@ -23,8 +27,11 @@ private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void cleanup();
 
+    void everyToolIsThere();
     void conforms_data();
     void conforms();
+    void orderAndBatchesDoNotMatter_data();
+    void orderAndBatchesDoNotMatter();
     void derivedTexturesFollow_data();
     void derivedTexturesFollow();
     void pausedGrowthIsGrowthOfSoManySteps_data();
@@ -54,12 +61,129 @@ std::vector<EngineCase> EngineConformanceGlTest::cases()
     const bool all = test::longRun();
     std::vector<EngineCase> collected = test::growthCases(all ? 400 : 20);
     for (auto more : {test::drillCases(all ? 400 : 20), test::peelCases(all ? 400 : 20),
-             test::laserCases(all ? 400 : 20), test::pickCases(all ? 150 : 8),
+             test::scissorsCases(all ? 240 : 8), test::laserCases(all ? 400 : 20),
+             test::carveCases(all ? 240 : 8), test::pickCases(all ? 150 : 8),
              test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
              test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
              test::sparedCases(all ? 200 : 20), test::refusalCases()})
         collected.insert(collected.end(), more.begin(), more.end());
     return collected;
+}
+
+/// Issue 4 wants 200 random strokes of every tool, either way.
+void EngineConformanceGlTest::everyToolIsThere()
+{
+    std::map<QByteArray, int> strokes;
+    for (const EngineCase& each : cases()) {
+        for (const test::EngineStep& step : each.steps) {
+            const auto* command = std::get_if<EngineCommand>(&step);
+            const auto* begin = command ? std::get_if<BeginEdit>(command) : nullptr;
+            if (!begin)
+                continue;
+            const auto count = [&strokes](const char* tool, Laying laying) {
+                ++strokes[QByteArray(tool) + (laying == Laying::Carve ? "" : ", restoring")];
+            };
+            if (const auto* drill = std::get_if<DrillCut>(&begin->edit))
+                count("drill", drill->laying);
+            else if (const auto* laser = std::get_if<LaserCut>(&begin->edit))
+                count("laser", laser->laying);
+            else if (const auto* peel = std::get_if<MaskPeel>(&begin->edit))
+                count("peel", peel->laying);
+            else if (const auto* scissors = std::get_if<MaskScissors>(&begin->edit))
+                count("scissors", scissors->laying);
+            else if (const auto* brush = std::get_if<CapsuleCut>(&begin->edit))
+                count("carve brush", brush->restore ? Laying::Refill : Laying::Carve);
+        }
+    }
+    for (const auto& [tool, count] : strokes)
+        qInfo("%s: %d strokes", tool.constData(), count);
+    QCOMPARE(strokes.size(), std::size_t(10));
+    for (const auto& [tool, count] : strokes)
+        QVERIFY2(count >= (test::longRun() ? 200 : 8), tool.constData());
+}
+
+void EngineConformanceGlTest::orderAndBatchesDoNotMatter_data()
+{
+    QTest::addColumn<QByteArray>("tool");
+    for (const char* tool : {"drill", "drill by time", "laser", "laser by time", "peel", "brush"})
+        QTest::addRow("%s", tool) << QByteArray(tool);
+}
+
+/// However a stroke's events come in batches and in whatever order; and those that count once may
+/// be told twice (a second told twice is two seconds).
+void EngineConformanceGlTest::orderAndBatchesDoNotMatter()
+{
+    QFETCH(QByteArray, tool);
+    const int count = test::longRun() ? 200 : 6;
+    qInfo("%d strokes", count);
+    for (int number = 0; number < count; ++number) {
+        test::Random random(std::uint32_t(51000 + number));
+        const glm::ivec3 size(test::randomInt(random, 8, 30), test::randomInt(random, 8, 30),
+            test::randomInt(random, 2, 30));
+        const Document document = test::randomDocument(size, random, false);
+        const DrillMode mode = tool.endsWith("time") ? DrillMode::Rate : DrillMode::Limit;
+        EngineEdit edit;
+        std::vector<EngineExtension> path;
+        if (tool.startsWith("drill")) {
+            DrillStroke stroke = test::randomDrill(document, random);
+            stroke.mode = mode;
+            const DrillCut cut = test::drillCutOf(stroke, document);
+            for (const DrillSample& sample : test::drillSamplesOf(stroke, cut))
+                path.push_back(DrillPath{{sample}});
+            edit = cut;
+        } else if (tool.startsWith("laser")) {
+            LaserStroke stroke = test::randomLaser(document, random);
+            stroke.mode = mode;
+            const LaserCut cut = *laserCut(stroke, document);
+            for (const DrillSample& sample : laserPath(stroke, cut))
+                path.push_back(DrillPath{{sample}});
+            edit = cut;
+        } else if (tool == "peel") {
+            const PeelCut cut = test::randomPeel(document, random);
+            path.push_back(peelDepth(cut));
+            edit = *maskPeel(cut, document);
+        } else {
+            const BrushStroke stroke = test::randomBrush(document, random);
+            for (const Capsule& capsule : capsules(stroke.path, document.volumes.front().geometry))
+                path.push_back(CapsulePath{{capsule}});
+            edit = *capsuleCut(stroke, document);
+        }
+        EngineCase whole{tool, test::balls(size, 5, random), {}};
+        test::appendWhole(whole.steps, edit, path);
+        ReferenceEngine oracle;
+        const EngineOutcome expected = test::runCase(oracle, whole);
+        for (int round = 0; round < 3; ++round) {
+            std::vector<EngineExtension> told = path;
+            if (tool == "peel") { // what was said last counts
+                for (int i = test::randomInt(random, 0, 3); i > 0; --i)
+                    told.insert(told.begin(), PeelDepth{test::randomInt(random, 0, 1 << 20)});
+                told.push_back(told.back());
+            } else {
+                for (std::size_t i = 0; mode == DrillMode::Limit && i < path.size(); i += 3)
+                    told.push_back(path[i]);
+                for (std::size_t i = told.size(); i > 1; --i)
+                    std::swap(told[i - 1], told[random() % i]);
+            }
+            EngineCase shuffled{tool, whole.codes, {}};
+            shuffled.steps.push_back(EngineCommand(BeginEdit{edit}));
+            for (std::size_t i = 0; i < told.size(); ++i) {
+                shuffled.steps.push_back(EngineCommand(ExtendEdit{told[i]}));
+                // Else those that wait are taken together.
+                if (random() % 4 == 0)
+                    shuffled.steps.push_back(test::Settle{});
+            }
+            shuffled.steps.push_back(EngineCommand(EndEdit{Ending::Commit}));
+            const EngineOutcome actual = test::runCase(m_gpu.engine(), shuffled);
+            QVERIFY2(actual.failure.isEmpty(), qPrintable(actual.failure));
+            EngineOutcome a;
+            EngineOutcome b;
+            a.state = expected.state;
+            b.state = actual.state;
+            const QString text = test::difference(a, b);
+            QVERIFY2(
+                text.isEmpty(), qPrintable(QStringLiteral("stroke %1: %2").arg(number).arg(text)));
+        }
+    }
 }
 
 void EngineConformanceGlTest::conforms_data()
