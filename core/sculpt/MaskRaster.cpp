@@ -4,6 +4,7 @@
 #include "core/sculpt/MaskFrame.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -25,10 +26,14 @@ int floorDivide(int value, int divisor)
 /// a row is the winding, weighted by area.
 class SignedAreas {
 public:
+    /// Elements whose sums are kept together. Most of a plane is met by no edge and has none.
+    static constexpr int blockLength = 32;
+    using Block = std::array<std::int64_t, blockLength>; // a curve may wind any number of times
+
     SignedAreas(const glm::ivec2& first, const glm::ivec2& size)
         : m_origin(first * unit)
-        , m_width(size.x + 1)
-        , m_sums(std::size_t(m_width) * std::size_t(size.y), 0)
+        , m_blocksPerRow(size.x / blockLength + 1) // one more element: what is right of the last
+        , m_places(std::size_t(m_blocksPerRow) * std::size_t(size.y), -1)
     {
     }
 
@@ -53,15 +58,26 @@ public:
         }
     }
 
-    [[nodiscard]] const std::int64_t* row(int b) const
+    /// Null: all 0.
+    [[nodiscard]] const Block* block(int row, int number) const
     {
-        return &m_sums[std::size_t(m_width) * std::size_t(b)];
+        const std::int32_t place = m_places[std::size_t(m_blocksPerRow * row + number)];
+        return place < 0 ? nullptr : &m_blocks[std::size_t(place)];
     }
 
 private:
+    void add(int row, int element, std::int64_t twiceArea)
+    {
+        std::int32_t& place = m_places[std::size_t(m_blocksPerRow * row + element / blockLength)];
+        if (place < 0) {
+            place = std::int32_t(m_blocks.size());
+            m_blocks.push_back({});
+        }
+        m_blocks[std::size_t(place)][std::size_t(element % blockLength)] += twiceArea;
+    }
+
     void addInRow(int row, int fromX, int toX, int height)
     {
-        std::int64_t* const sums = &m_sums[std::size_t(m_width) * std::size_t(row)];
         if (fromX > toX)
             std::swap(fromX, toX);
         const int width = toX - fromX;
@@ -73,8 +89,8 @@ private:
                 nextX == toX ? height : int(std::int64_t(height) * (nextX - fromX) / width);
             const int rise = upTo - done;
             const int twiceMiddle = x + nextX - 2 * element * unit;
-            sums[element] += std::int64_t(rise) * (2 * unit - twiceMiddle);
-            sums[element + 1] += std::int64_t(rise) * twiceMiddle;
+            add(row, element, std::int64_t(rise) * (2 * unit - twiceMiddle));
+            add(row, element + 1, std::int64_t(rise) * twiceMiddle);
             done = upTo;
             x = nextX;
             if (x == toX)
@@ -83,9 +99,16 @@ private:
     }
 
     glm::ivec2 m_origin;
-    int m_width;
-    std::vector<std::int64_t> m_sums; // a curve may wind any number of times
+    int m_blocksPerRow;
+    std::vector<std::int32_t> m_places; ///< in m_blocks; below 0: none
+    std::vector<Block> m_blocks;
 };
+
+std::uint16_t valueOf(std::int64_t winding)
+{
+    const std::int64_t covered = std::min(winding < 0 ? -winding : winding, wholeElement);
+    return std::uint16_t((covered + wholeElement / 512) / (wholeElement / 256));
+}
 
 std::uint16_t blended(std::uint32_t before, std::uint32_t middle, std::uint32_t after)
 {
@@ -186,13 +209,17 @@ MaskRaster filledExactly(const std::vector<MaskVertex>& vertices)
 
     mask.values.resize(std::size_t(mask.size.x) * std::size_t(mask.size.y));
     for (int b = 0; b < mask.size.y; ++b) {
-        const std::int64_t* const sums = areas.row(b);
         std::uint16_t* const out = &mask.values[std::size_t(mask.size.x) * std::size_t(b)];
         std::int64_t winding = 0;
-        for (int a = 0; a < mask.size.x; ++a) {
-            winding += sums[a];
-            const std::int64_t covered = std::min(winding < 0 ? -winding : winding, wholeElement);
-            out[a] = std::uint16_t((covered + wholeElement / 512) / (wholeElement / 256));
+        for (int from = 0; from < mask.size.x; from += SignedAreas::blockLength) {
+            const int length = std::min(SignedAreas::blockLength, mask.size.x - from);
+            const auto* const block = areas.block(b, from / SignedAreas::blockLength);
+            if (!block && winding != 0)
+                std::fill_n(out + from, length, valueOf(winding));
+            for (int i = 0; block && i < length; ++i) {
+                winding += (*block)[std::size_t(i)];
+                out[from + i] = valueOf(winding);
+            }
         }
     }
     return mask;
