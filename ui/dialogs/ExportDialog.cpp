@@ -93,6 +93,8 @@ std::bitset<256> growingLabels(core::EditSession& session)
             // A row without a number of steps ran to closure; so did one that stopped early.
             const int steps = history.row(id).statistics.generations;
             grown = !grow->steps || steps < *grow->steps;
+        } else if (std::holds_alternative<core::ShrinkSteps>(edit)) {
+            grown = false;
         }
     }
     return grown ? pending : seeded;
