@@ -2,6 +2,7 @@
 #include "ui/DisplayState.h"
 
 #include "ui/DisplayJson.h"
+#include "ui/LayerLooks.h"
 #include "ui/Pieces.h"
 #include "ui/ToolSettings.h"
 #include "ui/tools/Tool.h"
@@ -188,6 +189,30 @@ void apply(const QJsonValue& json, Pieces& pieces)
     }
 }
 
+QJsonArray toJson(const std::map<int, LayerLook>& looks)
+{
+    QJsonArray list;
+    for (const auto& [layer, look] : looks) {
+        if (look != LayerLook())
+            list.append(
+                QJsonObject{{QStringLiteral("layer"), layer}, {QStringLiteral("hides"), look.hides},
+                    {QStringLiteral("softness"), look.softness}});
+    }
+    return list;
+}
+
+void apply(const QJsonValue& json, LayerLooks& layers)
+{
+    for (const QJsonValue& entry : json.toArray()) {
+        LayerLook look;
+        read(entry[QLatin1String("hides")], look.hides);
+        read(entry[QLatin1String("softness")], look.softness);
+        look.hides = std::clamp(look.hides, 0.0, 1.0);
+        look.softness = std::clamp(look.softness, 0.0, 1.0);
+        layers.setLook(entry[QLatin1String("layer")].toInt(), look);
+    }
+}
+
 // --- Where the views stand. ----------------------------------------------------------------------
 
 QJsonObject toJson(const SliceView::Place& place)
@@ -309,6 +334,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
         {QStringLiteral("clip"), toJson(m_workspace.clip())},
         {QStringLiteral("pieces"), toJson(m_workspace.pieces().looks())},
+        {QStringLiteral("layers"), toJson(m_workspace.layerLooks().looks())},
         {QStringLiteral("views"), composedViews()},
         {QStringLiteral("activeSegment"), m_workspace.activeSegment()},
         {QStringLiteral("activeLayer"), m_workspace.activeLayer()},
@@ -358,6 +384,7 @@ void DisplayState::apply(const QJsonObject& state)
     read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
     m_workspace.setClip(clip);
     ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
+    ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
     applyTools(state);
     applyViews(state[QLatin1String("views")].toObject());
 }

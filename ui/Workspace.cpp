@@ -4,6 +4,7 @@
 #include "ui/AuthorName.h"
 #include "ui/HistoryMemory.h"
 #include "ui/InitialDisplay.h"
+#include "ui/LayerLooks.h"
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
@@ -19,6 +20,7 @@ Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     , m_frames(frames)
     , m_pieces(new Pieces(*this))
     , m_seeds(new PendingSeeds(*this))
+    , m_layerLooks(new LayerLooks(*this))
 {
     m_retry.setInterval(std::chrono::seconds(5));
     connect(&m_retry, &QTimer::timeout, this, [this] {

@@ -14,6 +14,7 @@
 
 namespace ui {
 
+class LayerLooks;
 class PendingSeeds;
 class Pieces;
 class Tool;
@@ -123,6 +124,7 @@ public:
     void setClip(const core::ClipRegion& clip);
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
+    [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
@@ -200,6 +202,7 @@ private:
     core::ClipRegion m_clip;
     Pieces* m_pieces = nullptr;
     PendingSeeds* m_seeds = nullptr;
+    LayerLooks* m_layerLooks = nullptr;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

@@ -435,7 +435,7 @@ void FrameScheduler::readBack(View& view, Frame::Quality quality)
     if (const auto* scene = std::get_if<VolumeScene>(&view.request.scene)) {
         for (const ScenePiece& piece : scene->pieces) {
             const auto* entry = m_volume.pieces().entry({piece.layer, piece.segment});
-            if (entry && !entry->filled.empty())
+            if (piece.id != 0 && entry && !entry->filled.empty())
                 delivery.frame.pieces.push_back({.id = piece.id, .filled = entry->filled});
         }
     }

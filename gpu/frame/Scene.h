@@ -61,18 +61,26 @@ struct TransferFunction {
 /// in the transfer function's colours, or grey as in a slice.
 enum class CutFaces : std::uint8_t { Material, GreyValues };
 
-/// A part of the volume in a pose of its own (core::Piece), drawn among the rest in one cast.
+/// A part of the volume in a pose of its own (core::Piece), drawn among the rest in one cast; or what
+/// a layer hides only in part, at its place.
 struct ScenePiece {
-    int id = 0;
+    int id = 0; ///< of the document's piece; 0: none, and no tool meets it
     int layer = 0; ///< sculpt layer whose coverage it is; 0: a segment's voxels
     int segment = 0; ///< label
     glm::dmat4 shownFromTrue{1.0}; ///< LPS mm; turns, zooms evenly, moves
     float opacity = 1.0f; ///< 0: hidden
+    /// Volume rendering: from its rim inwards it fades from whole to `opacity` over so much of what
+    /// radiation reaches, 0 … 1.
+    float softness = 0.0f;
     std::uint32_t rgb = 0xFFFFFF;
     /// Surface and volume rendering: its whole body is matter of colour rgb, whatever the values;
     /// else what the scene shows of it, tinted by rgb.
     bool solid = false;
     TransferFunction transferFunction; ///< its own, of volume rendering; empty: the scene's
+    [[nodiscard]] bool showsIn(RenderMode mode) const
+    {
+        return opacity > 0.0f || (softness > 0.0f && mode == RenderMode::Dvr);
+    }
     bool operator==(const ScenePiece&) const = default;
 };
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 namespace gpu {
 
@@ -91,7 +92,7 @@ GpuPiece gpuPiece(
     }
     result.low = glm::vec4(low, piece.opacity);
     result.high = glm::vec4(high, float(1.0 / zoom));
-    result.atlas = glm::vec4(glm::vec3(shift), 0.0f);
+    result.atlas = glm::vec4(glm::vec3(shift), piece.softness);
     result.atlasLow =
         glm::vec4(glm::vec3(glm::dvec3(entry.place) + 0.5), piece.solid ? 1.0f : 0.0f);
     result.atlasHigh = glm::vec4(glm::vec3(glm::dvec3(entry.place) + room - 0.5), -1.0f);
@@ -127,7 +128,7 @@ bool PieceSet::set(VolumeTextures& volume, const VolumeScene& scene, double step
     std::vector<const ScenePiece*> seen;
     for (const ScenePiece& piece : scene.pieces) {
         const PieceTextures::Entry* entry = volume.pieces().entry({piece.layer, piece.segment});
-        const bool shows = entry && !entry->filled.empty() && piece.opacity > 0.0f;
+        const bool shows = entry && !entry->filled.empty() && piece.showsIn(scene.mode);
         if (shows && seen.size() < mostPieces)
             seen.push_back(&piece);
     }
@@ -137,7 +138,8 @@ bool PieceSet::set(VolumeTextures& volume, const VolumeScene& scene, double step
         return false;
     // In an order of their own, so that the list's decides nothing.
     std::sort(seen.begin(), seen.end(), [](const ScenePiece* a, const ScenePiece* b) {
-        return isUnseen(*a) != isUnseen(*b) ? isUnseen(*a) : a->id < b->id;
+        return isUnseen(*a) != isUnseen(*b) ? isUnseen(*a)
+                                            : std::tie(a->id, a->layer) < std::tie(b->id, b->layer);
     });
     std::vector<GpuPiece> pieces;
     std::vector<const ScenePiece*> rows;

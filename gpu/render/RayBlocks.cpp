@@ -170,7 +170,7 @@ void RayBlocks::markPieces(
     Marks marks(m_blocks);
     for (const ScenePiece& piece : scene.pieces) {
         const PieceTextures::Entry* entry = volume.pieces().entry({piece.layer, piece.segment});
-        if (!entry || entry->filled.empty() || piece.opacity <= 0.0f)
+        if (!entry || entry->filled.empty() || !piece.showsIn(scene.mode))
             continue;
         const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
         const glm::dmat4 shownFromIndex = piece.shownFromTrue * geometry.indexToWorld;

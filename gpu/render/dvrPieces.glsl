@@ -124,7 +124,7 @@ Joint jointAt(float n)
             own = footprintAt(piece, at);
             const bool body = isSolid(piece);
             solid = body && own >= 0.5;
-            kept = body ? 0.0 : pieces[piece].low.w * smoothstep(0.45, 0.55, own);
+            kept = body ? 0.0 : opacityAt(piece, own) * smoothstep(0.45, 0.55, own);
             const float row = pieces[piece].atlasHigh.w;
             const float last = float(textureSize(pieceTransfers, 0).x - 1);
             const float entry = code * pieces[piece].cellLow.w + pieces[piece].cellHigh.w;

@@ -7,7 +7,7 @@ struct Piece {
     vec4 turn[3];   // columns: world, directions at its true place → as shown
     vec4 low;       // texture: what it fills; w: opacity
     vec4 high;      // w: 1 / zoom
-    vec4 atlas;     // texel of footprints = index-based place at · size + xyz
+    vec4 atlas;     // texel of footprints = index-based place at · size + xyz; w: softness
     vec4 atlasLow;  // outermost texel centres that are its own; w: 1 where it is solid
     vec4 atlasHigh; // w: row of its own transfer function, −1: the scene's
     vec4 colour;    // tint, or what a solid one is made of
@@ -85,6 +85,14 @@ float gapOf(int piece, float own, float carved, vec3 at)
         gap -= footprintAt(k, at);
 #endif
     return piece >= homeCount ? 1.0 - own : max(gap, 0.0);
+}
+
+/// How much of a piece is kept where its footprint is so much: at a soft rim, more than inside.
+float opacityAt(int piece, float own)
+{
+    const float softness = pieces[piece].atlas.w;
+    const float fade = softness > 0.0 ? clamp(1.0 - (2.0 * own - 1.0) / softness, 0.0, 1.0) : 0.0;
+    return max(pieces[piece].low.w, fade);
 }
 
 /// What is carved away of a place as far as its look goes. Where pieces are at home there is no

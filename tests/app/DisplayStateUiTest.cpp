@@ -8,6 +8,7 @@
 #include "tests/support/SmallStudy.h"
 #include "ui/DisplayState.h"
 #include "ui/MainWindow.h"
+#include "ui/LayerLooks.h"
 #include "ui/Pieces.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/ScissorsTool.h"
@@ -129,6 +130,7 @@ private:
                 .rgb = 0x80FF90,
                 .tissue = true,
                 .map = {{{0.0, 0x204060, 0.0}, {90.0, 0xC06040, 0.5}}}});
+        workspace.layerLooks().setLook(1, {.hides = 0.35, .softness = 0.8});
         workspace.setActiveSegment(2);
         workspace.setActiveLayer(2);
         workspace.setDrillSettings(drill);

@@ -3,17 +3,23 @@
 
 #include "ui/Icons.h"
 #include "ui/LayerActions.h"
+#include "ui/LayerLooks.h"
 #include "ui/Pieces.h"
+#include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/models/LayerListModel.h"
 #include "ui/panels/LayerDelegate.h"
 
 #include <QAction>
+#include <QGridLayout>
+#include <QLabel>
 #include <QListView>
 #include <QMenu>
+#include <QSlider>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
@@ -43,6 +49,8 @@ LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);
+    buildLook();
+    layout->addWidget(m_look);
 
     connect(m_add, &QAction::triggered, this, &LayersPanel::add);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -51,6 +59,12 @@ LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
                 m_workspace.setActiveLayer(current.data(LayerListModel::IdRole).toInt());
         });
     connect(m_view, &QListView::customContextMenuRequested, this, &LayersPanel::showMenu);
+    connect(&m_workspace.layerLooks(), &LayerLooks::changed, this, &LayersPanel::showLook);
+    connect(&m_workspace, &Workspace::documentChanged, this,
+        [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Pieces)
+                showLook();
+        });
     connect(m_model, &QAbstractItemModel::dataChanged, this, &LayersPanel::refresh);
     connect(m_model, &QAbstractItemModel::modelReset, this, &LayersPanel::refresh);
     refresh();
@@ -84,7 +98,67 @@ void LayersPanel::refresh()
     const int active = m_model->rowOf(m_workspace.activeLayer());
     if (active >= 0 && m_view->currentIndex().row() != active)
         m_view->setCurrentIndex(m_model->index(active));
+    showLook();
     Q_EMIT summaryChanged(summary());
+}
+
+void LayersPanel::buildLook()
+{
+    m_look = new QWidget(this);
+    auto* grid = new QGridLayout(m_look);
+    grid->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(1, 1);
+    const auto row = [this, grid](const QString& name, const char* object, const QString& tip,
+                         QLabel*& value) {
+        const int at = grid->rowCount();
+        auto* label = new QLabel(name, m_look);
+        label->setFont(theme::smallFont());
+        grid->addWidget(label, at, 0);
+        auto* slider = new QSlider(Qt::Horizontal, m_look);
+        slider->setRange(0, 100);
+        slider->setObjectName(QLatin1String(object));
+        slider->setAccessibleName(name);
+        slider->setToolTip(tip);
+        grid->addWidget(slider, at, 1);
+        value = new QLabel(m_look);
+        value->setFont(theme::smallFont());
+        value->setProperty("role", QStringLiteral("secondary"));
+        value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        value->setMinimumWidth(value->fontMetrics().horizontalAdvance(tr("%1 %").arg(100)));
+        grid->addWidget(value, at, 2);
+        connect(slider, &QSlider::valueChanged, this, &LayersPanel::takeLook);
+        return slider;
+    };
+    m_hides = row(tr("Hides"), "layerHides",
+        tr("How much of what the layer carves is hidden in the 3D view. Tools work behind it all "
+           "the "
+           "same."),
+        m_hidesText);
+    m_softness = row(tr("Soft edge"), "layerSoftness",
+        tr("Volume rendering: matter fades out into the cut, over three voxels at most."),
+        m_softnessText);
+}
+
+void LayersPanel::showLook()
+{
+    const int layer = m_workspace.activeLayer();
+    const LayerLook look = m_workspace.layerLooks().look(layer);
+    const QSignalBlocker hides(m_hides);
+    const QSignalBlocker softness(m_softness);
+    m_hides->setValue(int(std::lround(100.0 * look.hides)));
+    m_softness->setValue(int(std::lround(100.0 * look.softness)));
+    m_hidesText->setText(tr("%1 %").arg(m_hides->value()));
+    m_softnessText->setText(tr("%1 %").arg(m_softness->value()));
+    m_look->setEnabled(m_workspace.layerLooks().hasLook(layer));
+}
+
+void LayersPanel::takeLook()
+{
+    m_workspace.layerLooks().setLook(m_workspace.activeLayer(),
+        {.hides = m_hides->value() / 100.0, .softness = m_softness->value() / 100.0});
 }
 
 void LayersPanel::add()

@@ -3,15 +3,18 @@
 
 #include "ui/panels/Panel.h"
 
+class QLabel;
 class QListView;
 class QMenu;
+class QSlider;
 
 namespace ui {
 
 class LayerListModel;
 class Workspace;
 
-/// The sculpt layers: muted or not, name; a click makes one the layer that tools carve. Folded at
+/// The sculpt layers: muted or not, name; a click makes one the layer that tools carve. Below the
+/// list, how much of what the active one carves is hidden. Folded at
 /// first, since one layer is what most sessions have.
 class LayersPanel : public Panel {
     Q_OBJECT
@@ -29,11 +32,19 @@ private:
     void showMenu(const QPoint& position);
     void addPassages(QMenu& menu, int layer);
     void refresh();
+    void buildLook();
+    void showLook();
+    void takeLook();
 
     Workspace& m_workspace;
     LayerListModel* m_model = nullptr;
     QListView* m_view = nullptr;
     QAction* m_add = nullptr;
+    QWidget* m_look = nullptr; ///< of the active layer
+    QSlider* m_hides = nullptr;
+    QLabel* m_hidesText = nullptr;
+    QSlider* m_softness = nullptr;
+    QLabel* m_softnessText = nullptr;
 };
 
 } // namespace ui

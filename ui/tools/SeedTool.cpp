@@ -197,7 +197,7 @@ void SeedTool::askWhatIsSeen()
             std::vector<glm::ivec3> voxels;
             for (const auto& pick : *seen) {
                 if (pick)
-                    voxels.push_back(*pick);
+                    voxels.push_back(pick->voxel);
             }
             if (voxels.empty())
                 tool->m_workspace.say(tr("No seed was set: nothing is seen under the sketch"));

@@ -55,7 +55,7 @@ std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<gl
 {
     std::vector<Way> ways;
     for (const gpu::ScenePiece& piece : scene.pieces) {
-        if (piece.opacity <= 0.0f)
+        if (piece.opacity <= 0.0f || piece.id == 0)
             continue;
         const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
         const glm::dmat4 toTrue = glm::inverse(piece.shownFromTrue);
@@ -163,7 +163,7 @@ void choose(Question& question, const std::vector<int>& codes)
             || (shaded ? sample->depthMm < depth[way.point] : sample->code > brightness[way.point]);
         if (!wins)
             continue;
-        seen[way.point] = sample->voxel;
+        seen[way.point] = SeenVoxel{sample->voxel, way.piece.id};
         depth[way.point] = sample->depthMm;
         brightness[way.point] = sample->code;
     }
@@ -178,7 +178,7 @@ void askCodes(Workspace& workspace, const std::shared_ptr<Question>& question)
             probe.voxels.push_back(sample.voxel);
     }
     for (const auto& voxel : question->seen)
-        probe.voxels.push_back(voxel.value_or(glm::ivec3(0)));
+        probe.voxels.push_back(voxel.value_or(SeenVoxel()).voxel);
     workspace.session()->ask(std::move(probe), [question](const core::EngineResult& result) {
         if (result.error)
             return question->then(tl::unexpected(*result.error));
@@ -229,10 +229,13 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
         [&workspace, question](const core::EngineResult& result) {
             if (result.error)
                 return question->then(tl::unexpected(*result.error));
-            question->seen = result.picks;
+            question->seen.clear();
+            for (const std::optional<glm::ivec3>& voxel : result.picks)
+                question->seen.push_back(
+                    voxel ? std::optional<SeenVoxel>({.voxel = *voxel}) : std::nullopt);
             for (const auto& voxel : question->seen) {
-                const glm::dvec3 lps =
-                    question->volume.geometry.toWorld(glm::dvec3(voxel.value_or(glm::ivec3(0))));
+                const glm::dvec3 lps = question->volume.geometry.toWorld(
+                    glm::dvec3(voxel.value_or(SeenVoxel()).voxel));
                 question->depthMm.push_back(
                     glm::dot(lps - question->scene.targetLps, forwardOf(question->scene)));
             }

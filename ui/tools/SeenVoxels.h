@@ -14,8 +14,13 @@ namespace ui {
 
 class Workspace;
 
+struct SeenVoxel {
+    glm::ivec3 voxel{0}; ///< at its true place
+    int piece = 0; ///< id of what it was seen on; 0: what is left of the volume
+};
+
 /// One per point; none: nothing is seen there.
-using SeenVoxels = std::vector<std::optional<glm::ivec3>>;
+using SeenVoxels = std::vector<std::optional<SeenVoxel>>;
 
 /// Asks which voxels the user sees at these points of a 3D view. What is seen of a piece means its
 /// true place, wherever it is shown: its voxel is found along the ray that the pose takes there.

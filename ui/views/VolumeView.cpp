@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/VolumeView.h"
 
+#include "ui/LayerLooks.h"
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
+#include "ui/views/MeasurementLines.h"
 #include "ui/views/PieceBadges.h"
 
 #include <QPainter>
@@ -40,6 +42,15 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.pieces(), &Pieces::looksChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.seeds(), &PendingSeeds::changed, this, [this] { requestFrame(); });
+    connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            // A layer that is muted, or a piece by now, is not drawn in part.
+            const bool layers = change.what == core::DocumentChange::What::Layers
+                || change.what == core::DocumentChange::What::Pieces;
+            if (layers && !this->workspace().layerLooks().looks().empty())
+                requestMovingFrame();
+        });
     connect(&workspace, &Workspace::windowLevelChanged, this, [this] {
         if (std::get<gpu::VolumeScene>(scene()).faceWindow == this->workspace().windowLevel())
             requestMovingFrame();
@@ -106,6 +117,8 @@ gpu::Scene VolumeView::scene() const
     scene.clip = workspace().clip();
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
+    const std::vector<gpu::ScenePiece> partlyHidden = workspace().layerLooks().scene();
+    scene.pieces.insert(scene.pieces.end(), partlyHidden.begin(), partlyHidden.end());
     // Only where it shows: another grey scale of the slices is no other picture else.
     const bool shaded =
         scene.mode == gpu::RenderMode::Surface || scene.mode == gpu::RenderMode::Dvr;
@@ -244,6 +257,7 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         painter.restore();
     }
     paintPieceBadges(painter, shown, workspace());
+    paintMeasurements(painter, shown, workspace());
     paintEdgeLetters(painter, rect(), camera.right(), -camera.up);
 
     CornerTexts texts;
