@@ -31,6 +31,7 @@
 #include "ui/tools/PaintTool.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/PieceTool.h"
+#include "ui/tools/RulerTool.h"
 #include "ui/tools/ScissorsTool.h"
 #include "ui/tools/SeedTool.h"
 #include "ui/tools/UndoHereTool.h"
@@ -83,6 +84,7 @@ void Application::makeWindow()
     ui::addPieceActions(window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
     auto* paint = new ui::PaintTool(*m_workspace, &window);
+    auto* ruler = new ui::RulerTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
@@ -101,6 +103,8 @@ void Application::makeWindow()
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addToolGroup();
+    window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
+    window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
 
     window.addPanel(new ui::SegmentsPanel(*m_workspace));
@@ -115,7 +119,7 @@ void Application::makeWindow()
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     const std::vector<ui::Tool*> tools{
-        drill, laser, peel, scissors, carve, clip, piece, seed, paint, undoHere};
+        drill, laser, peel, scissors, carve, clip, piece, seed, paint, ruler, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

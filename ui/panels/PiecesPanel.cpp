@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/PiecesPanel.h"
 
+#include "ui/LayerActions.h"
 #include "ui/Pieces.h"
 #include "ui/Theme.h"
 #include "ui/TransferPresets.h"
@@ -346,6 +347,14 @@ void PiecesPanel::showMenu(const QPoint& position)
     menu.addAction(tr("Home"), this, [this, piece] { m_workspace.pieces().setPose(piece, {}); });
     menu.addAction(tr("Open like a lid"), this,
         [this, piece] { m_workspace.pieces().openLikeALid(piece, m_view.camera().up); });
+    const core::Piece* known = m_workspace.session()->document().piece(piece);
+    QAction* segment = menu.addAction(tr("Make a segment"), this, [this, piece] {
+        const core::Piece* cut = m_workspace.session()->document().piece(piece);
+        if (cut && cut->layer > 0)
+            layerToSegment(m_workspace, cut->layer, std::nullopt);
+    });
+    segment->setToolTip(tr("At its true place, in its true size"));
+    segment->setEnabled(known && known->layer > 0); // that of a segment is one
     menu.addSeparator();
     menu.addAction(tr("Remove piece"), this, [this, piece] { m_workspace.pieces().remove(piece); });
     menu.exec(m_list->viewport()->mapToGlobal(position));

@@ -55,7 +55,12 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&m_workspace, &Workspace::windowLevelChanged, this, refresh);
     connect(&m_workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&m_workspace, &Workspace::volumeDisplayChanged, this, refresh);
-    connect(&m_workspace, &Workspace::documentChanged, this, refresh);
+    connect(&m_workspace, &Workspace::documentChanged, this,
+        [this](const core::DocumentChange& change) {
+            requestFrame();
+            if (change.what == core::DocumentChange::What::Measurements)
+                update(); // the picture stays, what lies over it does not
+        });
     connect(&m_workspace, &Workspace::activeToolChanged, this, &ImageView::followTool);
     connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
     qApp->installEventFilter(this); // proximity of a pen is told to the application alone

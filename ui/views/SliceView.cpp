@@ -6,6 +6,7 @@
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
 #include "ui/views/ClipOutline.h"
+#include "ui/views/MeasurementLines.h"
 #include "ui/views/OrientationLetters.h"
 
 #include <QKeyEvent>
@@ -268,6 +269,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     const auto& slice = std::get<gpu::SliceScene>(shown.scene);
 
     paintClipSection(painter, shown, workspace().clip(), volume.geometry);
+    paintMeasurements(painter, shown, workspace());
     if (options.showCrosshair) {
         const bool axial = m_orientation == SliceOrientation::Axial;
         const bool sagittal = m_orientation == SliceOrientation::Sagittal;
