@@ -67,9 +67,12 @@ void RunKeyframes::keep()
     const core::Volume& volume = document.volumes.front();
     ui::Camera camera = ui::openingCamera(volume.geometry);
     camera.heightMm = ui::fittingHeightMm(camera, volume.geometry, size);
+    gpu::VolumeScene scene = ui::volumeScene(camera, ui::initialVolumeDisplay(volume));
+    for (const core::Piece& piece : document.pieces)
+        scene.pieces.push_back(ui::scenePiece(piece, document));
     m_frames.request({.view = view,
         .sizePixels = {size.width(), size.height()},
-        .scene = ui::volumeScene(camera, ui::initialVolumeDisplay(volume)),
+        .scene = scene,
         .segments = ui::segmentDisplay(document)});
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
     {

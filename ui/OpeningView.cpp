@@ -46,6 +46,19 @@ gpu::VolumeScene volumeScene(const Camera& camera, const Workspace::VolumeDispla
     return scene;
 }
 
+gpu::ScenePiece scenePiece(const core::Piece& piece, const core::Document& document)
+{
+    const core::Segment* segment = document.segment(piece.segment);
+    gpu::ScenePiece drawn;
+    drawn.id = piece.id;
+    drawn.layer = piece.layer;
+    drawn.segment = piece.segment;
+    drawn.shownFromTrue = core::shownFromTrue(piece, document.volumes.front().geometry);
+    drawn.solid = segment != nullptr;
+    drawn.rgb = segment ? segment->rgb : 0xFFFFFFU;
+    return drawn;
+}
+
 gpu::SegmentDisplay segmentDisplay(const core::Document& document, bool shown)
 {
     gpu::SegmentDisplay display;

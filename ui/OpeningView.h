@@ -16,6 +16,9 @@ namespace ui {
     const Camera& camera, const core::VolumeGeometry& geometry, const QSize& picture);
 [[nodiscard]] gpu::VolumeScene volumeScene(
     const Camera& camera, const Workspace::VolumeDisplay& display);
+/// A piece as it looks before anybody has changed that: opaque, of a segment its body in its
+/// colour.
+[[nodiscard]] gpu::ScenePiece scenePiece(const core::Piece& piece, const core::Document& document);
 /// @param shown false: none of the segments
 [[nodiscard]] gpu::SegmentDisplay segmentDisplay(const core::Document& document, bool shown = true);
 

@@ -2,6 +2,7 @@
 #include "ui/Pieces.h"
 
 #include "ui/LayerActions.h"
+#include "ui/OpeningView.h"
 #include "ui/StudyTexts.h"
 #include "ui/Workspace.h"
 
@@ -299,17 +300,12 @@ std::vector<gpu::ScenePiece> Pieces::scene() const
     const core::Document& document = session->document();
     for (const core::Piece& piece : document.pieces) {
         const PieceLook look = this->look(piece.id);
-        const core::Segment* segment = document.segment(piece.segment);
         core::Piece shown = piece;
         shown.pose = pose(piece);
-        gpu::ScenePiece drawn;
-        drawn.id = piece.id;
-        drawn.layer = piece.layer;
-        drawn.segment = piece.segment;
-        drawn.shownFromTrue = core::shownFromTrue(shown, m_workspace.volume()->geometry);
+        gpu::ScenePiece drawn = scenePiece(shown, document);
         drawn.opacity = look.visible ? float(look.opacity) : 0.0f;
-        drawn.solid = segment && !look.tissue;
-        drawn.rgb = look.rgb.value_or(drawn.solid ? segment->rgb : 0xFFFFFFU);
+        drawn.solid = drawn.solid && !look.tissue;
+        drawn.rgb = look.rgb.value_or(drawn.solid ? drawn.rgb : 0xFFFFFFU);
         drawn.transferFunction = look.map;
         result.push_back(drawn);
     }

@@ -354,6 +354,40 @@ private Q_SLOTS:
         QCOMPARE((*file)->contents().keyframes.back().row, RowId(12));
     }
 
+    /// Pieces are part of what is seen: one that was moved beside the head is in the picture.
+    void picturesShowPieces()
+    {
+        const DrillStroke drill = test::drillAt(0);
+        const auto pictureAt = [this](const char* name, const std::vector<Edit>& edits) {
+            if (run(recipe("p.json", {{key("edits"), json(edits)}}), name).status != 0)
+                qFatal("not carried out");
+            reference::ReferenceEngine oracle;
+            const auto session = EditSession::view(
+                oracle, *loadVolume(m_study), path(name), QStringLiteral("a test looks at it"));
+            std::promise<QByteArray> png;
+            (*session)->fetchKeyframe((*session)->history().position(),
+                [&png](const QByteArray& fetched) { png.set_value(fetched); });
+            return QImage::fromData(png.get_future().get(), "PNG");
+        };
+        BrushStroke half;
+        half.path.radiusMm = 14.0;
+        half.path.pointsLps = {drill.view.targetLps + glm::dvec3(0, 0, 14)};
+        const Edit lift = CutPiece{.layer = 1, .name = QStringLiteral("Cap")};
+        const QImage cut = pictureAt("cut.burin", {half, lift, test::addSegment("A")});
+        const QImage away = pictureAt(
+            "away.burin", {half, lift, ChangePiece{.piece = 1, .offsetMm = glm::dvec3(0, 0, 6)}});
+        const auto lit = [](const QImage& image) {
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    count += qGray(image.pixel(x, y)) > 60 ? 1 : 0;
+            return count;
+        };
+        // At home it fills the cut, above it stands out.
+        QVERIFY2(lit(cut) > 1000 && lit(away) > lit(cut) + 100,
+            qPrintable(QStringLiteral("%1 and %2").arg(lit(cut)).arg(lit(away))));
+    }
+
     void imagesTravelWithTheSession()
     {
         const QString study = path("case.nii.gz");
