@@ -114,7 +114,7 @@ void checkOpening(const char* name, const test::Opening& opening)
 
 } // namespace
 
-/// The paper's figures again (seed A, figures 1, 3, 4, 5), measured. With BURIN_SCREENSHOTS the
+/// The paper's figures again (seed A, figures 1, 3, 4, 5, 9), measured. With BURIN_SCREENSHOTS the
 /// pictures of the manual are written there: resources/help/reenact-*.png.
 class ReenactmentGlTest : public QObject {
     Q_OBJECT
@@ -367,6 +367,114 @@ private Q_SLOTS:
         QCOMPARE(opening.outside, std::size_t(0));
         QVERIFY(opening.cutThrough >= 0.75);
         QVERIFY(opening.touched <= opening.spared / 200);
+    }
+
+    /// Figure 9, bottom: the bone over a molar is drilled away, seeds are sketched on the tooth, it
+    /// grows, is protected while all around it goes, and is pasted by itself, larger.
+    void aToothIsTakenOut()
+    {
+        const auto stage = shared("ct_cranium_inv3");
+        if (!stage)
+            QSKIP("no shared data");
+        QVERIFY(stage->isReady());
+        const VolumeGeometry& geometry = stage->study().volume.geometry;
+        const auto place = [&geometry](double i, double j, double k) {
+            return geometry.toWorld({i, j, k});
+        };
+        const auto direction = [&place](const glm::dvec3& index) {
+            return glm::normalize(place(index.x, index.y, index.z) - place(0, 0, 0));
+        };
+        // From the cheek, a little from the front.
+        const glm::dvec3 towardsViewer =
+            direction({1, 0, 0}) + 0.3 * direction({0, 1, 0}) - 0.1 * direction({0, 0, 1});
+        const OrthographicView view = viewFrom(towardsViewer, place(159, 184, 8), 62.0);
+        gpu::VolumeScene scene = sceneOf(view);
+        scene.surfaceThreshold = 226.0;
+        std::vector<QImage> panels{stage->draw(scene, panelSize)};
+
+        // The roots lie under a shell of bone.
+        DrillStroke drill{.layer = 1, .view = viewFrom(towardsViewer, place(160, 179, 9), 62.0)};
+        drill.mask.kind = MaskShape::Kind::Ellipse;
+        drill.mask.widthMm = 15.0;
+        drill.mask.heightMm = 14.0;
+        drill.depthMm = 2.0;
+        drill.surfaceThreshold = 226.0;
+        drill.samples = {{}};
+        QCOMPARE(stage->apply(drill), QString());
+        QCOMPARE(
+            stage->apply(AddSegment{.name = QStringLiteral("Molar"), .rgb = 0xF2D9A6}), QString());
+        SeedStroke seeds{.segment = 1, .pointsLps = {}};
+        for (int k = 1; k < 8; ++k)
+            seeds.pointsLps.push_back(place(160, 178, k));
+        QCOMPARE(stage->apply(seeds), QString());
+        panels.push_back(stage->draw(scene, panelSize));
+        QCOMPARE(stage->apply(GrowSteps{.lower = 1200.0, .upper = 3071.0}), QString());
+        QCOMPARE(stage->apply(ChangeSegment{.segment = 1, .uncarvable = true}), QString());
+
+        DrillStroke around = drill;
+        around.mask.widthMm = 21.0;
+        around.mask.heightMm = 26.0;
+        around.view.targetLps = place(159, 179, 5);
+        around.view.eyeLps = around.view.targetLps + 300.0 * glm::normalize(towardsViewer);
+        around.depthMm = 30.0;
+        around.throughGaps = true;
+        QCOMPARE(stage->apply(around), QString());
+        gpu::SegmentDisplay shown;
+        shown.rgb[1] = 0xF2D9A6;
+        shown.visible[1] = true;
+        panels.push_back(stage->draw(scene, panelSize, shown));
+
+        // Far beside the head, so that nothing else is in the picture.
+        PastePiece paste{.segment = 1, .name = QStringLiteral("Molar")};
+        paste.pivotLps = place(159, 179, 5);
+        paste.pose = {.offsetMm = 500.0 * direction({0, 0, 1}), .zoom = 2.4};
+        QCOMPARE(stage->apply(paste), QString());
+        const Piece& piece = stage->session().document().pieces.front();
+        const glm::dmat4 pose = shownFromTrue(piece, geometry);
+        gpu::VolumeScene alone = sceneOf(
+            viewFrom(towardsViewer, glm::dvec3(pose * glm::dvec4(*piece.pivotLps, 1.0)), 62.0));
+        alone.surfaceThreshold = 226.0;
+        alone.pieces = {
+            {.id = 1, .segment = 1, .shownFromTrue = pose, .rgb = 0xF2D9A6, .solid = true}};
+        panels.push_back(stage->draw(alone, panelSize));
+        keep(panels, "reenact-tooth.png");
+
+        const std::vector<std::uint8_t> labels = stage->voxels(Field::Labels, 0);
+        const std::vector<std::uint8_t> coverage = stage->voxels(Field::Coverage, 1);
+        glm::ivec3 low(1000);
+        glm::ivec3 high(-1);
+        int tooth = 0;
+        int carvedTooth = 0;
+        int carved = 0;
+        const glm::ivec3 size = geometry.size;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            carved += coverage[i] >= 128 ? 1 : 0;
+            if (labels[i] != 1)
+                continue;
+            const glm::ivec3 at(
+                int(i) % size.x, int(i) / size.x % size.y, int(i) / (size.x * size.y));
+            low = glm::min(low, at);
+            high = glm::max(high, at);
+            ++tooth;
+            carvedTooth += coverage[i] >= 128 ? 1 : 0;
+        }
+        const glm::dvec3 extentMm = glm::dvec3(high - low + 1) * geometry.spacingMm();
+        const double mL = tooth * geometry.voxelVolumeMm3() / 1000.0;
+        qInfo("tooth: %.2f mL, %.1f x %.1f x %.1f mm; %d voxels carved around it, %d of its %d", mL,
+            extentMm.x, extentMm.y, extentMm.z, carved, carvedTooth, tooth);
+        // One molar and no jaw, no neighbour.
+        QVERIFY(mL > 0.7 && mL < 1.4);
+        QVERIFY(extentMm.x < 16.0 && extentMm.y < 14.0 && extentMm.z < 24.0);
+        QVERIFY(carved > 3000);
+        // The first, shallow press came before anything was protected.
+        QVERIFY(carvedTooth <= tooth / 10);
+        // The piece fills the picture at its zoom, and nothing else does.
+        int lit = 0;
+        for (int y = 0; y < panelSize.y; ++y)
+            for (int x = 0; x < panelSize.x; ++x)
+                lit += qGray(panels.back().pixel(x, y)) > 20 ? 1 : 0;
+        QVERIFY2(lit > panelSize.x * panelSize.y / 12 && lit < panelSize.x * panelSize.y / 2,
+            qPrintable(QString::number(lit)));
     }
 };
 
