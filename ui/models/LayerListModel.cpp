@@ -1,60 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/LayerListModel.h"
 
+#include "ui/LayerLooks.h"
 #include "ui/Workspace.h"
-
-#include <algorithm>
-#include <utility>
 
 namespace ui {
 
 LayerListModel::LayerListModel(Workspace& workspace, QObject* parent)
-    : QAbstractListModel(parent)
-    , m_workspace(workspace)
+    : NumberedListModel(workspace, parent)
 {
-    connect(&workspace, &Workspace::sessionChanged, this, &LayerListModel::refresh);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Layers)
                 refresh();
         });
     connect(&workspace, &Workspace::activeLayerChanged, this, &LayerListModel::refresh);
+    connect(&workspace.layerLooks(), &LayerLooks::changed, this, &LayerListModel::refresh);
     refresh();
 }
 
-void LayerListModel::refresh()
+std::vector<int> LayerListModel::numbers(const core::Document& document) const
 {
     std::vector<int> ids;
-    if (const core::EditSession* session = m_workspace.session()) {
-        for (const core::SculptLayer& layer : session->document().layers)
-            ids.push_back(layer.id);
-    }
-    if (ids != m_ids) {
-        beginResetModel();
-        m_ids = std::move(ids);
-        endResetModel();
-    } else if (!m_ids.empty()) {
-        Q_EMIT dataChanged(index(0), index(int(m_ids.size()) - 1));
-    }
-}
-
-int LayerListModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_ids.size());
-}
-
-int LayerListModel::rowOf(int layer) const
-{
-    const auto found = std::find(m_ids.begin(), m_ids.end(), layer);
-    return found == m_ids.end() ? -1 : int(found - m_ids.begin());
+    for (const core::SculptLayer& layer : document.layers)
+        ids.push_back(layer.id);
+    return ids;
 }
 
 const core::SculptLayer* LayerListModel::layerAt(const QModelIndex& index) const
 {
-    const core::EditSession* session = m_workspace.session();
-    if (!session || !checkIndex(index, CheckIndexOption::IndexIsValid))
-        return nullptr;
-    return session->document().layer(m_ids[std::size_t(index.row())]);
+    const int id = numberAt(index);
+    return id == 0 ? nullptr : m_workspace.session()->document().layer(id);
 }
 
 QVariant LayerListModel::data(const QModelIndex& index, int role) const
@@ -85,6 +61,8 @@ QVariant LayerListModel::data(const QModelIndex& index, int role) const
         return layer->solo;
     case CarvesRole:
         return carves;
+    case HidesRole:
+        return m_workspace.layerLooks().look(layer->id).hides;
     case ActiveRole:
         return layer->id == m_workspace.activeLayer();
     default:
@@ -111,17 +89,7 @@ bool LayerListModel::setData(const QModelIndex& index, const QVariant& value, in
     } else {
         return false;
     }
-    const auto applied = m_workspace.session()->apply(edit);
-    if (!applied)
-        m_workspace.fail(applied.error());
-    return applied.has_value();
-}
-
-Qt::ItemFlags LayerListModel::flags(const QModelIndex& index) const
-{
-    if (!index.isValid())
-        return Qt::NoItemFlags;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+    return apply(edit);
 }
 
 } // namespace ui

@@ -4,16 +4,11 @@
 #include "ui/Pieces.h"
 #include "ui/Workspace.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace ui {
 
 PieceListModel::PieceListModel(Workspace& workspace, QObject* parent)
-    : QAbstractListModel(parent)
-    , m_workspace(workspace)
+    : NumberedListModel(workspace, parent)
 {
-    connect(&workspace, &Workspace::sessionChanged, this, &PieceListModel::refresh);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Pieces
@@ -25,39 +20,18 @@ PieceListModel::PieceListModel(Workspace& workspace, QObject* parent)
     refresh();
 }
 
-void PieceListModel::refresh()
+std::vector<int> PieceListModel::numbers(const core::Document& document) const
 {
     std::vector<int> ids;
-    if (const core::EditSession* session = m_workspace.session()) {
-        for (const core::Piece& piece : session->document().pieces)
-            ids.push_back(piece.id);
-    }
-    if (ids != m_ids) {
-        beginResetModel();
-        m_ids = std::move(ids);
-        endResetModel();
-    } else if (!m_ids.empty()) {
-        Q_EMIT dataChanged(index(0), index(int(m_ids.size()) - 1));
-    }
-}
-
-int PieceListModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_ids.size());
-}
-
-int PieceListModel::rowOf(int piece) const
-{
-    const auto found = std::find(m_ids.begin(), m_ids.end(), piece);
-    return found == m_ids.end() ? -1 : int(found - m_ids.begin());
+    for (const core::Piece& piece : document.pieces)
+        ids.push_back(piece.id);
+    return ids;
 }
 
 const core::Piece* PieceListModel::pieceAt(const QModelIndex& index) const
 {
-    const core::EditSession* session = m_workspace.session();
-    if (!session || !checkIndex(index, CheckIndexOption::IndexIsValid))
-        return nullptr;
-    return session->document().piece(m_ids[std::size_t(index.row())]);
+    const int id = numberAt(index);
+    return id == 0 ? nullptr : m_workspace.session()->document().piece(id);
 }
 
 QVariant PieceListModel::data(const QModelIndex& index, int role) const
@@ -107,17 +81,7 @@ bool PieceListModel::setData(const QModelIndex& index, const QVariant& value, in
     core::ChangePiece edit;
     edit.piece = piece->id;
     edit.name = name;
-    const auto applied = m_workspace.session()->apply(edit);
-    if (!applied)
-        m_workspace.fail(applied.error());
-    return applied.has_value();
-}
-
-Qt::ItemFlags PieceListModel::flags(const QModelIndex& index) const
-{
-    if (!index.isValid())
-        return Qt::NoItemFlags;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+    return apply(edit);
 }
 
 } // namespace ui

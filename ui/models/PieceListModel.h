@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/document/Document.h"
-
-#include <QAbstractListModel>
+#include "ui/models/NumberedListModel.h"
 
 namespace ui {
 
-class Workspace;
-
 /// The document's pieces. Names are changed through the session, as steps of undo; visibility is
 /// display state.
-class PieceListModel : public QAbstractListModel {
+class PieceListModel : public NumberedListModel {
     Q_OBJECT
 
 public:
@@ -24,19 +20,14 @@ public:
 
     explicit PieceListModel(Workspace& workspace, QObject* parent = nullptr);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-    [[nodiscard]] int rowOf(int piece) const; ///< -1: none
+protected:
+    [[nodiscard]] std::vector<int> numbers(const core::Document& document) const override;
 
 private:
-    void refresh();
     [[nodiscard]] const core::Piece* pieceAt(const QModelIndex& index) const;
-
-    Workspace& m_workspace;
-    std::vector<int> m_ids; ///< what the views were last told
 };
 
 } // namespace ui

@@ -18,6 +18,7 @@ namespace ui {
 namespace {
 
 constexpr int rowsBesideTimeline = 4;
+constexpr int leastRows = 6;
 constexpr int timelineHeight = 40;
 
 } // namespace
@@ -38,7 +39,7 @@ HistoryPanel::HistoryPanel(Workspace& workspace, QWidget* parent)
     m_view->setMouseTracking(true);
     m_view->setUniformItemSizes(true);
     m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_view->setMinimumHeight(2 * theme::rowHeight);
+    m_view->setMinimumHeight(leastRows * theme::rowHeight); // else the column scrolls
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

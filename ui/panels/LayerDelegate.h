@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "ui/panels/EyeRowDelegate.h"
 
 namespace ui {
 
-/// A row of the list of sculpt layers: eye, name, "carved" on the active one. A click on the eye
-/// mutes or unmutes; with Alt it has the layer count alone (solo).
-class LayerDelegate : public QStyledItemDelegate {
+/// A row of the list of sculpt layers: eye, name, what it does now. A click on the eye mutes or
+/// unmutes; with Alt it has the layer count alone (solo).
+class LayerDelegate : public EyeRowDelegate {
     Q_OBJECT
 
 public:
-    static constexpr int rowHeight = 28;
+    using EyeRowDelegate::EyeRowDelegate;
 
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
-        const QModelIndex& index) const override;
-    [[nodiscard]] QSize sizeHint(
-        const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
-        const QModelIndex& index) override;
-    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
-        const QModelIndex& index) const override;
-
-    /// Where the eye of a row lies.
-    [[nodiscard]] static QRect eyeRect(const QRect& row);
+protected:
+    [[nodiscard]] Row row(const QModelIndex& index) const override;
+    [[nodiscard]] int stateWidth() const override { return 74; }
+    void eyeClicked(QAbstractItemModel& model, const QModelIndex& index,
+        Qt::KeyboardModifiers modifiers) override;
 };
 
 } // namespace ui

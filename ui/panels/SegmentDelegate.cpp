@@ -4,6 +4,7 @@
 #include "ui/Icons.h"
 #include "ui/Theme.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/panels/EyeRowDelegate.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -26,7 +27,7 @@ QRect nameRect(const QRect& row)
 
 QRect SegmentDelegate::eyeRect(const QRect& row)
 {
-    return {row.left() + 10, row.top() + (row.height() - 20) / 2, 20, 20};
+    return EyeRowDelegate::eyeRect(row);
 }
 
 QRect SegmentDelegate::colourRect(const QRect& row)
@@ -62,12 +63,7 @@ void SegmentDelegate::paint(
     const bool visible = index.data(SegmentListModel::VisibleRole).toBool();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    if (active || option.state.testFlag(QStyle::State_MouseOver))
-        painter->fillRect(row, active ? theme::selected : theme::raised);
-    if (option.state.testFlag(QStyle::State_HasFocus)) {
-        painter->setPen(QPen(theme::accent, 1.0));
-        painter->drawRect(QRectF(row).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
+    paintRowGround(painter, option, active);
     const double ratio = painter->device()->devicePixelRatioF();
     painter->drawPixmap(eyeRect(row),
         tintedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),

@@ -5,6 +5,7 @@
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
 #include "ui/LayerActions.h"
+#include "ui/LayerLooks.h"
 #include "ui/PanelColumn.h"
 #include "ui/PanelSection.h"
 #include "ui/models/LayerListModel.h"
@@ -15,6 +16,7 @@
 #include <QAbstractItemModelTester>
 #include <QDir>
 #include <QListView>
+#include <QSlider>
 #include <QToolButton>
 #include <QtTest>
 
@@ -57,6 +59,40 @@ class LayersPanelUiTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+
+    /// How much a layer hides is display alone: no step, and no tool sees a difference.
+    void aLayerHidesInPart()
+    {
+        Fixture fixture;
+        ui::LayerLooks& looks = fixture.workspace.layerLooks();
+        auto* hides = fixture.panel->findChild<QSlider*>(QStringLiteral("layerHides"));
+        auto* softness = fixture.panel->findChild<QSlider*>(QStringLiteral("layerSoftness"));
+        QVERIFY(hides && softness && hides->value() == 100 && softness->value() == 0);
+        QVERIFY(looks.scene().empty());
+        hides->setValue(40);
+        QCOMPARE(looks.look(1).hides, 0.4);
+        const std::vector<gpu::ScenePiece> drawn = looks.scene();
+        QCOMPARE(drawn.size(), std::size_t(1));
+        QCOMPARE(drawn[0].layer, 1);
+        QCOMPARE(drawn[0].id, 0);
+        QVERIFY(std::abs(drawn[0].opacity - 0.6f) < 1e-6f);
+        QCOMPARE(fixture.list->model()->index(0, 0).data(ui::LayerListModel::HidesRole), 0.4);
+        QVERIFY(fixture.session().history().rows().empty());
+        // A muted layer hides nothing, and a lifted one is drawn as the piece it is.
+        fixture.clickEye(0);
+        QVERIFY(looks.scene().empty());
+        fixture.clickEye(0);
+        QCOMPARE(looks.scene().size(), std::size_t(1));
+        fixture.apply(core::CutPiece{.layer = 1, .name = QStringLiteral("Lid")});
+        QVERIFY(looks.scene().empty() && !hides->isEnabled());
+        // Each layer has its own.
+        fixture.apply(core::AddLayer{.name = QStringLiteral("Way in")});
+        fixture.workspace.setActiveLayer(2);
+        QCOMPARE(hides->value(), 100);
+        QVERIFY(hides->isEnabled());
+        softness->setValue(50);
+        QCOMPARE(looks.scene().front().softness, 0.5f);
+    }
 
     void isFoldedUntilThereIsSomethingToChoose()
     {
