@@ -98,7 +98,7 @@ QSize PanelSection::sizeHint() const
     const int width = std::max(this->width(), leastWidth);
     int height = headerHeight;
     if (!m_folded && m_panel.stretches())
-        height += lowestList;
+        height += std::max(lowestList, m_panel.minimumSizeHint().height());
     else if (!m_folded)
         height += m_panel.hasHeightForWidth() ? m_panel.heightForWidth(width)
                                               : m_panel.sizeHint().height();
