@@ -9,6 +9,13 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int namedHeight = 48;
+constexpr int iconHeight = 32;
+
+} // namespace
+
 ToolColumn::ToolColumn(QWidget* parent)
     : QFrame(parent)
     , m_layout(new QVBoxLayout(this))
@@ -18,6 +25,8 @@ ToolColumn::ToolColumn(QWidget* parent)
     m_layout->setContentsMargins(1, theme::smallPadding, 1, theme::smallPadding);
     m_layout->setSpacing(4);
     m_layout->addStretch(1);
+    // The buttons follow the column's height, not the other way round.
+    m_layout->setSizeConstraint(QLayout::SetNoConstraint);
     setFixedWidth(58);
 }
 
@@ -32,12 +41,13 @@ void ToolColumn::addTool(QAction& action, const QString& label)
     button->setIconSize(QSize(theme::iconSize, theme::iconSize));
     button->setFont(theme::smallFont());
     button->setStyleSheet(QStringLiteral("padding: 3px 0"));
-    button->setFixedSize(56, 48);
+    button->setFixedSize(56, namedHeight);
     button->setFocusPolicy(Qt::NoFocus);
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
     button->setToolTip(
         keys.isEmpty() ? action.text() : action.text() + QStringLiteral("  ") + keys);
     m_layout->insertWidget(m_layout->count() - 1, button, 0, Qt::AlignHCenter);
+    m_buttons.push_back(button);
 }
 
 void ToolColumn::addGroupLine()
@@ -46,6 +56,29 @@ void ToolColumn::addGroupLine()
     line->setFixedHeight(1);
     line->setStyleSheet(QStringLiteral("background: %1").arg(theme::line.name()));
     m_layout->insertWidget(m_layout->count() - 1, line);
+}
+
+int ToolColumn::heightWith(int buttonHeight) const
+{
+    const int others = m_layout->count() - 1 - int(m_buttons.size()); // lines, without the stretch
+    const QMargins margins = m_layout->contentsMargins();
+    return int(m_buttons.size()) * buttonHeight + others
+        + (m_layout->count() - 1) * m_layout->spacing() + margins.top() + margins.bottom();
+}
+
+QSize ToolColumn::minimumSizeHint() const
+{
+    return {58, heightWith(iconHeight)};
+}
+
+void ToolColumn::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    const bool named = height() >= heightWith(namedHeight);
+    for (QToolButton* button : m_buttons) {
+        button->setToolButtonStyle(named ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
+        button->setFixedHeight(named ? namedHeight : iconHeight);
+    }
 }
 
 } // namespace ui

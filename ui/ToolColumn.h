@@ -3,13 +3,16 @@
 
 #include <QFrame>
 
+#include <vector>
+
 class QAction;
-class QActionGroup;
+class QToolButton;
 class QVBoxLayout;
 
 namespace ui {
 
-/// The column at the left: one button per tool, icon over a short name, in groups.
+/// The column at the left: one button per tool, icon over a short name, in groups. Where the window
+/// is too low for that, icons alone; their tips name them.
 class ToolColumn : public QFrame {
     Q_OBJECT
 
@@ -20,8 +23,17 @@ public:
     void addTool(QAction& action, const QString& label);
     void addGroupLine();
 
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    /// Of the whole column, with buttons of this height.
+    [[nodiscard]] int heightWith(int buttonHeight) const;
+
     QVBoxLayout* m_layout;
+    std::vector<QToolButton*> m_buttons;
 };
 
 } // namespace ui

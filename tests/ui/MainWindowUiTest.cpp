@@ -2,13 +2,17 @@
 #include "tests/support/WindowFixture.h"
 #include "ui/MessageBar.h"
 #include "ui/StudyTexts.h"
+#include "ui/ToolColumn.h"
 #include "ui/dialogs/OpenStudyDialog.h"
 #include "ui/views/CautionStrip.h"
 #include "ui/views/ViewGrid.h"
 
+#include <QAction>
+#include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 class MainWindowUiTest : public QObject {
@@ -23,7 +27,36 @@ private Q_SLOTS:
     void closingShowsTheStartPage();
     void listOfVolumesChoosesNothing();
     void openingTellsWhyNot();
+    void toolsFitALowWindow();
 };
+
+void MainWindowUiTest::toolsFitALowWindow()
+{
+    QWidget window;
+    auto* row = new QHBoxLayout(&window);
+    auto* tools = new ui::ToolColumn(&window);
+    row->addWidget(tools);
+    for (int i = 0; i < 12; ++i) {
+        if (i % 4 == 3)
+            tools->addGroupLine();
+        auto* action = new QAction(QStringLiteral("Tool %1").arg(i), tools);
+        tools->addTool(*action, QStringLiteral("Tool"));
+    }
+    window.show();
+    const QList<QToolButton*> buttons = tools->findChildren<QToolButton*>();
+    QCOMPARE(buttons.size(), 12);
+    for (const int height : {560, 1000, 560}) {
+        window.resize(100, height);
+        QTRY_COMPARE(window.height(), height);
+        // Names where there is room for them, and every tool within reach.
+        const Qt::ToolButtonStyle style =
+            height == 1000 ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly;
+        for (const QToolButton* button : buttons) {
+            QTRY_COMPARE(button->toolButtonStyle(), style);
+            QTRY_VERIFY(tools->rect().contains(button->geometry()));
+        }
+    }
+}
 
 void MainWindowUiTest::titleSaysWhoseStudy()
 {

@@ -96,8 +96,10 @@ QStringList clippedTexts(const QWidget& window)
             && label->heightForWidth(label->width()) > label->height())
             clipped += label->text();
     }
-    for (const auto* button : window.findChildren<QPushButton*>())
-        check(button, button->text(), button->width() - 8);
+    for (const auto* button : window.findChildren<QPushButton*>()) {
+        const int picture = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
+        check(button, button->text(), button->width() - 8 - picture);
+    }
     for (const auto* box : window.findChildren<QAbstractSpinBox*>()) {
         const auto* edit = box->findChild<QLineEdit*>();
         check(box, edit->text(), edit->width());

@@ -39,6 +39,15 @@ QPushButton* transportButton(
     return button;
 }
 
+QPushButton* narrowButton(QWidget* parent, const QString& name, const QString& text)
+{
+    auto* button = new QPushButton(text, parent);
+    button->setObjectName(name);
+    button->setProperty("role", QStringLiteral("narrow"));
+    button->setFixedHeight(theme::rowHeight);
+    return button;
+}
+
 bool everySegmentLocked(const core::Document& document)
 {
     return !document.segments.empty()
@@ -95,12 +104,11 @@ void GrowthPanel::build()
     m_toClosure =
         transportButton(this, QStringLiteral("growToClosure"), QStringLiteral("to-end"), tr("All"));
     m_toClosure->setToolTip(tr("Grow until nothing is left within the interval"));
-    m_shrink = transportButton(
-        this, QStringLiteral("growShrink"), QStringLiteral("step-back"), tr("Shrink"));
+    // No pictures on these: the panel is narrow, and the words must be whole.
+    m_shrink = narrowButton(this, QStringLiteral("growShrink"), tr("Shrink"));
     m_shrink->setToolTip(tr("Take back the last generation; hold it down for more"));
     m_shrink->setAutoRepeat(true);
-    m_toSeeds = transportButton(
-        this, QStringLiteral("growToSeeds"), QStringLiteral("to-start"), tr("To seeds"));
+    m_toSeeds = narrowButton(this, QStringLiteral("growToSeeds"), tr("To seeds"));
     m_toSeeds->setToolTip(tr("Take back all that has grown; the accepted seeds stay"));
     m_connectivity = new QComboBox(this);
     m_connectivity->setObjectName(QStringLiteral("growConnectivity"));

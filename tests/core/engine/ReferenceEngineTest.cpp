@@ -118,7 +118,8 @@ void ReferenceEngineTest::refusals()
         {"begin twice, roll back", {1}}, {"swap while an edit is open", {1}},
         {"bricks that are not there", {0, 1, 2, 3}}, {"images cut short", {0}},
         {"voxels outside", {0, 1, 2, 3}}, {"label 0", {0, 1}}, {"connectivity", {2, 3, 4}},
-        {"extensions of another kind", {1, 4, 8}}, {"frames", {0, 1, 2, 3}}, {"opacities", {0}}};
+        {"shrinking to more than there is", {0, 1}}, {"extensions of another kind", {1, 4, 8}},
+        {"frames", {0, 1, 2, 3}}, {"opacities", {0}}};
     const std::vector<test::EngineCase> cases = test::refusalCases();
     QCOMPARE(cases.size(), failing.size());
     for (const test::EngineCase& engineCase : cases) {
