@@ -2,11 +2,10 @@
 #include "gpu/render/RayBlocks.h"
 
 #include "core/document/Piece.h"
+#include "tests/support/ChangedRaycaster.h"
 #include "tests/support/FrameFixture.h"
 #include "tests/support/GlTest.h"
 
-#include <QDir>
-#include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -20,23 +19,11 @@ namespace {
 
 constexpr glm::ivec2 frameSize{230, 200};
 
-/// The built-in shaders, every program of the ray caster able to draw cuts and segments.
+/// Every program of the ray caster able to draw cuts and segments.
 ShaderLibrary oneKind(const QTemporaryDir& folder)
 {
-    const QString root = QStringLiteral(":/shaders/");
-    QDirIterator files(root, QDir::Files, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-        const QString path = files.next().mid(root.size());
-        QFile from(root + path);
-        QFile to(folder.filePath(path));
-        if (!QDir().mkpath(QFileInfo(to).path()) || !from.open(QIODevice::ReadOnly)
-            || !to.open(QIODevice::WriteOnly))
-            qFatal("the shaders cannot be copied");
-        if (path == QLatin1String("render/raycast.frag"))
-            to.write("#undef SCULPTED\n#define SCULPTED 1\n#undef SEGMENTS\n#define SEGMENTS 1\n");
-        to.write(from.readAll());
-    }
-    return ShaderLibrary(folder.path());
+    return test::changedRaycaster(
+        folder, "#undef SCULPTED\n#define SCULPTED 1\n#undef SEGMENTS\n#define SEGMENTS 1\n");
 }
 
 /// A bumpy ball in air.

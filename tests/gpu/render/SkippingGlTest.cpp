@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/Piece.h"
+#include "tests/support/ChangedRaycaster.h"
 #include "tests/support/FrameFixture.h"
 #include "tests/support/GlTest.h"
 
-#include <QDir>
-#include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -17,23 +16,10 @@ using namespace gpu;
 
 namespace {
 
-/// The built-in shaders in a folder of files, the ray caster told to look at every sample.
+/// The ray caster told to look at every sample.
 ShaderLibrary everySample(const QTemporaryDir& folder)
 {
-    const QString root = QStringLiteral(":/shaders/");
-    QDirIterator files(root, QDir::Files, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-        const QString path = files.next().mid(root.size());
-        QFile from(root + path);
-        QFile to(folder.filePath(path));
-        if (!QDir().mkpath(QFileInfo(to).path()) || !from.open(QIODevice::ReadOnly)
-            || !to.open(QIODevice::WriteOnly))
-            qFatal("the shaders cannot be copied");
-        if (path == QLatin1String("render/raycast.frag"))
-            to.write("#define EVERY_SAMPLE 1\n");
-        to.write(from.readAll());
-    }
-    return ShaderLibrary(folder.path());
+    return test::changedRaycaster(folder, "#define EVERY_SAMPLE 1\n");
 }
 
 /// Sums of random waves under random thresholds, with noise: large free and filled regions, thin
