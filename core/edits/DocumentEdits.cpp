@@ -329,6 +329,30 @@ Result<bool> apply(const ShrinkSteps&, Document&)
 {
     return false;
 }
+Result<bool> apply(const ChangeInterval&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const ResumeGrowth&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const ShrinkAt&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const PlugLeak&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const BarrierStroke&, Document&)
+{
+    return false;
+}
+Result<bool> apply(const GrowFromSeeds&, Document&)
+{
+    return false;
+}
 Result<bool> apply(const DrillStroke&, Document&)
 {
     return false;

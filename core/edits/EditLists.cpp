@@ -285,6 +285,32 @@ QString PlaceList::check(const Value& value) const
     return RowList().check(value).isEmpty() ? QString() : QStringLiteral("must ascend, from 1 on");
 }
 
+QJsonValue CornerPair::write(const Value& value) const
+{
+    return PointList{point}.write({value.fromLps, value.toLps});
+}
+
+QString CornerPair::read(const QJsonValue& json, Value& value) const
+{
+    PointList::Value corners;
+    if (const QString reason = PointList{point}.read(json, corners); !reason.isEmpty())
+        return reason;
+    if (corners.size() != 2)
+        return QStringLiteral("must be two points [x, y, z]");
+    value = {.fromLps = corners.front(), .toLps = corners.back()};
+    return {};
+}
+
+QString CornerPair::check(const Value& value) const
+{
+    return PointList{point}.check({value.fromLps, value.toLps});
+}
+
+CornerPair::Value CornerPair::rounded(const Value& value) const
+{
+    return {.fromLps = point.rounded(value.fromLps), .toLps = point.rounded(value.toLps)};
+}
+
 QJsonValue SegmentList::write(const Value& value) const
 {
     QJsonArray array;

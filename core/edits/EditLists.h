@@ -83,6 +83,19 @@ struct PlaceList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// [[x, y, z], [x, y, z]]: opposite corners of a box.
+struct CornerPair {
+    using Value = GrowBox;
+    Point point;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], [x, y, z]]"); }
+    [[nodiscard]] QString unit() const { return point.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
 /// [segment, …]: numbers of segments, at least one, each greater than the one before.
 struct SegmentList {
     using Value = std::vector<int>;

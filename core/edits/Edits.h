@@ -181,17 +181,77 @@ struct SeedStroke {
     std::vector<glm::dvec3> pointsLps{};
 };
 
-struct GrowSteps {
-    double lower = 0.0; ///< modality units, inclusive
+/// A box with sides along the volume's axes, by two opposite corners: it holds the voxels between
+/// those nearest to the corners, inclusive.
+struct GrowBox {
+    glm::dvec3 fromLps{0.0};
+    glm::dvec3 toLps{0.0};
+    bool operator==(const GrowBox&) const = default;
+};
+
+/// Which voxels a growth may enter: all that is given here must hold. Values in modality units.
+struct GrowCriteria {
+    double lower = 0.0; ///< inclusive
     double upper = 0.0;
     int connectivity = 6; ///< 6, 18 or 26
-    std::optional<int> steps{}; ///< none: to closure
+    /// Narrows the interval, for each segment by itself, to mean ± so many standard deviations
+    /// around its seeds.
+    std::optional<double> sigmas{};
+    std::optional<double> difference{}; ///< at most so much from the voxel it is reached from
+    std::optional<double> gradient{}; ///< magnitude at most, per millimetre
+    std::optional<double> gradientDifference{}; ///< of magnitudes, from the voxel before
+    std::optional<int> majority{}; ///< so many of the 27 voxels around and at it in the interval
+    std::optional<double> passageMm{}; ///< narrower ways are shut
+    bool onlyVisible = false; ///< not what is carved
+    std::optional<GrowBox> box{};
     bool overwriteUnlocked = false;
+    bool operator==(const GrowCriteria&) const = default;
+};
+
+struct GrowSteps {
+    GrowCriteria criteria{};
+    std::optional<int> steps{}; ///< none: to closure
+    /// Voxels that the segment held before are told from those that grow over them, so that
+    /// shrinking leaves them. False in sessions of schema 3 and before.
+    bool tellsHeld = true;
+};
+
+/// Give a growth another interval: what qualifies now is recovered, what does not any more is taken
+/// back with what hung on it (seed A §5.4).
+struct ChangeInterval {
+    GrowCriteria criteria{}; ///< with `asBefore` only lower and upper are looked at
+    bool asBefore = true; ///< all else as the last growth; false once it is carried out
+    std::optional<int> steps{}; ///< none: to closure
+};
+
+/// Go on with the growth before, by its own criteria. Kept as the GrowSteps that it was.
+struct ResumeGrowth {
+    std::optional<int> steps{}; ///< none: to closure
 };
 
 /// Take back what growth added last, generation by generation.
 struct ShrinkSteps {
     std::optional<int> steps{}; ///< none, or as many as there are: only the accepted seeds stay
+};
+
+/// Take back what grew through some places, cut off where it is narrowest.
+struct ShrinkAt {
+    std::vector<glm::dvec3> pointsLps{};
+    bool onlyHere = false; ///< only the voxels at the points
+    bool barrier = true; ///< the cut is shut
+};
+
+/// Shut the neck through which growth came to a place, and take back what lies beyond.
+struct PlugLeak {
+    glm::dvec3 pointLps{0.0};
+};
+
+/// Every voxel of a box goes to the segment that is nearest, by a way on which values change
+/// little; seeds are the voxels that segments hold.
+struct GrowFromSeeds {
+    std::optional<std::vector<int>> segments{}; ///< labels that compete; none: all not locked
+    std::optional<GrowBox> box{}; ///< none: around the seeds with a margin of a twentieth
+    double lengthCost = 0.0; ///< modality units: what a millimetre of the way costs
 };
 
 struct PenSample {
@@ -282,6 +342,12 @@ struct PaintStroke {
     bool seeds = false; ///< what is painted takes part in growth: it goes on from there
 };
 
+/// Shut places to growth, or open them again.
+struct BarrierStroke {
+    BrushPath path{};
+    bool erase = false;
+};
+
 /// Carves, or restores what was carved, along a path.
 struct BrushStroke {
     int layer = 1;
@@ -343,6 +409,7 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
-    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps>;
+    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps,
+    ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds>;
 
 } // namespace core

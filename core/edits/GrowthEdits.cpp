@@ -58,23 +58,29 @@ Result<std::vector<glm::ivec3>> seedVoxels(const SeedStroke& stroke, const Volum
     return voxels;
 }
 
-Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
+namespace {
+
+/// @param edit its name, for messages
+Result<GrowBurst> burstOf(
+    const GrowCriteria& criteria, const Document& document, const QString& edit)
 {
-    if (const QString wrong = editFields::Connectivity().check(grow.connectivity); !wrong.isEmpty())
-        return failure(ErrorCode::InvalidField, QStringLiteral("grow.connectivity"), wrong);
-    if (!(grow.lower <= grow.upper))
-        return failure(ErrorCode::InvalidField, QStringLiteral("grow.upper"),
-            QStringLiteral("%1 is below lower, %2").arg(grow.upper).arg(grow.lower));
+    const auto wrong = [&edit](const char* field, const QString& reason) {
+        return failure(
+            ErrorCode::InvalidField, edit + QLatin1Char('.') + QLatin1String(field), reason);
+    };
+    if (const QString reason = editFields::Connectivity().check(criteria.connectivity);
+        !reason.isEmpty())
+        return wrong("connectivity", reason);
+    if (!(criteria.lower <= criteria.upper))
+        return wrong("upper",
+            QStringLiteral("%1 is below lower, %2").arg(criteria.upper).arg(criteria.lower));
 
     constexpr std::uint8_t plane = 0;
     const VoxelEncoding& encoding = document.volumes.front().encoding;
     GrowBurst burst{.plane = plane,
-        .lowCode = encoding.lowestCodeAtLeast(grow.lower),
-        .highCode = encoding.highestCodeAtMost(grow.upper),
-        .connectivity = grow.connectivity,
-        .generation = 0,
-        .overwritable = {},
-        .frozen = {}};
+        .lowCode = encoding.lowestCodeAtLeast(criteria.lower),
+        .highCode = encoding.highestCodeAtMost(criteria.upper),
+        .connectivity = criteria.connectivity};
     if (const Growth* growth = document.growth(plane))
         burst.generation = growth->generation;
     bool anyGrows = false;
@@ -83,10 +89,20 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
             continue;
         anyGrows = anyGrows || !segment.locked;
         burst.frozen[segment.label] = segment.locked;
-        burst.overwritable[segment.label] = grow.overwriteUnlocked && !segment.locked;
+        burst.overwritable[segment.label] = criteria.overwriteUnlocked && !segment.locked;
     }
     if (!anyGrows && burst.frozen.any())
         return failure(ErrorCode::SegmentLocked, QString());
+    return burst;
+}
+
+} // namespace
+
+Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
+{
+    Result<GrowBurst> burst = burstOf(grow.criteria, document, QStringLiteral("grow"));
+    if (burst)
+        burst->tellsHeld = grow.tellsHeld;
     return burst;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
+#include "core/growth/GrowthCommands.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
 #include "core/sculpt/LaserCut.h"
@@ -23,60 +24,6 @@ namespace core {
 using Ticket = std::uint64_t;
 
 // --- Edits as an engine sees them: integers only, everything they read is in them. -------------
-
-/// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word
-/// is not a member's.
-struct SeedPlacement {
-    std::uint8_t plane = 0;
-    std::uint8_t label = 0;
-    std::vector<glm::ivec3> voxels{}; ///< inside the volume
-};
-
-/// Grow all labels of a plane at once (seed A §5.3), ring by ring.
-///
-/// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label
-/// plane as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
-/// Neighbours of a voxel are the 6 that share a face with it, the 18 that share a face or an edge,
-/// or all 26: the first so many of seedWord::offsets.
-/// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
-/// was one, the generation is now one more. Then each step: every voxel that is no member and has a
-/// neighbour that was a member before the step and whose label it accepts becomes
-/// member(generation + 1, label, direction), the smallest such word; if there was one, the
-/// generation is one more, else the growth is at closure and further steps do nothing.
-/// Where the plane held the label itself, the direction is 30 for a seed and 29 else (SeedWord.h).
-/// At generation seedWord::maxGeneration nothing is added any more, by opening or step, and this is
-/// not called closure.
-/// Closing with commit: the label plane receives the label of every member whose generation is
-/// greater than at the opening. `EngineResult::generation` tells where it stopped.
-/// The label plane shows the members of every finished generation at once, so that pictures and
-/// readouts follow a running burst; a rollback takes them back.
-struct GrowBurst {
-    std::uint8_t plane = 0;
-    int lowCode = 0;
-    int highCode = -1;
-    int connectivity = 6; ///< 6, 18 or 26
-    std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
-    std::bitset<256> overwritable{};
-    std::bitset<256> frozen{}; ///< labels that do not grow: locked segments
-};
-
-/// Take back what a growth added after generation `keep`, for every label but those in `frozen`:
-/// its exact inverse (seed A §5.3, shrinking). Of each member of a later generation
-///
-///   a seed stays with `keepSeeds`, as one of generation 1; else it becomes a pending seed again;
-///   any other becomes seedWord::unvisited;
-///
-/// and where a member goes whose direction is neither 29 nor 30 and the plane holds its label, the
-/// plane becomes 0. So voxels that bore the label before the growth came keep it; what another
-/// label held there before is not put back, nor a pending seed that was grown over. The generation
-/// is then `keep`, or the greatest that a member has, if that is more.
-struct ShrinkGrowth {
-    std::uint8_t plane = 0;
-    std::uint32_t generation = 0; ///< the counter at present; no member has a greater one
-    std::uint32_t keep = 0; ///< not above it
-    bool keepSeeds = false;
-    std::bitset<256> frozen{};
-};
 
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
 /// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from
@@ -121,10 +68,10 @@ struct CapsuleCut {
 /// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
 /// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
 /// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
-/// layers and segments, whole at once.
-using EngineEdit =
-    std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut, MaskPeel,
-        MaskScissors, LaserCut, LabelCarved, LabelSeen, CoverLabel, FoldLayer, ShrinkGrowth>;
+/// layers and segments, whole at once. Those of growth: growth/GrowthCommands.h.
+using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel,
+    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, CoverLabel, FoldLayer,
+    ShrinkGrowth, CutGrowth, PaintBarrier, SpreadLabels>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 

@@ -22,6 +22,8 @@ namespace core::seedWord {
 /// plane held the label already when the voxel was claimed, a seed has 30, and any other member 29
 /// instead of its direction (the generations tell it: the lowest that leads from an earliest
 /// neighbour).
+///
+/// 0 is a barrier: least of all words, so nothing claims it, and no member.
 constexpr std::uint32_t directions = 26;
 constexpr std::array<std::array<int, 3>, directions> offsets{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},
     {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 0, 1},
@@ -29,6 +31,7 @@ constexpr std::array<std::array<int, 3>, directions> offsets{{{1, 0, 0}, {-1, 0,
     {-1, -1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}}};
 constexpr std::uint32_t unvisited = 0xFFFFFFFFu;
 constexpr std::uint32_t notMember = 0x80000000u;
+constexpr std::uint32_t barrier = 0;
 constexpr std::uint32_t seedDirection = 31;
 constexpr std::uint32_t heldSeedDirection = 30;
 constexpr std::uint32_t heldDirection = 29;
@@ -46,11 +49,11 @@ constexpr std::uint32_t pendingSeed(std::uint32_t label)
 }
 constexpr bool isMember(std::uint32_t word)
 {
-    return (word & notMember) == 0;
+    return (word & notMember) == 0 && word != barrier;
 }
 constexpr bool isPendingSeed(std::uint32_t word)
 {
-    return word != unvisited && !isMember(word) && (word & 31u) == seedDirection;
+    return word != unvisited && (word & notMember) != 0 && (word & 31u) == seedDirection;
 }
 constexpr std::uint32_t generation(std::uint32_t word)
 {

@@ -12,6 +12,8 @@ namespace core {
 
 namespace {
 
+constexpr QLatin1String tellsHeld("tellsHeld"); // GrowthSchema.h
+
 QString sha256(const QStringList& lines)
 {
     const QByteArray message = lines.join(QLatin1Char('\n')).toUtf8();
@@ -58,6 +60,9 @@ Result<HistoryRow> RowText::row() const
     Result<Edit> known = editFromJson(parsed(edit));
     if (!known)
         return tl::unexpected(known.error());
+    // Sessions of schema 3 and before do not say so: they grew by the other rule.
+    if (auto* grow = std::get_if<GrowSteps>(&*known); grow && !parsed(edit).contains(tellsHeld))
+        grow->tellsHeld = false;
     HistoryRow row;
     row.id = id;
     row.parent = parent;

@@ -2,6 +2,7 @@
 #include "core/session/VoxelOperation.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
 #include "core/edits/SparedSegments.h"
 #include "core/growth/SeedWord.h"
@@ -91,6 +92,11 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(command.error());
         return EngineEdit(*std::move(command));
     }
+    if (std::holds_alternative<ChangeInterval>(m_edit)
+        || std::holds_alternative<ResumeGrowth>(m_edit) || std::holds_alternative<ShrinkAt>(m_edit)
+        || std::holds_alternative<PlugLeak>(m_edit) || std::holds_alternative<BarrierStroke>(m_edit)
+        || std::holds_alternative<GrowFromSeeds>(m_edit))
+        return failure(ErrorCode::InvalidField, editName(m_edit), QStringLiteral("is not known"));
     if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
         Result<EraseLabel> erase = eraseLabel(*remove, document);
         if (!erase)

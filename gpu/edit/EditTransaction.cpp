@@ -35,6 +35,21 @@ core::Result<void> check(const core::ShrinkGrowth& edit, const core::BrickGrid&)
     return {};
 }
 
+core::Result<void> check(const core::CutGrowth&, const core::BrickGrid&)
+{
+    return refusal("edit", "is not known");
+}
+
+core::Result<void> check(const core::PaintBarrier&, const core::BrickGrid&)
+{
+    return refusal("edit", "is not known");
+}
+
+core::Result<void> check(const core::SpreadLabels&, const core::BrickGrid&)
+{
+    return refusal("edit", "is not known");
+}
+
 core::Result<void> check(const core::MaskFrame& frame)
 {
     if (frame.pitch < 1 || frame.rampHalfWidth < 1 || frame.gapSamples < 1)

@@ -121,6 +121,7 @@ void GrowthKernel::setCriterion(Program& each) const
         .set("highCode", none ? 0u : unsigned(m_burst.highCode))
         .set("overwritable", std::span<const unsigned>(overwritable))
         .set("frozen", std::span<const unsigned>(frozen))
+        .set("tellsHeld", m_burst.tellsHeld)
         .set("queueCapacity", m_queueCapacity);
 }
 

@@ -17,7 +17,8 @@ bool canGoOn(ivec3 voxel, uint label)
         if (!inside(neighbour, volumeSize))
             continue;
         uint entry = pageEntry(neighbour);
-        if (entry != 0u && isMember(imageLoad(words, atlasTexel(entry, neighbour)).r))
+        uint word = entry != 0u ? imageLoad(words, atlasTexel(entry, neighbour)).r : unvisited;
+        if (isMember(word) || word == barrier)
             continue;
         if (accepts(label, neighbour, held))
             return true;

@@ -30,6 +30,7 @@ uniform uint lowCode;
 uniform uint highCode;
 uniform uint overwritable[8]; // one bit a label
 uniform uint frozen[8]; // likewise: labels that do not grow
+uniform bool tellsHeld;
 uniform uint queueCapacity; // of each
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
@@ -45,13 +46,14 @@ ivec3 ownerOrigin(uint page)
 }
 
 // Whether a label may enter a voxel: its code is in the interval and no other segment holds it.
-// @param held whether the label holds it already
+// @param held whether the label holds it already; false where that is not told
 bool accepts(uint label, ivec3 voxel, out bool held)
 {
     uint code = imageLoad(codes, voxel).r;
     uint there = imageLoad(labels, voxel).r;
-    held = there == label;
-    bool mayEnter = there == 0u || held;
+    bool own = there == label;
+    held = own && tellsHeld;
+    bool mayEnter = there == 0u || own;
     if (!mayEnter)
         mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
     return mayEnter && code >= lowCode && code <= highCode;

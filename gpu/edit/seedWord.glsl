@@ -2,6 +2,7 @@
 
 const uint unvisited = 0xFFFFFFFFu;
 const uint notMember = 0x80000000u;
+const uint barrier = 0u;
 const uint seedDirection = 31u;
 const uint heldSeedDirection = 30u;
 const uint heldDirection = 29u;
@@ -25,12 +26,12 @@ uint pendingSeedWord(uint label)
 
 bool isMember(uint word)
 {
-    return (word & notMember) == 0u;
+    return (word & notMember) == 0u && word != barrier;
 }
 
 bool isPendingSeed(uint word)
 {
-    return word != unvisited && !isMember(word) && (word & 31u) == seedDirection;
+    return word != unvisited && (word & notMember) != 0u && (word & 31u) == seedDirection;
 }
 
 uint labelOf(uint word)

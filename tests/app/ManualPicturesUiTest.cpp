@@ -136,11 +136,11 @@ private Q_SLOTS:
         apply(
             core::SeedStroke{.segment = 1, .pointsLps = {{-16.0, 0.5, 20.5}, {-14.0, 0.5, 20.5}}});
         const core::RowId seeded = session().history().position();
-        apply(core::GrowSteps{.lower = -20, .upper = 120, .steps = 30});
-        apply(core::GrowSteps{.lower = -20, .upper = 160, .steps = 25});
+        apply(core::GrowSteps{.criteria = {.lower = -20, .upper = 120}, .steps = 30});
+        apply(core::GrowSteps{.criteria = {.lower = -20, .upper = 160}, .steps = 25});
         QVERIFY(session().goTo(seeded));
         QVERIFY(waitUntilDrawn());
-        apply(core::GrowSteps{.lower = 0, .upper = 90, .steps = 88});
+        apply(core::GrowSteps{.criteria = {.lower = 0, .upper = 90}, .steps = 88});
         apply(core::ChangeSegment{.segment = 1, .name = QStringLiteral("Cerebrum")});
         apply(drill({0.22, 0.0}, {0.24, -0.04}, 9, 14));
         apply(core::RevertRows{{session().history().position()}});

@@ -341,7 +341,7 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
         QVERIFY(session.apply(drill));
         QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("S"), .rgb = 0x3388ff}));
         QVERIFY(session.apply(core::SeedStroke{1, {front.centreLps}}));
-        QVERIFY(session.apply(core::GrowSteps{.lower = 400.0, .upper = 600.0}));
+        QVERIFY(session.apply(core::GrowSteps{.criteria = {.lower = 400.0, .upper = 600.0}}));
         QVERIFY(session.settle());
         // Elsewhere and back: what comes then was drawn after the last edit.
         const dvec3 place = real.workspace.crosshairLps();

@@ -408,7 +408,8 @@ private Q_SLOTS:
             seeds.pointsLps.push_back(place(160, 178, k));
         QCOMPARE(stage->apply(seeds), QString());
         panels.push_back(stage->draw(scene, panelSize));
-        QCOMPARE(stage->apply(GrowSteps{.lower = 1200.0, .upper = 3071.0}), QString());
+        QCOMPARE(
+            stage->apply(GrowSteps{.criteria = {.lower = 1200.0, .upper = 3071.0}}), QString());
         QCOMPARE(stage->apply(ChangeSegment{.segment = 1, .uncarvable = true}), QString());
 
         DrillStroke around = drill;

@@ -117,7 +117,7 @@ void RunOracleTest::runsAlike()
     const std::vector<Edit> edits{
         quantised(AddSegment{.name = QStringLiteral("Grown"), .rgb = 0x40C080, .code = {}}),
         quantised(stroke),
-        quantised(GrowSteps{.lower = input.lower, .upper = input.upper, .steps = {}}),
+        quantised(GrowSteps{.criteria = {.lower = input.lower, .upper = input.upper}, .steps = {}}),
         quantised(drill)};
 
     const QTemporaryDir folder;

@@ -30,8 +30,8 @@ constexpr int dabs = 60; ///< half a second of a pen
 core::GrowSteps liverGrowth()
 {
     core::GrowSteps grow;
-    grow.lower = TorsoVolume::lowerHu;
-    grow.upper = TorsoVolume::upperHu;
+    grow.criteria.lower = TorsoVolume::lowerHu;
+    grow.criteria.upper = TorsoVolume::upperHu;
     return grow;
 }
 

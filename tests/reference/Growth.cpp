@@ -109,7 +109,7 @@ bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
 
 bool Growth::holds(std::uint32_t label, const glm::ivec3& voxel) const
 {
-    return m_labels.at(voxel) == label;
+    return m_burst.tellsHeld && m_labels.at(voxel) == label;
 }
 
 bool Growth::step()
@@ -128,6 +128,8 @@ bool Growth::step()
             std::uint32_t& word = m_words.at(child);
             const std::uint32_t claim =
                 seedWord::member(m_generation + 1, label, holds(label, child) ? 29 : direction);
+            if (word == seedWord::barrier)
+                continue;
             if (!seedWord::isMember(word)) {
                 word = claim;
                 added.push_back(child);

@@ -31,7 +31,7 @@ public:
 
 private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
-    /// Whether the label plane held the label there before.
+    /// Whether the label plane held the label there before, where that is told.
     [[nodiscard]] bool holds(std::uint32_t label, const glm::ivec3& voxel) const;
     /// True if anything was added.
     bool step();

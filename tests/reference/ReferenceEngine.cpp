@@ -114,6 +114,21 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShrinkGrowth& e
     return Shrunk{edit.generation, shrinkGrowth(m_fields, edit)};
 }
 
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CutGrowth&)
+{
+    return refuse("edit", "is not known");
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier&)
+{
+    return refuse("edit", "is not known");
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SpreadLabels&)
+{
+    return refuse("edit", "is not known");
+}
+
 namespace {
 
 bool isSound(const core::MaskFrame& frame)

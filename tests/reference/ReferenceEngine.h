@@ -60,6 +60,9 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);
     [[nodiscard]] core::Result<Work> begin(core::ShrinkGrowth& edit);
+    [[nodiscard]] core::Result<Work> begin(core::CutGrowth& edit);
+    [[nodiscard]] core::Result<Work> begin(core::PaintBarrier& edit);
+    [[nodiscard]] core::Result<Work> begin(core::SpreadLabels& edit);
     [[nodiscard]] core::Result<Work> begin(core::DrillCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::PaintLabel& edit);

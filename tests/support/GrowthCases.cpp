@@ -153,6 +153,7 @@ EngineCase randomGrowth(int number)
             if (locks() % 4 == 0)
                 burst.frozen.set(std::size_t(randomInt(locks, 1, 4)));
             burst.connectivity = std::array<int, 4>{6, 6, 18, 26}[newer() % 4];
+            burst.tellsHeld = newer() % 4 != 0;
             std::vector<int> portions;
             for (int i = randomInt(random, 0, 3); i > 0; --i)
                 portions.push_back(randomInt(random, 0, 4));

@@ -312,10 +312,10 @@ private:
     {
         GrowSteps grow = chance(50) ? growBrain() : growBone();
         if (chance(15))
-            grow.lower = -1000; // through everything up to its upper bound
+            grow.criteria.lower = -1000; // through everything up to its upper bound
         if (chance(75))
             grow.steps = between(1, 4);
-        grow.overwriteUnlocked = chance(30);
+        grow.criteria.overwriteUnlocked = chance(30);
         return grow;
     }
     DrillStroke randomDrill()

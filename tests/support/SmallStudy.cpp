@@ -56,12 +56,12 @@ core::SeedStroke seedInBone(int segment)
 
 core::GrowSteps growBrain(std::optional<int> steps)
 {
-    return {.lower = 0, .upper = 100, .steps = steps};
+    return {.criteria = {.lower = 0, .upper = 100}, .steps = steps};
 }
 
 core::GrowSteps growBone(std::optional<int> steps)
 {
-    return {.lower = 500, .upper = 2000, .steps = steps};
+    return {.criteria = {.lower = 500, .upper = 2000}, .steps = steps};
 }
 
 core::DrillStroke drillAt(double xMm)

@@ -188,12 +188,13 @@ core::SeedStroke randomSeeds(const core::Document& document, int segment, Random
 core::GrowSteps randomGrowth(Random& random)
 {
     core::GrowSteps grow;
-    grow.lower = randomInt(random, 0, tissueCode / 2);
-    grow.upper = randomInt(random, tissueCode / 2, tissueCode);
-    grow.overwriteUnlocked = random() % 2;
+    grow.criteria.lower = randomInt(random, 0, tissueCode / 2);
+    grow.criteria.upper = randomInt(random, tissueCode / 2, tissueCode);
+    grow.criteria.overwriteUnlocked = random() % 2;
     if (random() % 2)
         grow.steps = randomInt(random, 1, 12);
-    grow.connectivity = std::array<int, 3>{6, 18, 26}[std::size_t(grow.upper) % 3];
+    grow.criteria.connectivity =
+        std::array<int, 3>{6, 18, 26}[std::size_t(grow.criteria.upper) % 3];
     return grow;
 }
 
@@ -384,10 +385,11 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     drill.hidden.reset();
     const core::Edit lock =
         core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true};
-    core::GrowSteps some{.lower = 0, .upper = 700, .steps = 5};
-    core::GrowSteps all{.lower = 0, .upper = 240, .steps = {}};
-    core::GrowSteps none{.lower = 60000, .upper = 60001, .steps = {}};
-    core::GrowSteps over{.lower = 0, .upper = 1000, .steps = {}, .overwriteUnlocked = true};
+    core::GrowSteps some{.criteria = {.lower = 0, .upper = 700}, .steps = 5};
+    core::GrowSteps all{.criteria = {.lower = 0, .upper = 240}, .steps = {}};
+    core::GrowSteps none{.criteria = {.lower = 60000, .upper = 60001}, .steps = {}};
+    core::GrowSteps over{
+        .criteria = {.lower = 0, .upper = 1000, .overwriteUnlocked = true}, .steps = {}};
 
     cases.push_back({"add a segment", volume, {}, first});
     cases.push_back({"rename a segment", volume, {first},

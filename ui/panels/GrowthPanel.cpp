@@ -202,10 +202,10 @@ core::GrowSteps GrowthPanel::growEdit() const
 {
     const Workspace::GrowSettings& settings = m_workspace.growSettings();
     core::GrowSteps edit;
-    edit.lower = settings.lower;
-    edit.upper = settings.upper;
-    edit.overwriteUnlocked = settings.overwriteUnlocked;
-    edit.connectivity = settings.connectivity;
+    edit.criteria.lower = settings.lower;
+    edit.criteria.upper = settings.upper;
+    edit.criteria.overwriteUnlocked = settings.overwriteUnlocked;
+    edit.criteria.connectivity = settings.connectivity;
     return edit;
 }
 

@@ -5,45 +5,6 @@
 
 namespace core::editSchema {
 
-template <> inline constexpr const char* editName<SeedStroke> = "seed";
-template <>
-inline constexpr const char* editMeaning<SeedStroke> =
-    "Marks the voxels nearest to some points as seeds of a segment; the next growth starts there.";
-template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
-{
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
-    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
-        "patient coordinates (LPS), inside the volume");
-}
-
-template <> inline constexpr const char* editName<GrowSteps> = "grow";
-template <>
-inline constexpr const char* editMeaning<GrowSteps> =
-    "Grows all seeded segments breadth-first through voxels whose value lies in an interval.";
-template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
-{
-    visit.field(
-        "lower", Presence::Required, edit.lower, modalityValue, "smallest value, inclusive");
-    visit.field(
-        "upper", Presence::Required, edit.upper, modalityValue, "greatest value, inclusive");
-    visit.field("connectivity", Presence::Optional, edit.connectivity, editFields::Connectivity{},
-        "neighbours of a voxel: those that share a face, a face or an edge, or a corner too");
-    visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{},
-        "rings to add after the seeds, or until nothing is left to add");
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether growth takes voxels of other segments that are not locked");
-}
-
-template <> inline constexpr const char* editName<ShrinkSteps> = "shrink";
-template <>
-inline constexpr const char* editMeaning<ShrinkSteps> =
-    "Takes back what growth added last, ring by ring; what was painted or there before stays.";
-template <class Visitor> void visitFields(Visitor& visit, ShrinkSteps& edit)
-{
-    visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{"toSeeds"},
-        "rings to take back, or all but the accepted seeds");
-}
-
 template <> inline constexpr const char* editName<PaintStroke> = "paint";
 template <>
 inline constexpr const char* editMeaning<PaintStroke> =

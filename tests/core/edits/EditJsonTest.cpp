@@ -65,9 +65,9 @@ private Q_SLOTS:
         const Result<Edit> grow = editFromJson(parse(
             "{'edit':'grow','lower':-10.5,'upper':300,'connectivity':6,'steps':'toClosure'}"));
         QVERIFY(grow);
-        QCOMPARE(std::get<GrowSteps>(*grow).lower, -10.5);
+        QCOMPARE(std::get<GrowSteps>(*grow).criteria.lower, -10.5);
         QVERIFY(!std::get<GrowSteps>(*grow).steps);
-        QVERIFY(!std::get<GrowSteps>(*grow).overwriteUnlocked);
+        QVERIFY(!std::get<GrowSteps>(*grow).criteria.overwriteUnlocked);
 
         const Result<Edit> drill = editFromJson(parse(drillText));
         QVERIFY(drill);
@@ -241,13 +241,13 @@ private Q_SLOTS:
 
     void refusesNumbersThatAreNone()
     {
-        GrowSteps grow{.lower = 0.0, .upper = 1.0};
+        GrowSteps grow{.criteria = {.lower = 0.0, .upper = 1.0}};
         QVERIFY(checkFields(grow));
-        grow.lower = std::numeric_limits<double>::quiet_NaN();
+        grow.criteria.lower = std::numeric_limits<double>::quiet_NaN();
         const Result<void> checked = checkFields(grow);
         QVERIFY(!checked);
         QCOMPARE(checked.error().arguments.value(0), QStringLiteral("grow.lower"));
-        grow.lower = -std::numeric_limits<double>::infinity();
+        grow.criteria.lower = -std::numeric_limits<double>::infinity();
         QVERIFY(!checkFields(grow));
     }
 

@@ -53,7 +53,7 @@ public:
             stroke.pointsLps.push_back(point());
         return stroke;
     }
-    GrowSteps grow() { return {.lower = number(-1e-3, 0), .upper = number(0, 1e6)}; }
+    GrowSteps grow() { return {.criteria = {.lower = number(-1e-3, 0), .upper = number(0, 1e6)}}; }
 
 private:
     std::mt19937 m_engine;
@@ -133,8 +133,8 @@ private Q_SLOTS:
             const Result<Edit> readGrow =
                 editFromJson(QJsonDocument::fromJson(text(grow)).object());
             QVERIFY(readGrow);
-            QVERIFY(sameBits(std::get<GrowSteps>(*readGrow).lower, grow.lower));
-            QVERIFY(sameBits(std::get<GrowSteps>(*readGrow).upper, grow.upper));
+            QVERIFY(sameBits(std::get<GrowSteps>(*readGrow).criteria.lower, grow.criteria.lower));
+            QVERIFY(sameBits(std::get<GrowSteps>(*readGrow).criteria.upper, grow.criteria.upper));
         }
     }
 
@@ -165,9 +165,9 @@ private Q_SLOTS:
                 QCOMPARE(text(*read), text(quantised(stroke)));
             }
         }
-        for (const editFields::Number& range : {editSchema::millimetres, editSchema::drillRadius,
-                 editSchema::brushRadius, editSchema::drillDepth, editSchema::peelDepth,
-                 editSchema::maskSide}) {
+        for (const editFields::Number& range :
+            {editSchema::millimetres, editSchema::drillRadius, editSchema::brushRadius,
+                editSchema::drillDepth, editSchema::peelDepth, editSchema::maskSide}) {
             for (const double end : {range.minimum, range.maximum}) {
                 QCOMPARE(range.check(range.rounded(end)), QString());
                 QCOMPARE(range.rounded(range.rounded(end)), range.rounded(end));

@@ -61,7 +61,7 @@ std::vector<std::uint32_t> grownLiterally(const Codes& codes, const std::vector<
     };
     // What the label held already is marked: 30 for a seed, 29 for any other.
     const auto mark = [&](std::size_t at, std::uint32_t label, std::uint32_t direction) {
-        if (held[at] != label)
+        if (held[at] != label || !burst.tellsHeld)
             return direction;
         return direction == seedWord::seedDirection ? std::uint32_t(30) : std::uint32_t(29);
     };

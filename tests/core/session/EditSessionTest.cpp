@@ -336,7 +336,7 @@ private Q_SLOTS:
         beside.pointsLps = {beside.pointsLps.back() + glm::dvec3(6, 0, 0)};
         bench.run(beside);
         GrowSteps grow = test::growBrain();
-        grow.overwriteUnlocked = true;
+        grow.criteria.overwriteUnlocked = true;
         bench.run(grow);
         QCOMPARE(bench.voxels(1), locked);
         QVERIFY(bench.voxels(2) > 10 * locked);
@@ -392,7 +392,7 @@ private Q_SLOTS:
         outside.pointsLps.push_back({1000, 0, 0});
         QCOMPARE(bench.session->apply(outside).error().code, ErrorCode::SeedOutsideVolume);
         GrowSteps crossed = test::growBrain();
-        crossed.lower = 200;
+        crossed.criteria.lower = 200;
         QCOMPARE(bench.session->apply(crossed).error().code, ErrorCode::InvalidField);
         DrillStroke empty = test::drillAt(0);
         empty.samples.clear();

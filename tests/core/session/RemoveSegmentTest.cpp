@@ -130,7 +130,7 @@ private Q_SLOTS:
         for (const Edit& edit : twoGrown())
             bench.run(edit);
         bench.run(RemoveSegment{.segment = 1});
-        bench.run(GrowSteps{.lower = -1100, .upper = 3000, .steps = {}});
+        bench.run(GrowSteps{.criteria = {.lower = -1100, .upper = 3000}, .steps = {}});
         QCOMPARE(bench.voxels(1), 0);
         QCOMPARE(bench.words(1), 0);
         QVERIFY(bench.voxels(2) > 1000);

@@ -310,7 +310,7 @@ private Q_SLOTS:
     void aNewerSchemaIsRefused()
     {
         makeSession(m_path);
-        test::runSql(m_path, QStringLiteral("PRAGMA user_version=4"));
+        test::runSql(m_path, QStringLiteral("PRAGMA user_version=5"));
         const QByteArray before = contentOf(m_path);
         Opened opened;
         const Result<void> result = openSession(opened, m_path);

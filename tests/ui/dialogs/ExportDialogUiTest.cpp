@@ -50,8 +50,8 @@ public:
         seed(2, {9, 7, 4});
         core::GrowSteps grow;
         const core::Volume& volume = *workspace.volume();
-        grow.lower = volume.encoding.value(0) - 1.0;
-        grow.upper = volume.encoding.value(0) + 1.0;
+        grow.criteria.lower = volume.encoding.value(0) - 1.0;
+        grow.criteria.upper = volume.encoding.value(0) + 1.0;
         grow.steps = 2;
         apply(grow);
         session().setSegmentVisible(2, false);

@@ -17,8 +17,8 @@ namespace {
 core::GrowSteps growSteps(int steps)
 {
     core::GrowSteps grow;
-    grow.lower = 0.0;
-    grow.upper = 20.0;
+    grow.criteria.lower = 0.0;
+    grow.criteria.upper = 20.0;
     grow.steps = steps;
     return grow;
 }

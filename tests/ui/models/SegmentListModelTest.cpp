@@ -119,8 +119,8 @@ private Q_SLOTS:
         QVERIFY(ui::addSegment(fixture.workspace));
         fixture.apply(WorkspaceFixture::middleSeed(1));
         core::GrowSteps grow;
-        grow.lower = 0.0;
-        grow.upper = 20.0;
+        grow.criteria.lower = 0.0;
+        grow.criteria.upper = 20.0;
         fixture.apply(grow);
         const auto voxels = test::smallHead::voxelsOf(test::smallHead::ventricleHu);
         QVERIFY(voxels > 100);

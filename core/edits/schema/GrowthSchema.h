@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/schema/SchemaParts.h"
+
+namespace core::editSchema {
+
+inline constexpr editFields::Number valueDifference{"modality units", 0.0, quantum::unbounded, 0.0};
+inline constexpr editFields::Number valuePerMillimetre{
+    "modality units / mm", 0.0, quantum::unbounded, 0.0};
+
+template <> inline constexpr const char* editName<SeedStroke> = "seed";
+template <>
+inline constexpr const char* editMeaning<SeedStroke> =
+    "Marks the voxels nearest to some points as seeds of a segment; the next growth starts there.";
+template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
+        "patient coordinates (LPS), inside the volume");
+}
+
+/// A box with sides along the volume's axes.
+template <class Visitor>
+void visitBox(Visitor& visit, std::optional<GrowBox>& box, const char* meaning, const char* absent)
+{
+    visit.maybe("box", box, editFields::CornerPair{positionLps}, meaning, absent);
+}
+
+/// All but the interval.
+template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& criteria)
+{
+    visit.field("connectivity", Presence::Optional, criteria.connectivity,
+        editFields::Connectivity{},
+        "neighbours of a voxel: those that share a face, a face or an edge, or a corner too");
+    visit.maybe("sigmas", criteria.sigmas, editFields::Number{"", 0.0, 100.0, 256.0},
+        "narrows the interval, for each segment by itself, to mean ± so many standard deviations "
+        "around its seeds",
+        "the interval as it is");
+    visit.maybe("difference", criteria.difference, valueDifference,
+        "from the voxel it is reached from, at most", "any");
+    visit.maybe("gradient", criteria.gradient, valuePerMillimetre,
+        "magnitude of the gradient, at most", "any");
+    visit.maybe("gradientDifference", criteria.gradientDifference, valuePerMillimetre,
+        "of the gradient's magnitude, from the voxel it is reached from, at most", "any");
+    visit.maybe("majority", criteria.majority, editFields::WholeNumber{1, 27},
+        "of the 27 voxels around and at it at least so many lie in the interval", "any number");
+    visit.field("onlyVisible", Presence::Optional, criteria.onlyVisible, editFields::Flag{},
+        "whether what is carved is closed to growth");
+    visitBox(visit, criteria.box, "two opposite corners: growth stays between them",
+        "everywhere in the volume");
+    visit.field("overwriteUnlocked", Presence::Optional, criteria.overwriteUnlocked,
+        editFields::Flag{}, "whether growth takes voxels of other segments that are not locked");
+}
+
+template <class Visitor> void visitInterval(Visitor& visit, GrowCriteria& criteria)
+{
+    visit.field(
+        "lower", Presence::Required, criteria.lower, modalityValue, "smallest value, inclusive");
+    visit.field(
+        "upper", Presence::Required, criteria.upper, modalityValue, "greatest value, inclusive");
+}
+
+template <> inline constexpr const char* editName<GrowSteps> = "grow";
+template <>
+inline constexpr const char* editMeaning<GrowSteps> =
+    "Grows all seeded segments breadth-first through voxels whose value lies in an interval.";
+template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
+{
+    visitInterval(visit, edit.criteria);
+    visitOtherCriteria(visit, edit.criteria);
+    visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{},
+        "rings to add after the seeds, or until nothing is left to add");
+    visit.field("tellsHeld", Presence::Optional, edit.tellsHeld, editFields::Flag{},
+        "whether shrinking leaves what the segment held before; false in sessions of old");
+}
+
+template <> inline constexpr const char* editName<ChangeInterval> = "interval";
+template <>
+inline constexpr const char* editMeaning<ChangeInterval> =
+    "Gives the growth another interval: recovers what qualifies now, takes back what does not any "
+    "more and what hung on it.";
+template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
+{
+    visitInterval(visit, edit.criteria);
+    visit.field("asBefore", Presence::Optional, edit.asBefore, editFields::Flag{},
+        "whether all other criteria are those of the growth before; false once it is carried out");
+    visit.when(!edit.asBefore, [&] { visitOtherCriteria(visit, edit.criteria); });
+    visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
+        "rings to add after the change, or until nothing is left to add");
+}
+
+template <> inline constexpr const char* editName<ResumeGrowth> = "resume";
+template <>
+inline constexpr const char* editMeaning<ResumeGrowth> =
+    "Goes on with the growth before, by its own criteria; new seeds take part.";
+template <class Visitor> void visitFields(Visitor& visit, ResumeGrowth& edit)
+{
+    visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
+        "rings to add after the seeds, or until nothing is left to add");
+}
+
+template <> inline constexpr const char* editName<ShrinkSteps> = "shrink";
+template <>
+inline constexpr const char* editMeaning<ShrinkSteps> =
+    "Takes back what growth added last, ring by ring; what was painted or there before stays.";
+template <class Visitor> void visitFields(Visitor& visit, ShrinkSteps& edit)
+{
+    visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{"toSeeds"},
+        "rings to take back, or all but the accepted seeds");
+}
+
+template <> inline constexpr const char* editName<ShrinkAt> = "shrinkAt";
+template <>
+inline constexpr const char* editMeaning<ShrinkAt> =
+    "Takes back what grew through some places, cut off where it is narrowest.";
+template <class Visitor> void visitFields(Visitor& visit, ShrinkAt& edit)
+{
+    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
+        "patient coordinates (LPS), inside the volume");
+    visit.field("onlyHere", Presence::Optional, edit.onlyHere, editFields::Flag{},
+        "whether only the voxels at the points are taken back");
+    visit.field("barrier", Presence::Optional, edit.barrier, editFields::Flag{},
+        "whether the cut is shut to growth");
+}
+
+template <> inline constexpr const char* editName<PlugLeak> = "plug";
+template <>
+inline constexpr const char* editMeaning<PlugLeak> =
+    "Shuts the neck through which growth came to a place, and takes back what lies beyond.";
+template <class Visitor> void visitFields(Visitor& visit, PlugLeak& edit)
+{
+    visit.field("pointLps", Presence::Required, edit.pointLps, positionLps,
+        "a place in the leak, patient coordinates (LPS)");
+}
+
+template <> inline constexpr const char* editName<BarrierStroke> = "barrier";
+template <>
+inline constexpr const char* editMeaning<BarrierStroke> =
+    "Shuts places to growth along a path, or opens them again.";
+template <class Visitor> void visitFields(Visitor& visit, BarrierStroke& edit)
+{
+    visitPath(visit, edit.path);
+    visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
+        "whether barriers are taken away instead");
+}
+
+template <> inline constexpr const char* editName<GrowFromSeeds> = "growFromSeeds";
+template <>
+inline constexpr const char* editMeaning<GrowFromSeeds> =
+    "Gives every voxel of a box to the segment that is nearest by a way on which values change "
+    "little; seeds are the voxels that segments hold.";
+template <class Visitor> void visitFields(Visitor& visit, GrowFromSeeds& edit)
+{
+    visit.maybe("segments", edit.segments, editFields::SegmentList{}, "those that compete",
+        "all that are not locked");
+    visitBox(visit, edit.box, "two opposite corners: what lies between is given away",
+        "around the seeds with a margin of a twentieth");
+    visit.field("lengthCost", Presence::Optional, edit.lengthCost, valuePerMillimetre,
+        "what a millimetre of a way costs");
+}
+
+} // namespace core::editSchema

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/CapsuleSweep.h"
+
+#include <glm/glm.hpp>
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+// Growth as an engine sees it: integers only. Words are those of core/growth/SeedWord.h.
+
+/// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word
+/// is not a member's.
+struct SeedPlacement {
+    std::uint8_t plane = 0;
+    std::uint8_t label = 0;
+    std::vector<glm::ivec3> voxels{}; ///< inside the volume
+};
+
+/// What growth asks for beyond its interval; all that is given must hold.
+struct GrowLimits {
+    std::optional<int> difference{}; ///< |code − code of the parent|, at most
+    std::optional<int> gradient{}; ///< magnitude, at most
+    std::optional<int> gradientDifference{}; ///< |magnitude − that of the parent|, at most
+    glm::ivec3 gradientWeights{0}; ///< of the central differences along x, y, z
+    int majority = 0; ///< so many of the 27 voxels around and at it lie in the interval
+    bool onlyVisible = false; ///< coverage of the composed layers below 128
+    bool boxed = false; ///< between these voxels, inclusive
+    glm::ivec3 boxFrom{0};
+    glm::ivec3 boxTo{0};
+    int sigmas256 = 0; ///< 256ths of a standard deviation; 0: the interval is as given
+    bool operator==(const GrowLimits&) const = default;
+};
+
+/// What becomes of the members that are there when a burst opens.
+enum class GrowOpening : std::uint8_t {
+    GoOn, ///< they stay
+    Narrow, ///< those that qualify no more leave, with what hung on them
+    Restart, ///< only the accepted seeds stay
+};
+
+/// Grow all labels of a plane at once (seed A §5.3), ring by ring.
+///
+/// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label
+/// plane as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
+/// Neighbours of a voxel are the 6 that share a face with it, the 18 that share a face or an edge,
+/// or all 26: the first so many of seedWord::offsets.
+/// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
+/// was one, the generation is now one more. Then each step: every voxel that is no member and has a
+/// neighbour that was a member before the step and whose label it accepts becomes
+/// member(generation + 1, label, direction), the smallest such word; if there was one, the
+/// generation is one more, else the growth is at closure and further steps do nothing.
+/// Where the plane held the label itself, the direction is 30 for a seed and 29 else (SeedWord.h),
+/// unless `tellsHeld` is false.
+/// At generation seedWord::maxGeneration nothing is added any more, by opening or step, and this is
+/// not called closure.
+/// Closing with commit: the label plane receives the label of every member whose generation is
+/// greater than at the opening. `EngineResult::generation` tells where it stopped.
+/// The label plane shows the members of every finished generation at once, so that pictures and
+/// readouts follow a running burst; a rollback takes them back.
+struct GrowBurst {
+    std::uint8_t plane = 0;
+    int lowCode = 0;
+    int highCode = -1;
+    int connectivity = 6; ///< 6, 18 or 26
+    GrowLimits limits{};
+    GrowOpening opening = GrowOpening::GoOn;
+    std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
+    std::bitset<256> overwritable{};
+    std::bitset<256> frozen{}; ///< labels that do not grow: locked segments
+    bool tellsHeld = true; ///< false: directions 29 and 30 are not used
+};
+
+/// Take back what a growth added after generation `keep`, for every label but those in `frozen`:
+/// its exact inverse (seed A §5.3, shrinking). Of each member of a later generation
+///
+///   a seed stays with `keepSeeds`, as one of generation 1; else it becomes a pending seed again;
+///   any other becomes seedWord::unvisited;
+///
+/// and where a member goes whose direction is neither 29 nor 30 and the plane holds its label, the
+/// plane becomes 0. So voxels that bore the label before the growth came keep it; what another
+/// label held there before is not put back, nor a pending seed that was grown over. The generation
+/// is then `keep`, or the greatest that a member has, if that is more.
+struct ShrinkGrowth {
+    std::uint8_t plane = 0;
+    std::uint32_t generation = 0; ///< the counter at present; no member has a greater one
+    std::uint32_t keep = 0; ///< not above it
+    bool keepSeeds = false;
+    std::bitset<256> frozen{};
+};
+
+/// Take back what grew through some places.
+struct CutGrowth {
+    enum class How : std::uint8_t {
+        Here, ///< only the voxels named
+        Subtree, ///< what grew through them, cut off at its narrowest passage
+        Neck, ///< likewise; a plug is put into the passage
+    };
+    std::uint8_t plane = 0;
+    How how = How::Subtree;
+    bool barrier = true; ///< the cut is shut
+    int connectivity = 26; ///< of fronts
+    std::uint32_t generation = 0; ///< the counter at present
+    std::bitset<256> frozen{};
+    std::vector<glm::ivec3> voxels{}; ///< inside the volume
+};
+
+/// Shut places to growth along a path (word = barrier), or open them again (unvisited).
+struct PaintBarrier {
+    std::uint8_t plane = 0;
+    bool erase = false;
+    CapsuleFrame frame;
+};
+
+/// Give every voxel of a box to the label that is nearest by the least cost of a way.
+struct SpreadLabels {
+    std::uint8_t plane = 0;
+    glm::ivec3 boxFrom{0}; ///< inclusive
+    glm::ivec3 boxTo{0};
+    std::bitset<256> competing{};
+    std::bitset<256> frozen{};
+    glm::ivec3 lengthCost{0}; ///< of a step along x, y, z
+};
+
+} // namespace core
