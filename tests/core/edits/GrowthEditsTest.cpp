@@ -74,21 +74,24 @@ private Q_SLOTS:
         Document document = smallDocument();
         for (Segment& segment : document.segments)
             segment.locked = true;
-        const Result<GrowBurst> refused = growBurst({.lower = 0, .upper = 1}, document);
+        const Result<GrowBurst> refused =
+            growBurst({.criteria = {.lower = 0, .upper = 1}}, document);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::SegmentLocked);
         document.segments.back().locked = false;
-        QVERIFY(growBurst({.lower = 0, .upper = 1}, document));
+        QVERIFY(growBurst({.criteria = {.lower = 0, .upper = 1}}, document));
     }
 
     void boundsAreInclusive()
     {
         const Document document = smallDocument();
-        const Result<GrowBurst> burst = growBurst({.lower = -1023.75, .upper = -1023.0}, document);
+        const Result<GrowBurst> burst =
+            growBurst({.criteria = {.lower = -1023.75, .upper = -1023.0}}, document);
         QVERIFY(burst);
         QCOMPARE(burst->lowCode, 1);
         QCOMPARE(burst->highCode, 4);
-        const Result<GrowBurst> between = growBurst({.lower = -1023.7, .upper = -1023.1}, document);
+        const Result<GrowBurst> between =
+            growBurst({.criteria = {.lower = -1023.7, .upper = -1023.1}}, document);
         QCOMPARE(between->lowCode, 2);
         QCOMPARE(between->highCode, 3);
     }
@@ -98,9 +101,9 @@ private Q_SLOTS:
         Document document = smallDocument();
         document.segment(2)->locked = true;
         document.growths.front().generation = 17;
-        QVERIFY(growBurst({.lower = 0, .upper = 1}, document)->overwritable.none());
+        QVERIFY(growBurst({.criteria = {.lower = 0, .upper = 1}}, document)->overwritable.none());
         const Result<GrowBurst> burst =
-            growBurst({.lower = 0, .upper = 1, .overwriteUnlocked = true}, document);
+            growBurst({.criteria = {.lower = 0, .upper = 1, .overwriteUnlocked = true}}, document);
         QVERIFY(burst->overwritable.test(1) && burst->overwritable.test(3));
         QVERIFY(!burst->overwritable.test(2) && !burst->overwritable.test(0));
         QCOMPARE(burst->generation, 17u);
@@ -108,10 +111,12 @@ private Q_SLOTS:
 
     void boundsMustNotCross()
     {
-        const Result<GrowBurst> burst = growBurst({.lower = 2, .upper = 1}, smallDocument());
+        const Result<GrowBurst> burst =
+            growBurst({.criteria = {.lower = 2, .upper = 1}}, smallDocument());
         QVERIFY(!burst);
         QCOMPARE(burst.error().code, ErrorCode::InvalidField);
-        QVERIFY(!growBurst({.lower = 0, .upper = 1, .connectivity = 14}, smallDocument()));
+        QVERIFY(!growBurst(
+            {.criteria = {.lower = 0, .upper = 1, .connectivity = 14}}, smallDocument()));
     }
 
     void segmentsAreNumberedInOrder()
