@@ -18,7 +18,7 @@ bool canGoOn(ivec3 voxel, uint label)
             continue;
         uint entry = pageEntry(neighbour);
         uint word = entry != 0u ? imageLoad(words, atlasTexel(entry, neighbour)).r : unvisited;
-        if (isMember(word) || word == barrier)
+        if (isMember(word) || word == barrierWord)
             continue;
         if (accepts(label, neighbour, held))
             return true;

@@ -2,7 +2,7 @@
 
 const uint unvisited = 0xFFFFFFFFu;
 const uint notMember = 0x80000000u;
-const uint barrier = 0u;
+const uint barrierWord = 0u;
 const uint seedDirection = 31u;
 const uint heldSeedDirection = 30u;
 const uint heldDirection = 29u;
@@ -26,7 +26,7 @@ uint pendingSeedWord(uint label)
 
 bool isMember(uint word)
 {
-    return (word & notMember) == 0u && word != barrier;
+    return (word & notMember) == 0u && word != barrierWord;
 }
 
 bool isPendingSeed(uint word)
