@@ -9,11 +9,6 @@ namespace gpu {
 
 namespace {
 
-Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines)
-{
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
-}
-
 Buffer brickList(std::span<const std::uint32_t> bricks)
 {
     Buffer list({.label = "brick list", .bytes = bricks.size_bytes()});
@@ -37,29 +32,20 @@ std::size_t packedBrickBytes(core::Field field)
     return std::size_t(core::BrickGrid::voxelsPerBrick) * std::size_t(core::bytesPerVoxel(field));
 }
 
-BrickCopier::BrickCopier(const ShaderLibrary& library, const core::BrickGrid& grid)
+BrickCopier::BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid)
     : m_grid(grid)
-    , m_packDense(program(library, "edit/packBricks.comp", {{"FIELD_DENSE", 1}}))
-    , m_packBytes(program(library, "edit/packBricks.comp", {}))
-    , m_packWords(program(library, "edit/packBricks.comp", {{"FIELD_WORDS", 1}}))
-    , m_unpackDense(program(library, "edit/unpackBricks.comp", {{"FIELD_DENSE", 1}}))
-    , m_unpackBytes(program(library, "edit/unpackBricks.comp", {}))
-    , m_unpackWords(program(library, "edit/unpackBricks.comp", {{"FIELD_WORDS", 1}}))
+    , m_programs(programs)
 {
-    for (Program* each :
-        {&m_packDense, &m_packBytes, &m_packWords, &m_unpackDense, &m_unpackBytes, &m_unpackWords})
-        each->set("volumeSize", grid.volumeSize).set("volumeBricks", grid.bricks());
-    m_packBytes.set("emptyVoxel", 0u);
-    m_packWords.set("emptyVoxel", 0xFFFFFFFFu);
 }
 
 Buffer BrickCopier::packed(const FieldTextures& source, std::span<const std::uint32_t> bricks) const
 {
     Buffer target(
         {.label = "packed bricks", .bytes = packedBrickBytes(source.field) * bricks.size()});
-    const Program& pack = !source.pageTable      ? m_packDense
-        : source.field == core::Field::SeedWords ? m_packWords
-                                                 : m_packBytes;
+    Program& pack = !source.pageTable            ? m_programs.packDense
+        : source.field == core::Field::SeedWords ? m_programs.packWords
+                                                 : m_programs.packBytes;
+    pack.set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
     const Buffer list = brickList(bricks);
     source.voxels->bindUnit(0);
     if (source.pageTable)
@@ -120,9 +106,10 @@ void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32
 void BrickCopier::write(
     const FieldTextures& target, std::span<const std::uint32_t> bricks, const Buffer& packed) const
 {
-    const Program& unpack = !target.pageTable    ? m_unpackDense
-        : target.field == core::Field::SeedWords ? m_unpackWords
-                                                 : m_unpackBytes;
+    Program& unpack = !target.pageTable          ? m_programs.unpackDense
+        : target.field == core::Field::SeedWords ? m_programs.unpackWords
+                                                 : m_programs.unpackBytes;
+    unpack.set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
     const Buffer list = brickList(bricks);
     target.voxels->bindImage(0, GL_WRITE_ONLY);
     if (target.pageTable)

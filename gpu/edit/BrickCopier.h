@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "gpu/edit/FieldPrograms.h"
 #include "gpu/gl/Buffer.h"
-#include "gpu/gl/Program.h"
 #include "gpu/gl/Texture3D.h"
 
 #include <cstdint>
@@ -24,7 +24,8 @@ struct FieldTextures {
 /// A packed brick is 4096 voxels, x fastest, 1 or 4 bytes each. Engine thread only.
 class BrickCopier {
 public:
-    BrickCopier(const ShaderLibrary& library, const core::BrickGrid& grid);
+    /// @param programs outlive the copier
+    BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid);
 
     /// Into a buffer of its own, on the GPU; does not wait.
     [[nodiscard]] Buffer packed(
@@ -44,12 +45,7 @@ public:
 
 private:
     core::BrickGrid m_grid;
-    Program m_packDense;
-    Program m_packBytes;
-    Program m_packWords;
-    Program m_unpackDense;
-    Program m_unpackBytes;
-    Program m_unpackWords;
+    CopyPrograms& m_programs;
 };
 
 /// Bytes of one packed brick.

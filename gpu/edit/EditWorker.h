@@ -36,6 +36,10 @@ public:
     /// The footprints of these are to be in VolumeTextures::pieces() from now on; they follow like
     /// the map. None at first.
     virtual void showPieces(const std::vector<PieceSource>& sources) = 0;
+
+    /// Drivers compile a kernel when it first runs: run those of all tools now, a tool in each
+    /// slice of work() that has nothing else to do, so that no pen has to wait for it. Once.
+    virtual void warmUp() = 0;
 };
 
 } // namespace gpu

@@ -28,8 +28,8 @@ double millisecondsSince(Clock::time_point start)
 GpuEditEngine::GpuEditEngine(const EditContext& context)
     : m_thread(context.thread)
     , m_textures(context.textures)
-    , m_shaders(context.shaders)
     , m_programs(context.shaders)
+    , m_fieldPrograms(context.shaders)
     , m_picks(context.shaders)
 {
 }
@@ -51,7 +51,7 @@ core::Result<void> GpuEditEngine::openVolume(
         opened = m_textures.open(size, codes);
         if (!opened)
             return;
-        m_fields = std::make_unique<VoxelFields>(m_shaders, m_textures);
+        m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
         m_fields->setShownLabels(m_shownLabels);
         m_fields->setPieces(m_shownPieces);
         publishProgress();
@@ -112,6 +112,13 @@ void GpuEditEngine::showPieces(const std::vector<PieceSource>& sources)
         m_fields->setPieces(sources);
 }
 
+void GpuEditEngine::warmUp()
+{
+    if (!m_warmedUp)
+        m_warmUp.emplace(m_programs, m_fieldPrograms);
+    m_warmedUp = true;
+}
+
 std::size_t GpuEditEngine::brickBytes() const
 {
     return m_fields ? m_fields->bytes() : 0;
@@ -137,6 +144,12 @@ bool GpuEditEngine::work()
     if (m_fields && m_fields->piecesStale()) {
         m_fields->updatePieces(segmentationBricksPerSlice);
         return true;
+    }
+    // Not while a pen is down: what it needs compiles for it anyway.
+    if (m_warmUp && !m_transaction) {
+        if (!m_warmUp->runNext())
+            m_warmUp.reset();
+        return m_warmUp.has_value();
     }
     return false;
 }

@@ -4,6 +4,7 @@
 #include "core/engine/EditEngine.h"
 #include "gpu/edit/EditTransaction.h"
 #include "gpu/edit/EditWorker.h"
+#include "gpu/edit/KernelWarmUp.h"
 #include "gpu/edit/PickKernel.h"
 #include "gpu/engine/EngineThread.h"
 #include "gpu/textures/VolumeTextures.h"
@@ -12,6 +13,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace gpu {
 
@@ -37,6 +39,7 @@ public:
     bool work() override;
     void showSegments(const std::bitset<256>& labels) override;
     void showPieces(const std::vector<PieceSource>& sources) override;
+    void warmUp() override;
     /// GPU bytes of the bricked fields.
     [[nodiscard]] std::size_t brickBytes() const;
 
@@ -71,8 +74,10 @@ private:
     VolumeTextures& m_textures;
 
     // Engine thread.
-    const ShaderLibrary& m_shaders;
     EditPrograms m_programs;
+    FieldPrograms m_fieldPrograms;
+    std::optional<KernelWarmUp> m_warmUp; ///< what is left to run for the first time
+    bool m_warmedUp = false;
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
     std::unique_ptr<EditTransaction> m_transaction;

@@ -104,7 +104,7 @@ void VoxelFields::updatePieces(std::size_t maxBricks)
             regions.push_back({.brick = stale.extract(stale.begin()).value()});
         updatePiece(source, regions);
         if (stale.empty()) {
-            m_shared.pieces().updateCells(m_pieceCellKernel, source);
+            m_shared.pieces().updateCells(m_programs.pieceCells, source);
             m_shared.markDirty(VolumeField::Pieces, m_shared.pieces().entry(source)->box);
         }
         return;

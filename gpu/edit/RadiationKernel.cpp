@@ -2,6 +2,7 @@
 #include "gpu/edit/RadiationKernel.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gpu {
 
@@ -18,11 +19,6 @@ std::uint32_t packed(const glm::ivec3& local)
     return std::uint32_t(local.x | local.y << 5 | local.z << 10);
 }
 
-Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
-{
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
-}
-
 Buffer words(const char* label, std::size_t perBrick)
 {
     return Buffer({.label = label, .bytes = perBrick * bricksPerPass * sizeof(std::uint32_t)});
@@ -30,21 +26,15 @@ Buffer words(const char* label, std::size_t perBrick)
 
 } // namespace
 
-RadiationKernel::RadiationKernel(const ShaderLibrary& library, const core::BrickGrid& grid)
-    : m_gatherCoverage(program(library, "edit/radiationGather.comp", {{"SOURCE_COVERAGE", 1}}))
-    , m_gatherLabels(program(library, "edit/radiationGather.comp"))
-    , m_blur{program(library, "edit/radiationBlur.comp", {{"AXIS", 0}}),
-          program(library, "edit/radiationBlur.comp", {{"AXIS", 1}}),
-          program(library, "edit/radiationBlur.comp", {{"AXIS", 2}})}
-    , m_raise(program(library, "edit/radiationRaise.comp"))
+RadiationKernel::RadiationKernel(RadiationPrograms& programs, const core::BrickGrid& grid)
+    : m_programs(programs)
+    , m_grid(grid)
     , m_regions(words("radiation regions", 2))
     , m_field(words("radiation field", fieldWords))
     , m_summaries(words("radiation summaries", 1))
     , m_scratchA(words("radiation scratch A", firstBlurWords))
     , m_scratchB(words("radiation scratch B", secondBlurWords))
 {
-    for (Program* each : {&m_gatherCoverage, &m_gatherLabels, &m_raise})
-        each->set("volumeSize", grid.volumeSize).set("volumeBricks", grid.bricks());
 }
 
 void RadiationKernel::updateFromCoverage(
@@ -86,8 +76,8 @@ void RadiationKernel::gatherLayers(
     for (BrickField* layer : layers) {
         layer->atlas().bindUnit(0);
         layer->pageTable().bindUnit(1);
-        m_gatherCoverage.set("firstLayer", first).set("subtract", subtract && !first);
-        m_gatherCoverage.dispatch({count * gatherGroupsPerBrick, 1, 1});
+        m_programs.gatherCoverage.set("firstLayer", first).set("subtract", subtract && !first);
+        m_programs.gatherCoverage.dispatch({count * gatherGroupsPerBrick, 1, 1});
         // The summary only ever gains bits, so a later layer must start it afresh.
         if (layer != layers.back()) {
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -106,14 +96,16 @@ void RadiationKernel::gatherLabels(
             bits[label / 32] |= 1u << (label % 32);
     }
     labels.bindUnit(0);
-    m_gatherLabels.set("firstLayer", true);
-    m_gatherLabels.set("shown", std::span<const unsigned>(bits));
-    m_gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
+    m_programs.gatherLabels.set("firstLayer", true);
+    m_programs.gatherLabels.set("shown", std::span<const unsigned>(bits));
+    m_programs.gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
 }
 
 void RadiationKernel::update(const Footprint& footprint, std::span<const Region> regions,
     const std::function<void(unsigned count)>& gather)
 {
+    for (Program* each : {&m_programs.gatherCoverage, &m_programs.gatherLabels, &m_programs.raise})
+        each->set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
     for (std::size_t start = 0; start < regions.size(); start += bricksPerPass) {
         const auto piece = regions.subspan(start, std::min(bricksPerPass, regions.size() - start));
         const auto count = unsigned(piece.size());
@@ -133,13 +125,13 @@ void RadiationKernel::update(const Footprint& footprint, std::span<const Region>
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
             chain[axis]->bindBase(GL_SHADER_STORAGE_BUFFER, 3);
             chain[axis + 1]->bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-            m_blur[axis].dispatch({count, 1, 1});
+            m_programs.blur[axis].dispatch({count, 1, 1});
         }
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         m_scratchA.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
         footprint.target.bindImage(0, GL_WRITE_ONLY);
-        m_raise.set("targetShift", footprint.shift);
-        m_raise.dispatch({count, 1, 1});
+        m_programs.raise.set("targetShift", footprint.shift);
+        m_programs.raise.dispatch({count, 1, 1});
     }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

@@ -3,10 +3,9 @@
 
 #include "core/brick/BrickGrid.h"
 #include "gpu/edit/BrickField.h"
+#include "gpu/edit/FieldPrograms.h"
 #include "gpu/gl/Buffer.h"
-#include "gpu/gl/Program.h"
 
-#include <array>
 #include <bitset>
 #include <functional>
 #include <span>
@@ -30,7 +29,8 @@ public:
         glm::ivec3 high{core::BrickGrid::side}; ///< one past the last
     };
 
-    RadiationKernel(const ShaderLibrary& library, const core::BrickGrid& grid);
+    /// @param programs outlive the kernel
+    RadiationKernel(RadiationPrograms& programs, const core::BrickGrid& grid);
 
     /// @param target dense R8UI texture of the volume
     void updateFromCoverage(std::span<BrickField* const> layers, const Texture3D& target,
@@ -57,10 +57,8 @@ private:
     void gatherLayers(std::span<BrickField* const> layers, bool subtract, unsigned count);
     void gatherLabels(const Texture3D& labels, const std::bitset<256>& shown, unsigned count);
 
-    Program m_gatherCoverage;
-    Program m_gatherLabels;
-    std::array<Program, 3> m_blur;
-    Program m_raise;
+    RadiationPrograms& m_programs;
+    core::BrickGrid m_grid;
     Buffer m_regions;
     Buffer m_field;
     Buffer m_summaries;

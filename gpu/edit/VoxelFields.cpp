@@ -3,14 +3,14 @@
 
 namespace gpu {
 
-VoxelFields::VoxelFields(const ShaderLibrary& library, VolumeTextures& shared)
+VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
     : m_grid(shared.grid())
     , m_shared(shared)
     , m_radiation(shared.radiation().view(GL_R8UI, "radiation, integer"))
     , m_segmentation(shared.segmentation().view(GL_R8UI, "segmentation map, integer"))
-    , m_copier(library, m_grid)
-    , m_radiationKernel(library, m_grid)
-    , m_pieceCellKernel(library, {.label = "piece cells", .path = "textures/pieceCells.comp"})
+    , m_copier(programs.copy, m_grid)
+    , m_radiationKernel(programs.radiation, m_grid)
+    , m_programs(programs)
 {
     // What a session begins with (core::initialDocument).
     coverage(1).reserve();

@@ -19,8 +19,8 @@ namespace gpu {
 /// (updateSegmentation). What pictures show of a change is marked dirty in VolumeTextures.
 class VoxelFields {
 public:
-    /// @param shared the dense textures of the open volume; outlive the fields
-    VoxelFields(const ShaderLibrary& library, VolumeTextures& shared);
+    /// @param shared the dense textures of the open volume; both outlive the fields
+    VoxelFields(FieldPrograms& programs, VolumeTextures& shared);
 
     [[nodiscard]] const core::BrickGrid& grid() const { return m_grid; }
     [[nodiscard]] const Texture3D& codes() const { return m_shared.intensityCodes(); }
@@ -90,7 +90,7 @@ private:
     std::bitset<256> m_shownLabels;
     std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels
     std::set<std::uint32_t> m_staleSegmentation;
-    Program m_pieceCellKernel;
+    FieldPrograms& m_programs;
     std::map<PieceSource, std::set<std::uint32_t>> m_stalePieces; ///< of each what is to be done
 };
 

@@ -417,6 +417,7 @@ void FrameScheduler::warmUp(View& view)
     // One pixel of the sum, which the next picture begins anew.
     view.targets.sumFrame.bind();
     m_raycast.warmUp(m_volume, *scene, m_palette, target, m_noVertices);
+    m_edits.warmUp();
 }
 
 void FrameScheduler::readBack(View& view, Frame::Quality quality)

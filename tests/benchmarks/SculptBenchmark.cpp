@@ -114,7 +114,8 @@ public:
         : m_side(side)
         , m_cells(shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
         , m_programs(shaders)
-        , m_radiation(shaders, {glm::ivec3(side)})
+        , m_fieldPrograms(shaders)
+        , m_radiation(m_fieldPrograms.radiation, {glm::ivec3(side)})
     {
         std::vector<std::uint16_t> codes(std::size_t(side) * side * side);
         for (int k = 0; k < side; ++k) {
@@ -138,7 +139,7 @@ public:
         volume.encoding.rescaleSlope = 1.0;
         m_document.volumes.push_back(volume);
         m_document.layers.push_back({.id = 1, .name = QStringLiteral("Sculpt 1")});
-        m_fields = std::make_unique<gpu::VoxelFields>(shaders, m_textures);
+        m_fields = std::make_unique<gpu::VoxelFields>(m_fieldPrograms, m_textures);
     }
     [[nodiscard]] bool isOpen() const { return m_opened; }
 
@@ -231,6 +232,7 @@ private:
     gpu::VolumeTextures m_textures;
     gpu::Program m_cells;
     gpu::EditPrograms m_programs;
+    gpu::FieldPrograms m_fieldPrograms;
     gpu::RadiationKernel m_radiation;
     core::Document m_document;
     std::unique_ptr<gpu::VoxelFields> m_fields;

@@ -27,6 +27,7 @@ void IdleEdits::showPieces(const std::vector<gpu::PieceSource>& sources)
 
 FrameFixture::FrameFixture(gpu::ShaderLibrary library)
     : shaders(std::move(library))
+    , fieldPrograms(shaders)
     , scheduler(
           {.volume = volume, .edits = edits, .shaders = shaders, .wake = [this] { ++wakeUps; }})
 {
@@ -78,7 +79,7 @@ void FrameFixture::carveBox(const core::VoxelBox& box)
 void FrameFixture::put(const reference::DenseFields& state)
 {
     if (!edits.fields) {
-        edits.fields = std::make_unique<gpu::VoxelFields>(shaders, volume);
+        edits.fields = std::make_unique<gpu::VoxelFields>(fieldPrograms, volume);
         edits.fields->setPieces(edits.pieces);
     }
     std::vector<core::BrickImage> images;

@@ -23,6 +23,7 @@ public:
     bool work() override;
     void showSegments(const std::bitset<256>& labels) override { shown = labels; }
     void showPieces(const std::vector<gpu::PieceSource>& sources) override;
+    void warmUp() override { }
     std::bitset<256> shown;
     std::unique_ptr<gpu::VoxelFields> fields;
     std::vector<gpu::PieceSource> pieces;
@@ -54,6 +55,7 @@ public:
         const gpu::Scene& scene, const glm::ivec2& size, const gpu::SegmentDisplay& segments = {});
 
     gpu::ShaderLibrary shaders;
+    gpu::FieldPrograms fieldPrograms;
     gpu::VolumeTextures volume;
     IdleEdits edits;
     gpu::FrameScheduler scheduler;

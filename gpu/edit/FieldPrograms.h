@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/gl/Program.h"
+
+#include <array>
+
+namespace gpu {
+
+/// The compiled kernels of BrickCopier (packBricks.comp, unpackBricks.comp), by kind of field.
+struct CopyPrograms {
+    /// @param library outlives the programs, here and below
+    explicit CopyPrograms(const ShaderLibrary& library);
+
+    Program packDense;
+    Program packBytes;
+    Program packWords;
+    Program unpackDense;
+    Program unpackBytes;
+    Program unpackWords;
+};
+
+/// Those of RadiationKernel (radiation*.comp).
+struct RadiationPrograms {
+    explicit RadiationPrograms(const ShaderLibrary& library);
+
+    Program gatherCoverage;
+    Program gatherLabels;
+    std::array<Program, 3> blur;
+    Program raise;
+};
+
+/// Every compiled kernel that VoxelFields needs. They know of no volume, so one set serves all that
+/// are opened. Engine thread only.
+struct FieldPrograms {
+    explicit FieldPrograms(const ShaderLibrary& library);
+
+    CopyPrograms copy;
+    RadiationPrograms radiation;
+    Program pieceCells;
+};
+
+} // namespace gpu

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/edit/KernelWarmUp.h"
+
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/DrillPathSampler.h"
+#include "core/edits/EngineEdits.h"
+#include "core/growth/SeedWord.h"
+
+#include <array>
+
+namespace gpu {
+
+namespace {
+
+constexpr int side = 40; // voxels of 1 mm; bricks at the rim are not whole
+constexpr std::uint16_t matter = 1000;
+constexpr std::uint8_t label = 1;
+
+/// A cube of matter in air.
+std::vector<std::uint16_t> someCodes()
+{
+    std::vector<std::uint16_t> codes;
+    for (int k = 0; k < side; ++k)
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i) {
+                const glm::ivec3 voxel(i, j, k);
+                const bool inside = glm::all(glm::greaterThan(voxel, glm::ivec3(3)))
+                    && glm::all(glm::lessThan(voxel, glm::ivec3(side - 4)));
+                codes.push_back(inside ? matter : 0);
+            }
+    return codes;
+}
+
+core::OrthographicView fromFront()
+{
+    const double middle = side / 2.0;
+    return {.eyeLps = {middle, -100.0, middle}, .targetLps = glm::dvec3(middle), .up = {0, 0, 1}};
+}
+
+const std::vector<glm::dvec2> outline{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
+const std::vector<core::PenSample> path{{.xMm = -3.0}, {.xMm = 3.0, .tSeconds = 0.1}};
+const core::BrushPath brushPath{.radiusMm = 3.0, .pointsLps = {{20, 6, 20}, {20, 12, 20}}};
+
+} // namespace
+
+KernelWarmUp::KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms)
+    : m_programs(programs)
+{
+    const std::vector<std::uint16_t> codes = someCodes();
+    if (!m_textures.open(glm::ivec3(side), codes))
+        return; // no room for it: the tools will do without
+    m_fields = std::make_unique<VoxelFields>(fieldPrograms, m_textures);
+    core::Volume volume;
+    volume.geometry.size = glm::ivec3(side);
+    m_document = core::initialDocument(std::move(volume));
+    core::Segment segment;
+    segment.label = label;
+    m_document.segments.push_back(segment);
+    std::bitset<256> shown;
+    shown.set(label);
+    m_fields->setShownLabels(shown);
+}
+
+bool KernelWarmUp::runNext()
+{
+    static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
+        &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser, &KernelWarmUp::runPeel,
+        &KernelWarmUp::runScissors};
+    if (!m_fields || m_done == runs.size())
+        return false;
+    (this->*runs[m_done++])();
+    m_fields->updateSegmentation(std::size_t(m_fields->grid().brickCount()));
+    return m_done < runs.size();
+}
+
+void KernelWarmUp::run(const core::EngineEdit& edit,
+    const std::vector<core::EngineExtension>& extensions, core::Ending ending)
+{
+    auto transaction = EditTransaction::begin(m_programs, *m_fields, edit);
+    if (!transaction)
+        return;
+    for (const core::EngineExtension& extension : extensions) {
+        if (!(*transaction)->extend(extension))
+            break;
+    }
+    while ((*transaction)->hasStepsLeft())
+        (*transaction)->advance(GrowthKernel::ringsPerBatch);
+    core::EngineResult result;
+    if (ending == core::Ending::Commit)
+        (*transaction)->commit(result);
+    else
+        (*transaction)->rollBack(result);
+}
+
+void KernelWarmUp::runDrill()
+{
+    core::DrillStroke stroke{.view = fromFront()};
+    stroke.mask.radiusMm = 3.0;
+    stroke.surfaceThreshold = matter;
+    stroke.samples = path;
+    // One that cuts stays, so that the later tools meet what is carved.
+    for (const bool restore : {false, true}) {
+        stroke.restore = restore;
+        if (const auto cut = core::drillCut(stroke, m_document))
+            run(*cut, {core::DrillPath{core::drillPath(stroke, *cut)}},
+                restore ? core::Ending::Rollback : core::Ending::Commit);
+    }
+}
+
+void KernelWarmUp::runLaser()
+{
+    core::LaserStroke stroke{.view = fromFront()};
+    stroke.mask.radiusMm = 3.0;
+    stroke.surfaceThreshold = matter;
+    stroke.samples = path;
+    if (const auto cut = core::laserCut(stroke, m_document))
+        run(*cut, {core::DrillPath{core::laserPath(stroke, *cut)}});
+}
+
+void KernelWarmUp::runPeel()
+{
+    core::PeelCut peel{.view = fromFront(), .polygonMm = outline};
+    peel.surfaceThreshold = matter;
+    if (const auto cut = core::maskPeel(peel, m_document))
+        run(*cut, {core::peelDepth(peel)});
+}
+
+void KernelWarmUp::runScissors()
+{
+    core::ScissorsCut scissors{.view = fromFront(), .polygonMm = outline};
+    if (const auto cut = core::maskScissors(scissors, m_document))
+        run(*cut, {});
+}
+
+void KernelWarmUp::runBrushes()
+{
+    const core::CapsulePath capsules{
+        core::capsules(brushPath, m_document.volumes.front().geometry)};
+    if (const auto paint = core::paintLabel({.segment = label, .path = brushPath}, m_document))
+        run(*paint, {capsules});
+    if (const auto carve = core::capsuleCut({.path = brushPath}, m_document))
+        run(*carve, {capsules});
+}
+
+void KernelWarmUp::runGrowth()
+{
+    // From one seed the front is small first and then large: both forms of the kernel run.
+    run(core::SeedPlacement{.label = label, .voxels = {glm::ivec3(side / 2)}}, {},
+        core::Ending::Commit);
+    core::GrowBurst burst{.lowCode = matter, .highCode = matter};
+    run(burst, {core::GrowAdvance{}}, core::Ending::Commit);
+    run(core::ShrinkGrowth{.generation = core::seedWord::maxGeneration, .keep = 2}, {});
+}
+
+} // namespace gpu
