@@ -100,7 +100,8 @@ struct PeelDepth {
     std::int32_t depth = 0; ///< mm16, ≥ 0
 };
 
-using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth>;
+using EngineExtension =
+    std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth, ShrinkTo>;
 
 // --- Commands
 // -------------------------------------------------------------------------------------
@@ -109,11 +110,12 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
 // another kind of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is
 // open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
-// connectivity other than 6, 18 and 26; a shrinking to more than there is; a segment label of 0; a
-// mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser, a brush's frame or
-// what is hidden that is not sound (isSound()); bounds that are not (areSound()); a layer folded
-// into itself; a table of opacities of another length than 256. ReadBricks, ProbeVoxels and
-// PickVoxels are served while a transaction is open too.
+// connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
+// segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
+// a brush's frame or what is hidden that is not sound (isSound()); bounds that are not
+// (areSound()); a layer folded into itself; a table of opacities of another length than 256.
+// ReadBricks, ProbeVoxels, PickVoxels and CountGenerations are served while a transaction is open
+// too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -150,6 +152,12 @@ struct ProbeVoxels {
     std::uint8_t plane = 0; ///< of the labels
 };
 
+/// How many members each generation has, for the window: of a plane's seed words as they are now,
+/// an open edit's included. `EngineResult::generationSizes` counts them.
+struct CountGenerations {
+    std::uint8_t plane = 0;
+};
+
 /// How a ray finds what the user sees.
 enum class SeenBy : std::uint8_t {
     Surface, ///< first sample that is material (MaskFrame.h rule 3)
@@ -176,7 +184,7 @@ struct PickVoxels {
 };
 
 using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
-    ReadBricks, ProbeVoxels, PickVoxels>;
+    ReadBricks, ProbeVoxels, PickVoxels, CountGenerations>;
 
 // --- Results
 // ----------------------------------------------------------------------------------------
@@ -204,6 +212,8 @@ struct EngineResult {
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::vector<ProbedVoxel> probes;
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
+    std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
+                                                ///< last that has any
 };
 
 /// Where a running growth stands; a snapshot for the window.

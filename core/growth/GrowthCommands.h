@@ -94,6 +94,13 @@ struct ShrinkGrowth {
     std::bitset<256> frozen{};
 };
 
+/// Of an open ShrinkGrowth: from now on voxels, words and counter are as if it had been opened with
+/// this `keep`, and with `keepSeeds` where that is 0. Both ways, as often as one likes. Cost ∝ the
+/// bricks in which generations between the old and the new one lie.
+struct ShrinkTo {
+    std::uint32_t keep = 0; ///< not above the counter at the opening
+};
+
 /// Take back what grew through some places.
 struct CutGrowth {
     enum class How : std::uint8_t {

@@ -177,7 +177,8 @@ Result<void> EditSession::begin(const Edit& edit)
         || std::holds_alternative<PaintStroke>(rounded)
         || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded)
         || std::holds_alternative<LaserStroke>(rounded);
-    if (!isStroke && !std::holds_alternative<GrowSteps>(rounded))
+    if (!isStroke && !std::holds_alternative<GrowSteps>(rounded)
+        && !std::holds_alternative<ShrinkSteps>(rounded))
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));
     m_queue->closeGrowth();
@@ -207,6 +208,12 @@ void EditSession::setPeelDepth(double depthMm)
     const editFields::Number& field = editSchema::peelDepth;
     if (VoxelOperation* open = m_queue->interactive(); open && field.check(depthMm).isEmpty())
         open->setPeelDepth(m_queue->state(), field.rounded(depthMm));
+}
+
+void EditSession::setShrinkSteps(int steps)
+{
+    if (VoxelOperation* open = m_queue->interactive(); open && steps >= 0)
+        open->setShrinkSteps(m_queue->state(), steps);
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)

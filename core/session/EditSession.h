@@ -86,13 +86,16 @@ public:
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
     /// DrillStroke or LaserStroke without samples, PaintStroke or BrushStroke with the first point,
-    /// PeelCut, or GrowSteps
+    /// PeelCut, GrowSteps or ShrinkSteps
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
     /// Of a PaintStroke or BrushStroke. @param lifted the path begins anew at the first of these
     void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
     /// Of a PeelCut that was begun: deeper or less deep; out of range it stays as it is.
     void setPeelDepth(double depthMm);
+    /// Of a ShrinkSteps that was begun: so many steps instead, more or less than before; as many as
+    /// there are leave the accepted seeds.
+    void setShrinkSteps(int steps);
     void extendGrowth(GrowAdvance advance);
     void pauseGrowth();
     void end(Ending ending);

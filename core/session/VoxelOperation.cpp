@@ -90,6 +90,7 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         Result<ShrinkGrowth> command = shrinkGrowth(*shrink, document);
         if (!command)
             return tl::unexpected(command.error());
+        m_firstGeneration = command->generation;
         return EngineEdit(*std::move(command));
     }
     if (std::holds_alternative<ChangeInterval>(m_edit)
@@ -243,6 +244,24 @@ void VoxelOperation::setPeelDepth(SessionState& state, double depthMm)
     if (m_begun)
         m_waiting.push_back(peelDepth(*peel));
     submitWaiting(state);
+}
+
+void VoxelOperation::setShrinkSteps(SessionState& state, int steps)
+{
+    auto* shrink = std::get_if<ShrinkSteps>(&m_edit);
+    if (!shrink || !open())
+        return;
+    shrink->steps = steps;
+    if (m_begun)
+        m_waiting.push_back(shrinkTo());
+    submitWaiting(state);
+}
+
+/// @pre a ShrinkSteps that has begun
+ShrinkTo VoxelOperation::shrinkTo() const
+{
+    const int steps = *std::get<ShrinkSteps>(m_edit).steps;
+    return {.keep = m_firstGeneration - std::min(std::uint32_t(steps), m_firstGeneration)};
 }
 
 void VoxelOperation::extendGrowth(SessionState& state, EngineExtension extension)

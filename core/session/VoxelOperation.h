@@ -23,6 +23,7 @@ public:
     void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
     void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted);
     void setPeelDepth(SessionState& state, double depthMm);
+    void setShrinkSteps(SessionState& state, int steps);
     void extendGrowth(SessionState& state, EngineExtension extension);
     void end(SessionState& state, Ending ending);
     [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
@@ -34,7 +35,8 @@ public:
     /// Open without a pen that is down: whatever comes next closes it.
     [[nodiscard]] bool standsOpen() const
     {
-        return isGrowth() || std::holds_alternative<PeelCut>(m_edit);
+        return isGrowth() || std::holds_alternative<PeelCut>(m_edit)
+            || std::holds_alternative<ShrinkSteps>(m_edit);
     }
 
     void start(SessionState& state) override;
@@ -44,6 +46,7 @@ public:
 
 private:
     [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
+    [[nodiscard]] ShrinkTo shrinkTo() const;
     void liftPen();
     void submitWaiting(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);

@@ -3,7 +3,6 @@
 
 #include "gpu/edit/LayerWriter.h"
 #include "gpu/edit/ScissorsKernel.h"
-#include "gpu/edit/ShrinkKernel.h"
 
 namespace gpu {
 
@@ -204,9 +203,7 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {
         transaction->m_wholeKeys = foldLayer(fields, before, *fold);
     } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&edit)) {
-        ShrinkOutcome outcome = shrinkGrowth(programs.shrink, fields, before, *shrink);
-        transaction->m_wholeKeys = std::move(outcome.keys);
-        transaction->m_shrunkTo = outcome.generation;
+        transaction->m_shrink.emplace(programs.shrink, fields, before, *shrink);
     }
     return transaction;
 }
@@ -236,6 +233,14 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
         m_peel->setDepth(depth->depth);
         return {};
     }
+    if (const auto* shrink = std::get_if<core::ShrinkTo>(&extension)) {
+        if (!m_shrink)
+            return refusal("extension", "the open edit is no shrinking");
+        if (shrink->keep > m_shrink->openedAt())
+            return refusal("keep", "is more than there is");
+        m_shrink->shrinkTo(shrink->keep, shrink->keep == 0);
+        return {};
+    }
     if (!m_growth)
         return refusal("extension", "the open edit is no growth");
     if (const auto* steps = std::get_if<core::GrowAdvance>(&extension)) {
@@ -258,6 +263,14 @@ bool EditTransaction::join(core::EngineExtension& earlier, core::EngineExtension
         return false;
     if (auto* path = std::get_if<core::DrillPath>(&earlier); path && (m_drill || m_laser))
         return append(path->samples, std::get<core::DrillPath>(next).samples);
+    if (auto* shrink = std::get_if<core::ShrinkTo>(&earlier); shrink && m_shrink) {
+        // The last word counts; one that is refused must be refused by itself.
+        const core::ShrinkTo& later = std::get<core::ShrinkTo>(next);
+        if (std::max(shrink->keep, later.keep) > m_shrink->openedAt())
+            return false;
+        *shrink = later;
+        return true;
+    }
     if (auto* path = std::get_if<core::CapsulePath>(&earlier); path && m_capsule)
         return append(path->capsules, std::get<core::CapsulePath>(next).capsules);
     return false;
@@ -298,6 +311,8 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
         add(core::Field::Coverage, scissors->layer, m_scissoredBricks);
     if (m_capsule)
         return m_capsule->touchedKeys();
+    if (m_shrink)
+        return m_shrink->touchedKeys();
     return keys;
 }
 
@@ -311,9 +326,9 @@ void EditTransaction::commit(core::EngineResult& result)
         result.atClosure = m_growth->atClosure();
         result.statistics.generations = int(m_growth->generation() - grow->generation);
     }
-    if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&m_edit)) {
-        result.generation = m_shrunkTo;
-        result.statistics.generations = int(shrink->generation - m_shrunkTo);
+    if (m_shrink) {
+        result.generation = m_shrink->generation();
+        result.statistics.generations = int(m_shrink->openedAt() - m_shrink->generation());
     }
 }
 
@@ -324,8 +339,8 @@ void EditTransaction::rollBack(core::EngineResult& result)
         m_growth->releaseUnused();
         result.generation = grow->generation;
     }
-    if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&m_edit))
-        result.generation = shrink->generation;
+    if (m_shrink)
+        result.generation = m_shrink->openedAt();
 }
 
 core::GrowthProgress EditTransaction::progress() const

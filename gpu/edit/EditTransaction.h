@@ -11,6 +11,7 @@
 #include "gpu/edit/LabelKernel.h"
 #include "gpu/edit/LaserKernel.h"
 #include "gpu/edit/PeelKernel.h"
+#include "gpu/edit/ShrinkKernel.h"
 
 #include <memory>
 #include <optional>
@@ -26,7 +27,7 @@ struct EditPrograms {
         , capsule(library)
         , label(library)
         , laser(library)
-        , shrink(library, ComputeProgramOptions{.label = "shrink", .path = "edit/shrink.comp"})
+        , shrink(library)
     {
     }
 
@@ -36,7 +37,7 @@ struct EditPrograms {
     CapsulePrograms capsule;
     LabelPrograms label;
     LaserPrograms laser;
-    Program shrink;
+    ShrinkPrograms shrink;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -74,9 +75,9 @@ private:
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
     std::vector<core::BrickKey> m_wholeKeys; ///< of an edit that is done once it has begun
-    std::uint32_t m_shrunkTo = 0; ///< generation
     std::vector<std::uint32_t> m_scissoredBricks;
     std::optional<GrowthKernel> m_growth;
+    std::optional<ShrinkKernel> m_shrink;
     std::optional<DrillKernel> m_drill;
     std::optional<LaserKernel> m_laser;
     std::optional<PeelKernel> m_peel;

@@ -365,4 +365,11 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
     return result;
 }
 
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CountGenerations& command)
+{
+    core::EngineResult result;
+    result.generationSizes = generationSizes(m_programs.shrink, *m_fields, command.plane);
+    return result;
+}
+
 } // namespace gpu

@@ -69,6 +69,7 @@ private:
     Outcome carryOut(const core::ReadBricks& command);
     Outcome carryOut(const core::ProbeVoxels& command);
     Outcome carryOut(const core::PickVoxels& command);
+    Outcome carryOut(const core::CountGenerations& command);
 
     EngineThread& m_thread;
     VolumeTextures& m_textures;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/ShrinkKernel.h"
 
+#include "core/growth/SeedWord.h"
+
 #include <algorithm>
 #include <array>
 
@@ -9,83 +11,178 @@ namespace gpu {
 namespace {
 
 constexpr std::size_t mostGroups = 65535; // the least that GL promises; more bricks are walked
-constexpr std::uint32_t losesWords = 1; // shrink.comp
-constexpr std::uint32_t losesLabels = 2;
 
-/// What a look at bricks found.
-struct Found {
-    std::vector<std::uint32_t> flags; ///< one a brick
-    std::uint32_t greatest = 0; ///< generation of a member that stays
-};
-
-Found run(Program& shrink, VoxelFields& fields, std::uint8_t plane,
-    const std::vector<std::uint32_t>& bricks, bool write)
+Program program(const ShaderLibrary& library, const char* label, const char* path,
+    const ShaderDefines& defines = {})
 {
-    const std::size_t bytes = bricks.size() * sizeof(std::uint32_t);
-    Buffer list({.label = "shrink bricks", .bytes = bytes});
-    Buffer found({.label = "shrink found", .bytes = bytes + sizeof(std::uint32_t)});
-    list.write(std::span<const std::uint32_t>(bricks));
-    found.fill(0);
-    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    found.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    BrickField& words = fields.seedWords(plane);
-    words.pageTable().bindUnit(1);
-    words.atlas().bindImage(0, GL_READ_WRITE);
-    fields.labels(plane).bindImage(1, GL_READ_WRITE);
-    shrink.set("brickCount", unsigned(bricks.size())).set("write", write);
-    shrink.dispatch({unsigned(std::min(bricks.size(), mostGroups)), 1, 1});
+    return Program(
+        library, ComputeProgramOptions{.label = label, .path = path, .defines = defines});
+}
+
+Buffer listOf(const char* label, std::span<const std::uint32_t> values)
+{
+    Buffer buffer({.label = label, .bytes = values.size_bytes()});
+    buffer.write(values);
+    return buffer;
+}
+
+void setGrid(Program& each, const core::BrickGrid& grid, std::size_t bricks)
+{
+    each.set("volumeSize", grid.volumeSize)
+        .set("volumeBricks", grid.bricks())
+        .set("brickCount", unsigned(bricks));
+}
+
+void dispatch(Program& each, std::size_t bricks)
+{
+    each.dispatch({unsigned(std::min(bricks, mostGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    Found result;
-    result.flags.resize(bricks.size() + 1);
-    found.read(std::span<std::uint32_t>(result.flags));
-    result.greatest = result.flags.front();
-    result.flags.erase(result.flags.begin());
-    return result;
 }
 
 } // namespace
 
-ShrinkOutcome shrinkGrowth(
-    Program& shrink, VoxelFields& fields, BeforeImages& before, const core::ShrinkGrowth& command)
+ShrinkPrograms::ShrinkPrograms(const ShaderLibrary& library)
+    : look(program(library, "look for generations", "edit/shrink.comp", {{"LOOK", 1}}))
+    , shrink(program(library, "shrink", "edit/shrink.comp"))
+    , count(program(library, "count generations", "edit/countGenerations.comp"))
 {
-    ShrinkOutcome outcome{.keys = {}, .generation = command.keep};
-    const std::vector<std::uint32_t> held = fields.seedWords(command.plane).heldBricks();
-    if (held.empty())
-        return outcome;
+}
+
+ShrinkKernel::ShrinkKernel(ShrinkPrograms& programs, VoxelFields& fields, BeforeImages& before,
+    const core::ShrinkGrowth& command)
+    : m_programs(programs)
+    , m_fields(fields)
+    , m_before(before)
+    , m_command(command)
+    , m_keep(command.generation)
+{
     std::array<unsigned, 8> frozen{};
     for (std::size_t label = 0; label < command.frozen.size(); ++label) {
         if (command.frozen[label])
             frozen[label / 32] |= 1u << (label % 32);
     }
-    shrink.set("volumeSize", fields.grid().volumeSize)
-        .set("volumeBricks", fields.grid().bricks())
-        .set("keep", command.keep)
-        .set("keepSeeds", command.keepSeeds)
-        .set("frozen", std::span<const unsigned>(frozen));
-    const Found found = run(shrink, fields, command.plane, held, false);
-    outcome.generation = std::max(command.keep, found.greatest);
+    for (Program* each : {&programs.look, &programs.shrink})
+        each->set("frozen", std::span<const unsigned>(frozen));
+    look();
+    shrinkTo(command.keep, command.keepSeeds);
+}
 
-    std::vector<std::uint32_t> inWords;
-    std::vector<std::uint32_t> inLabels;
+void ShrinkKernel::look()
+{
+    BrickField& words = m_fields.seedWords(m_command.plane);
+    const std::vector<std::uint32_t> held = words.heldBricks();
+    if (held.empty())
+        return;
+    const Buffer list = listOf("shrink bricks", held);
+    constexpr std::size_t head = 2; // shrink.comp
+    std::vector<std::uint32_t> answer(head + 2 * held.size());
+    Buffer found({.label = "shrink found", .bytes = answer.size() * sizeof(std::uint32_t)});
+    found.fill(0);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    found.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    words.atlas().bindUnit(0);
+    words.pageTable().bindUnit(1);
+    setGrid(m_programs.look, m_fields.grid(), held.size());
+    dispatch(m_programs.look, held.size());
+    found.read(std::span<std::uint32_t>(answer));
+    m_greatestFrozen = answer[0];
+    m_anySeeds = answer[1] != 0;
     for (std::size_t i = 0; i < held.size(); ++i) {
-        if ((found.flags[i] & losesWords) != 0)
-            inWords.push_back(held[i]);
-        if ((found.flags[i] & losesLabels) != 0)
-            inLabels.push_back(held[i]);
+        if (const std::uint32_t greatest = answer[head + 2 * i + 1]; greatest != 0)
+            m_bricks.push_back(
+                {.brick = held[i], .least = ~answer[head + 2 * i], .greatest = greatest});
     }
-    if (inWords.empty())
-        return outcome;
-    before.capture(core::Field::SeedWords, command.plane, inWords);
-    before.capture(core::Field::Labels, command.plane, inLabels);
-    run(shrink, fields, command.plane, inWords, true);
-    fields.noteChanged(core::Field::Labels, inLabels);
-    for (const std::uint32_t brick : inWords)
-        outcome.keys.push_back(
-            {.field = core::Field::SeedWords, .plane = command.plane, .brick = brick});
-    for (const std::uint32_t brick : inLabels)
-        outcome.keys.push_back(
-            {.field = core::Field::Labels, .plane = command.plane, .brick = brick});
-    return outcome;
+}
+
+void ShrinkKernel::save()
+{
+    std::vector<std::uint32_t> bricks;
+    for (const Brick& each : m_bricks)
+        bricks.push_back(each.brick);
+    const BrickCopier& copier = m_fields.copier();
+    m_words = copier.packed(m_fields.textures(core::Field::SeedWords, m_command.plane), bricks);
+    m_labels = copier.packed(m_fields.textures(core::Field::Labels, m_command.plane), bricks);
+}
+
+void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
+{
+    const std::uint32_t low = std::min(keep, m_keep);
+    const std::uint32_t high = std::max(keep, m_keep);
+    // Seeds of any generation stay or go with the others by keepSeeds.
+    const bool all = keepSeeds != m_keepSeeds;
+    m_keep = keep;
+    m_keepSeeds = keepSeeds;
+    std::vector<std::uint32_t> bricks;
+    std::vector<std::uint32_t> places;
+    for (std::size_t i = 0; i < m_bricks.size(); ++i) {
+        Brick& each = m_bricks[i];
+        if (!all && (each.greatest <= low || each.least > high))
+            continue;
+        each.written = true;
+        bricks.push_back(each.brick);
+        places.push_back(std::uint32_t(i));
+    }
+    if (bricks.empty())
+        return;
+    if (!m_words)
+        save();
+    m_before.capture(core::Field::SeedWords, m_command.plane, bricks);
+    m_before.capture(core::Field::Labels, m_command.plane, bricks);
+
+    BrickField& words = m_fields.seedWords(m_command.plane);
+    const Buffer list = listOf("shrink bricks", bricks);
+    const Buffer placeList = listOf("shrink places", places);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    placeList.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    m_words.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    m_labels.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+    words.pageTable().bindUnit(1);
+    words.atlas().bindImage(0, GL_WRITE_ONLY);
+    m_fields.labels(m_command.plane).bindImage(1, GL_WRITE_ONLY);
+    setGrid(m_programs.shrink, m_fields.grid(), bricks.size());
+    m_programs.shrink.set("keep", keep).set("keepSeeds", keepSeeds);
+    dispatch(m_programs.shrink, bricks.size());
+    m_fields.noteChanged(core::Field::Labels, bricks);
+}
+
+std::uint32_t ShrinkKernel::generation() const
+{
+    return std::max({m_keep, m_greatestFrozen, m_keepSeeds && m_anySeeds ? 1u : 0u});
+}
+
+std::vector<core::BrickKey> ShrinkKernel::touchedKeys() const
+{
+    std::vector<core::BrickKey> keys;
+    for (const core::Field field : {core::Field::SeedWords, core::Field::Labels}) {
+        for (const Brick& each : m_bricks) {
+            if (each.written)
+                keys.push_back({.field = field, .plane = m_command.plane, .brick = each.brick});
+        }
+    }
+    return keys;
+}
+
+std::vector<std::uint32_t> generationSizes(
+    ShrinkPrograms& programs, VoxelFields& fields, std::uint8_t plane)
+{
+    BrickField& words = fields.seedWords(plane);
+    const std::vector<std::uint32_t> held = words.heldBricks();
+    if (held.empty())
+        return {};
+    std::vector<std::uint32_t> sizes(core::seedWord::maxGeneration + 1);
+    const Buffer list = listOf("counted bricks", held);
+    Buffer counts({.label = "generation sizes", .bytes = sizes.size() * sizeof(std::uint32_t)});
+    counts.fill(0);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    counts.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    words.atlas().bindUnit(0);
+    words.pageTable().bindUnit(1);
+    setGrid(programs.count, fields.grid(), held.size());
+    dispatch(programs.count, held.size());
+    counts.read(std::span<std::uint32_t>(sizes));
+    while (!sizes.empty() && sizes.back() == 0)
+        sizes.pop_back();
+    return sizes;
 }
 
 } // namespace gpu

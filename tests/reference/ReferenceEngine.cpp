@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/ReferenceEngine.h"
 
+#include "core/growth/SeedWord.h"
 #include "tests/reference/LayerWrites.h"
 #include "tests/reference/Radiation.h"
 
@@ -111,7 +112,7 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShrinkGrowth& e
 {
     if (edit.keep > edit.generation)
         return refuse("keep", "is more than there is");
-    return Shrunk{edit.generation, shrinkGrowth(m_fields, edit)};
+    return Shrunk{edit, shrinkGrowth(m_fields, edit)};
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CutGrowth&)
@@ -283,6 +284,18 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
         peel->setDepth(depth->depth);
         return std::nullopt;
     }
+    if (const auto* to = std::get_if<core::ShrinkTo>(&command.extension)) {
+        Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
+        if (!shrunk)
+            return refuse("extension", "the open edit is no shrinking");
+        if (to->keep > shrunk->edit.generation)
+            return refuse("keep", "is more than there is");
+        shrunk->edit.keep = to->keep;
+        shrunk->edit.keepSeeds = to->keep == 0;
+        m_fields = m_open->before;
+        shrunk->to = shrinkGrowth(m_fields, shrunk->edit);
+        return std::nullopt;
+    }
     Growth* growth = std::get_if<Growth>(&m_open->work);
     if (!growth)
         return refuse("extension", "the open edit is no growth");
@@ -302,7 +315,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
         if (growth)
             result.generation = growth->openedAt();
         if (shrunk)
-            result.generation = shrunk->from;
+            result.generation = shrunk->edit.generation;
         m_fields = std::move(m_open->before);
     } else {
         if (growth) {
@@ -316,7 +329,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
         if (growth)
             result.statistics.generations = int(growth->frontSizes().size());
         if (shrunk)
-            result.statistics.generations = int(shrunk->from - shrunk->to);
+            result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
     }
     m_open.reset();
     return result;
@@ -381,6 +394,19 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
     core::EngineResult result;
     for (const core::PickVoxels::Ray& ray : command.rays)
         result.picks.push_back(pick({m_codes, seen}, command, ray));
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::CountGenerations& command)
+{
+    core::EngineResult result;
+    for (const std::uint32_t word : m_fields.seedWords(command.plane).values) {
+        if (!core::seedWord::isMember(word))
+            continue;
+        const std::size_t generation = core::seedWord::generation(word);
+        result.generationSizes.resize(std::max(result.generationSizes.size(), generation + 1));
+        ++result.generationSizes[generation];
+    }
     return result;
 }
 

@@ -35,9 +35,9 @@ public:
 private:
     /// An edit that is done once it has begun.
     struct Done { };
-    /// Likewise; it tells how far the growth is now.
+    /// Likewise, and may be done anew for another generation; it tells how far the growth is now.
     struct Shrunk {
-        std::uint32_t from = 0;
+        core::ShrinkGrowth edit;
         std::uint32_t to = 0;
     };
     using Work = std::variant<Done, Shrunk, Growth, Drill, Capsules, Peel, Laser>;
@@ -56,6 +56,7 @@ private:
     [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
     [[nodiscard]] Outcome carryOut(core::ProbeVoxels& command);
     [[nodiscard]] Outcome carryOut(core::PickVoxels& command);
+    [[nodiscard]] Outcome carryOut(core::CountGenerations& command);
 
     [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);

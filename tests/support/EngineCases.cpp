@@ -277,6 +277,11 @@ std::vector<EngineCase> refusalCases()
     add("end without an edit", {commit, rollback, beginSeeds, commit, commit});
     add("begin twice", {beginSeeds, beginSeeds, BeginEdit{growth}, commit, readAll});
     add("begin twice, roll back", {beginSeeds, BeginEdit{drill}, rollback, readAll});
+    add("shrink to where nothing is open, or something else, or beyond",
+        {ExtendEdit{core::ShrinkTo{}}, BeginEdit{growth}, ExtendEdit{core::ShrinkTo{}}, rollback,
+            BeginEdit{core::ShrinkGrowth{.generation = 2, .keep = 2}},
+            ExtendEdit{core::ShrinkTo{.keep = 3}}, ExtendEdit{core::ShrinkTo{.keep = 1}},
+            ExtendEdit{GrowAdvance{}}, commit, readAll});
     add("swap while an edit is open",
         {beginSeeds, SwapBricks{{image}}, commit, ReadBricks{{image.key}}});
     add("bricks that are not there",

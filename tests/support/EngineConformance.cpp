@@ -155,6 +155,13 @@ private:
         shrink.keepSeeds = !step.generations || *step.generations >= shrink.generation;
         shrink.keep = shrink.keepSeeds ? 0 : shrink.generation - *step.generations;
         carryOut(core::EngineCommand(core::BeginEdit{shrink}));
+        for (const std::uint32_t keep : step.then) {
+            carryOut(core::EngineCommand(
+                core::ExtendEdit{core::ShrinkTo{keep % (shrink.generation + 1)}}));
+            submit(core::ReadBricks{{{core::Field::Labels, shrink.plane, 0},
+                {core::Field::SeedWords, shrink.plane, 0}}});
+            submit(core::CountGenerations{shrink.plane});
+        }
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
     }
 
@@ -300,6 +307,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
         if (!text.isEmpty())
             return text;
     }
+    if (a.generationSizes != b.generationSizes)
+        return QStringLiteral("members of generations differ");
     for (std::size_t i = 0; i < a.probes.size(); ++i) {
         if (a.probes[i].code != b.probes[i].code || a.probes[i].label != b.probes[i].label)
             return QStringLiteral("probe %1 reads %2, %3 instead of %4, %5")

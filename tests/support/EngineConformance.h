@@ -25,6 +25,7 @@ struct BeginGrowth {
 struct Shrink {
     core::ShrinkGrowth shrink; ///< `generation` and `keep` are filled in
     std::optional<std::uint32_t> generations{};
+    std::vector<std::uint32_t> then{}; ///< generations that it goes to before it ends, modulo
     core::Ending ending = core::Ending::Commit;
 };
 /// Swap back the last committed edit that is not yet undone; nothing if there is none.

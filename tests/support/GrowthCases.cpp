@@ -169,6 +169,10 @@ EngineCase randomGrowth(int number)
                     shrink.shrink.frozen.set(std::size_t(randomInt(newer, 1, 4)));
                 if (newer() % 5 == 0)
                     shrink.ending = core::Ending::Rollback;
+                if (newer() % 2) {
+                    for (int i = randomInt(newer, 1, 5); i > 0; --i)
+                        shrink.then.push_back(newer() % 4 ? std::uint32_t(newer()) : 0);
+                }
                 made.steps.push_back(shrink);
                 if (newer() % 4 == 0)
                     made.steps.push_back(Undo{});

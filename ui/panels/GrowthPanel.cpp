@@ -7,7 +7,7 @@
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/models/SegmentListModel.h"
-#include "ui/widgets/FrontSizeCurve.h"
+#include "ui/panels/GenerationSection.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QCheckBox>
@@ -137,7 +137,7 @@ void GrowthPanel::build()
     m_progress->setFont(theme::smallFont());
     m_progress->setProperty("role", QStringLiteral("secondary"));
     m_progress->setWordWrap(true);
-    m_curve = new FrontSizeCurve(this);
+    m_generations = new GenerationSection(m_workspace, this);
 
     auto* transport = new QHBoxLayout;
     transport->setSpacing(theme::smallPadding);
@@ -165,7 +165,7 @@ void GrowthPanel::build()
     layout->addWidget(m_advice);
     layout->addLayout(pace);
     layout->addWidget(m_progress);
-    layout->addWidget(m_curve);
+    layout->addWidget(m_generations);
 }
 
 void GrowthPanel::makeSeedButton()
@@ -428,7 +428,7 @@ void GrowthPanel::showState()
     if (progress.open)
         m_fronts = progress.frontSizes;
     m_progress->setText(progressText(progress));
-    m_curve->setSizes(m_fronts);
+    m_generations->show(progress);
 }
 
 QString GrowthPanel::progressText(const core::GrowthProgress& progress) const

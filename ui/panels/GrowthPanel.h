@@ -18,7 +18,7 @@ class QToolButton;
 
 namespace ui {
 
-class FrontSizeCurve;
+class GenerationSection;
 class HistogramRange;
 class Workspace;
 
@@ -73,7 +73,7 @@ private:
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;
     QLabel* m_progress = nullptr;
-    FrontSizeCurve* m_curve = nullptr;
+    GenerationSection* m_generations = nullptr;
     QTimer m_watch; ///< only shows; decides nothing about voxels
     std::vector<double> m_seedValues; ///< of m_seedLabel, modality units
     int m_seedLabel = 0;

@@ -307,6 +307,53 @@ private Q_SLOTS:
         QVERIFY(!std::get<GrowSteps>(bench.lastRow().edit).steps);
     }
 
+    void aGrowthIsScrubbed()
+    {
+        Bench whole;
+        Bench scrubbed;
+        for (Bench* each : {&whole, &scrubbed}) {
+            for (const Edit& edit : {Edit(test::addSegment("Brain")), Edit(test::seedInBrain(1)),
+                     Edit(test::growBrain(6))})
+                each->run(edit);
+        }
+        const QByteArray grown = whole.session->stateHash();
+        whole.run(ShrinkSteps{.steps = 2});
+        EditSession& session = *scrubbed.session;
+        QVERIFY(session.begin(ShrinkSteps{.steps = 0}));
+        for (const int steps : {1, 5, 100, 0, 4, 2})
+            session.setShrinkSteps(steps);
+        session.end(Ending::Commit);
+        QVERIFY(session.settle());
+        QCOMPARE(session.stateHash(), whole.session->stateHash());
+        QCOMPARE(std::get<ShrinkSteps>(scrubbed.lastRow().edit).steps, std::optional<int>(2));
+        QCOMPARE(scrubbed.lastRow().growthGeneration, whole.lastRow().growthGeneration);
+        QCOMPARE(scrubbed.lastRow().name, whole.lastRow().name);
+        QVERIFY(session.undo());
+        QVERIFY(session.settle());
+        QCOMPARE(session.stateHash(), grown);
+
+        // There and back again, or taken back, is no step; nor is one that never moved.
+        const std::size_t rows = session.history().rows().size();
+        for (const Ending ending : {Ending::Commit, Ending::Rollback}) {
+            QVERIFY(session.begin(ShrinkSteps{.steps = 0}));
+            session.setShrinkSteps(3);
+            if (ending == Ending::Commit)
+                session.setShrinkSteps(0);
+            session.end(ending);
+            QVERIFY(session.settle());
+            QCOMPARE(session.stateHash(), grown);
+            QCOMPARE(session.history().rows().size(), rows);
+        }
+        // All the way back leaves the seeds, as "to the seeds" does.
+        QVERIFY(session.begin(ShrinkSteps{.steps = 0}));
+        session.setShrinkSteps(1000);
+        session.closeGrowth();
+        QVERIFY(session.settle());
+        QVERIFY(whole.session->undo());
+        whole.run(ShrinkSteps{});
+        QCOMPARE(session.stateHash(), whole.session->stateHash());
+    }
+
     void undoneGrowthGrowsAgainTheSame()
     {
         Bench bench;

@@ -3,6 +3,7 @@
 
 #include "tests/support/WorkspaceFixture.h"
 #include "ui/SegmentActions.h"
+#include "ui/widgets/GenerationBar.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QAbstractButton>
@@ -11,6 +12,8 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QtTest>
+
+#include <numeric>
 
 using test::WorkspaceFixture;
 using ui::GrowthPanel;
@@ -125,17 +128,61 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels[0]);
     }
 
+    void theGenerationBarScrubs()
+    {
+        SeededPanel fixture;
+        std::vector<std::int64_t> voxels;
+        for (int step = 0; step < 5; ++step) {
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            voxels.push_back(fixture.session().document().segments[0].voxels);
+        }
+        auto* bar = fixture.panel.findChild<ui::GenerationBar*>();
+        QVERIFY(bar);
+        // The first step admitted the seed and added a generation.
+        QTRY_COMPARE(bar->sizes().size(), std::size_t(6));
+        QCOMPARE(std::int64_t(std::accumulate(bar->sizes().begin(), bar->sizes().end(), 0u)),
+            voxels.back());
+        QCOMPARE(bar->shown(), 6);
+        const auto rows = fixture.session().history().rows().size();
+        const QByteArray grown = fixture.session().stateHash();
+        const auto at = [bar](int generation) {
+            return QPoint(6 + (bar->width() - 12) * (generation - 1) / 5, bar->height() / 2);
+        };
+        QTest::mousePress(bar, Qt::LeftButton, {}, at(4));
+        QCOMPARE(bar->shown(), 4);
+        QTest::mouseMove(bar, at(1));
+        QTest::mouseMove(bar, at(3));
+        QTest::mouseRelease(bar, Qt::LeftButton, {}, at(3));
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, voxels[1]);
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QTRY_COMPARE(bar->sizes().size(), std::size_t(3));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), grown);
+
+        // Escape takes the drag back.
+        QTRY_COMPARE(bar->sizes().size(), std::size_t(6));
+        QTest::mousePress(bar, Qt::LeftButton, {}, at(2));
+        QTest::keyClick(bar, Qt::Key_Escape);
+        fixture.settle();
+        QCOMPARE(bar->shown(), 6);
+        QCOMPARE(fixture.session().stateHash(), grown);
+        QTest::mouseRelease(bar, Qt::LeftButton, {}, at(2));
+    }
+
     void connectivityIsPartOfTheEdit()
     {
         SeededPanel fixture;
         auto* choice = fixture.panel.findChild<QComboBox*>(QStringLiteral("growConnectivity"));
         QVERIFY(choice);
-        QCOMPARE(fixture.panel.growEdit().connectivity, 6);
+        QCOMPARE(fixture.panel.growEdit().criteria.connectivity, 6);
         QTest::keyClick(choice, Qt::Key_End);
-        QCOMPARE(fixture.panel.growEdit().connectivity, 26);
+        QCOMPARE(fixture.panel.growEdit().criteria.connectivity, 26);
         click(button(fixture.panel, "growStep"));
         fixture.settle();
-        QCOMPARE(fixture.lastGrowth()->connectivity, 26);
+        QCOMPARE(fixture.lastGrowth()->criteria.connectivity, 26);
     }
 
     void playRunsToClosureAsOneStepOfUndo_data()
@@ -156,8 +203,8 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.session().history().position(), before + 1);
         QVERIFY(fixture.lastGrowth());
-        QCOMPARE(fixture.lastGrowth()->lower, 0.0);
-        QCOMPARE(fixture.lastGrowth()->upper, 20.0);
+        QCOMPARE(fixture.lastGrowth()->criteria.lower, 0.0);
+        QCOMPARE(fixture.lastGrowth()->criteria.upper, 20.0);
         QCOMPARE(fixture.session().document().segments[0].voxels,
             test::smallHead::voxelsOf(test::smallHead::ventricleHu));
         QVERIFY(fixture.session().undo());

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/GenerationBar.h"
+
+#include "ui/CountText.h"
+#include "ui/Theme.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ui {
+
+GenerationBar::GenerationBar(QWidget* parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("generationBar"));
+    setFixedHeight(40);
+    setAccessibleName(tr("Generations of the growth"));
+}
+
+void GenerationBar::setSizes(const std::vector<std::uint32_t>& sizes)
+{
+    if (sizes == m_sizes || m_scrubbing)
+        return;
+    m_sizes = sizes;
+    m_shown = int(m_sizes.size());
+    update();
+}
+
+void GenerationBar::setScrubbable(bool scrubbable)
+{
+    m_scrubbable = scrubbable;
+    setCursor(scrubbable ? Qt::SizeHorCursor : Qt::ArrowCursor);
+    setFocusPolicy(scrubbable ? Qt::ClickFocus : Qt::NoFocus);
+}
+
+QRectF GenerationBar::area() const
+{
+    return QRectF(rect()).adjusted(6.0, 6.0, -6.0, -6.0);
+}
+
+double GenerationBar::xOf(int generation) const
+{
+    const double steps = std::max<double>(1.0, double(m_sizes.size()) - 1.0);
+    return area().left() + area().width() * (generation - 1) / steps;
+}
+
+int GenerationBar::generationAt(double x) const
+{
+    const double steps = std::max<double>(1.0, double(m_sizes.size()) - 1.0);
+    const double place = 1.0 + (x - area().left()) / area().width() * steps;
+    return std::clamp(int(std::lround(place)), 1, int(m_sizes.size()));
+}
+
+void GenerationBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme::window);
+    painter.drawRoundedRect(QRectF(rect()), theme::cornerRadius, theme::cornerRadius);
+    if (m_sizes.empty())
+        return;
+    const QRectF room = area();
+    const double peak = std::max<double>(1.0, *std::max_element(m_sizes.begin(), m_sizes.end()));
+    QPolygonF curve;
+    for (int i = 0; i < int(m_sizes.size()); ++i)
+        curve << QPointF(
+            xOf(i + 1), room.bottom() - double(m_sizes[std::size_t(i)]) / peak * room.height());
+    QPainterPath filled;
+    filled.moveTo(room.left(), room.bottom());
+    for (const QPointF& point : curve)
+        filled.lineTo(point);
+    filled.lineTo(curve.back().x(), room.bottom());
+
+    // What is shown is filled, what the drag takes back only outlined.
+    const double mark = xOf(m_shown);
+    QColor fill = theme::good;
+    fill.setAlphaF(0.25);
+    painter.setClipRect(QRectF(0.0, 0.0, mark, height()));
+    painter.setBrush(fill);
+    painter.drawPath(filled);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme::good, 1.6));
+    painter.drawPolyline(curve);
+    painter.setClipRect(QRectF(mark, 0.0, width() - mark, height()));
+    painter.setPen(QPen(theme::secondary, 1.2));
+    painter.drawPolyline(curve);
+    painter.setClipping(false);
+    painter.setPen(QPen(theme::accent, m_scrubbing ? 2.5 : 1.5));
+    painter.drawLine(QPointF(mark, 3.0), QPointF(mark, height() - 3.0));
+    if (m_scrubbable) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme::accent);
+        painter.drawEllipse(QPointF(std::clamp(mark, 5.0, width() - 5.0), 5.0), 3.5, 3.5);
+    }
+}
+
+QString GenerationBar::textFor(int generation) const
+{
+    if (generation < 1 || generation > int(m_sizes.size()))
+        return tr("Voxels that each generation of the growth added");
+    const auto upTo = m_sizes.begin() + generation;
+    const auto members = std::accumulate(m_sizes.begin(), upTo, qlonglong(0));
+    return tr("Generation %1 added %2 voxels; up to here %3 (%4 mL)")
+        .arg(countText(generation), countText(m_sizes[std::size_t(generation - 1)]),
+            countText(members), QLocale().toString(double(members) * m_voxelMm3 / 1000.0, 'f', 2));
+}
+
+void GenerationBar::scrubTo(int generation)
+{
+    if (generation == m_shown)
+        return;
+    m_shown = generation;
+    update();
+    Q_EMIT scrubbed(generation);
+}
+
+void GenerationBar::endScrub(bool kept)
+{
+    if (!m_scrubbing)
+        return;
+    m_scrubbing = false;
+    if (!kept)
+        m_shown = int(m_sizes.size());
+    update();
+    Q_EMIT scrubEnded(kept);
+}
+
+void GenerationBar::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !m_scrubbable || m_sizes.empty())
+        return;
+    m_scrubbing = true;
+    Q_EMIT scrubBegan();
+    scrubTo(generationAt(event->position().x()));
+}
+
+void GenerationBar::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_scrubbing)
+        return;
+    scrubTo(generationAt(event->position().x()));
+    QToolTip::showText(event->globalPosition().toPoint(), textFor(m_shown), this);
+}
+
+void GenerationBar::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        endScrub(true);
+}
+
+void GenerationBar::keyPressEvent(QKeyEvent* event)
+{
+    if (m_scrubbing && event->key() == Qt::Key_Escape)
+        endScrub(false);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+bool GenerationBar::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(),
+        m_sizes.empty() ? textFor(0) : textFor(generationAt(help->pos().x())), this);
+    return true;
+}
+
+} // namespace ui
