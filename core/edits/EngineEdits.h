@@ -22,7 +22,8 @@ namespace core {
 [[nodiscard]] Result<SeedPlacement> seedPlacement(
     const SeedStroke& stroke, const Document& document);
 
-/// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper).
+/// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper, a box outside the
+/// volume).
 [[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
 
 /// Errors: SegmentLocked (no segment may change).

@@ -2,6 +2,7 @@
 #include "core/edits/EngineEdits.h"
 
 #include "core/edits/EditFields.h"
+#include "core/edits/GrowLimits.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
@@ -75,12 +76,17 @@ Result<GrowBurst> burstOf(
         return wrong("upper",
             QStringLiteral("%1 is below lower, %2").arg(criteria.upper).arg(criteria.lower));
 
+    const Volume& volume = document.volumes.front();
+    Result<GrowLimits> limits = growLimits(criteria, volume, edit);
+    if (!limits)
+        return tl::unexpected(limits.error());
+
     constexpr std::uint8_t plane = 0;
-    const VoxelEncoding& encoding = document.volumes.front().encoding;
     GrowBurst burst{.plane = plane,
-        .lowCode = encoding.lowestCodeAtLeast(criteria.lower),
-        .highCode = encoding.highestCodeAtMost(criteria.upper),
-        .connectivity = criteria.connectivity};
+        .lowCode = volume.encoding.lowestCodeAtLeast(criteria.lower),
+        .highCode = volume.encoding.highestCodeAtMost(criteria.upper),
+        .connectivity = criteria.connectivity,
+        .limits = *limits};
     if (const Growth* growth = document.growth(plane))
         burst.generation = growth->generation;
     bool anyGrows = false;

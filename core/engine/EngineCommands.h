@@ -4,6 +4,7 @@
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/SeedStatistics.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
 #include "core/sculpt/LaserCut.h"
@@ -112,10 +113,10 @@ using EngineExtension =
 // open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
 // connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
-// a brush's frame or what is hidden that is not sound (isSound()); bounds that are not
-// (areSound()); a layer folded into itself; a table of opacities of another length than 256.
-// ReadBricks, ProbeVoxels, PickVoxels and CountGenerations are served while a transaction is open
-// too.
+// a brush's frame, what is hidden or limits of growth that are not sound (isSound()); bounds that
+// are not (areSound()); a layer folded into itself; a table of opacities of another length than
+// 256. ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels and CountGenerations are served while a
+// transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -151,6 +152,13 @@ struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
     std::uint8_t plane = 0; ///< of the labels
 };
+/// What lies around the seeds of a plane's labels: the sums that a GrowBurst with this interval
+/// would narrow it by (GrowLimits), if it opened now.
+struct ProbeSeeds {
+    std::uint8_t plane = 0;
+    int lowCode = 0;
+    int highCode = 65535;
+};
 
 /// How many members each generation has, for the window: of a plane's seed words as they are now,
 /// an open edit's included. `EngineResult::generationSizes` counts them.
@@ -184,7 +192,7 @@ struct PickVoxels {
 };
 
 using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
-    ReadBricks, ProbeVoxels, PickVoxels, CountGenerations>;
+    ReadBricks, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds>;
 
 // --- Results
 // ----------------------------------------------------------------------------------------
@@ -201,6 +209,12 @@ struct ProbedVoxel {
     std::uint8_t label = 0;
 };
 
+struct ProbedSeeds {
+    std::uint8_t label = 0;
+    SeedSums sums;
+    bool operator==(const ProbedSeeds&) const = default;
+};
+
 /// What became of one command. BeginEdit and ExtendEdit yield none unless they fail.
 struct EngineResult {
     Ticket ticket = 0;
@@ -211,6 +225,7 @@ struct EngineResult {
     std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the counter at its end
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::vector<ProbedVoxel> probes;
+    std::vector<ProbedSeeds> seeds; ///< by label, only those that have voxels
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
     std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
                                                 ///< last that has any

@@ -22,20 +22,38 @@ struct SeedPlacement {
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
 };
 
-/// What growth asks for beyond its interval; all that is given must hold.
+/// What growth asks for beyond its interval and the label plane; all that is given must hold.
+/// Where a rule looks at a voxel outside the volume, the nearest one inside stands for it.
+///
+/// within(label, q): lowCode ≤ code(q) ≤ highCode, and with sigmas256 > 0 code(q) also lies in
+///   seedInterval(sums, sigmas256) (SeedStatistics.h). The sums are those of the label as the burst
+///   finds it: every pending seed of the label and every member of it that is a seed
+///   (seedWord::isSeed) adds the voxels of the volume that lie within seedReach of it along each
+///   axis and whose code is in lowCode … highCode.
+/// magnitude(q) = ⌊√(tx² + ty² + tz²)⌋, where ta = min(⌊gradientWeights[a] · |code(q + ea) −
+///   code(q − ea)| / 1024⌋, 32767) along each axis a.
+/// allows(label, q), asked of every voxel, seeds too:
+///   within(label, q); magnitude(q) ≤ gradient; of the 27 voxels q + {−1, 0, 1}³ at least
+///   `majority` are within(label, ·); with onlyVisible the coverage of the composed layers is below
+///   128 at q; with boxed boxFrom ≤ q ≤ boxTo on each axis.
+/// follows(p, q), asked of a voxel q that is not a seed, p being the parent:
+///   |code(q) − code(p)| ≤ difference; |magnitude(q) − magnitude(p)| ≤ gradientDifference.
 struct GrowLimits {
-    std::optional<int> difference{}; ///< |code − code of the parent|, at most
-    std::optional<int> gradient{}; ///< magnitude, at most
-    std::optional<int> gradientDifference{}; ///< |magnitude − that of the parent|, at most
-    glm::ivec3 gradientWeights{0}; ///< of the central differences along x, y, z
-    int majority = 0; ///< so many of the 27 voxels around and at it lie in the interval
-    bool onlyVisible = false; ///< coverage of the composed layers below 128
-    bool boxed = false; ///< between these voxels, inclusive
+    std::optional<int> difference{};
+    std::optional<int> gradient{};
+    std::optional<int> gradientDifference{};
+    glm::ivec3 gradientWeights{0}; ///< 0 … 65535 each
+    int majority = 0; ///< 0 … 27
+    bool onlyVisible = false;
+    bool boxed = false;
     glm::ivec3 boxFrom{0};
     glm::ivec3 boxTo{0};
-    int sigmas256 = 0; ///< 256ths of a standard deviation; 0: the interval is as given
+    int sigmas256 = 0; ///< 256ths of a standard deviation, to 25600; 0: the interval as given
     bool operator==(const GrowLimits&) const = default;
 };
+
+/// Whether every number is in its range; differences and magnitudes are not below 0.
+[[nodiscard]] bool isSound(const GrowLimits& limits);
 
 /// What becomes of the members that are there when a burst opens.
 enum class GrowOpening : std::uint8_t {
@@ -46,14 +64,15 @@ enum class GrowOpening : std::uint8_t {
 
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
 ///
-/// accept(label, q): the label is not in `frozen`, lowCode ≤ code(q) ≤ highCode, and the label
-/// plane as it was at the opening holds at q 0, the label itself, or a label in `overwritable`.
+/// accept(label, q): the label is not in `frozen`, the limits allow it at q (of which
+/// lowCode ≤ code(q) ≤ highCode is one), and the label plane as it was at the opening holds at q 0,
+/// the label itself, or a label in `overwritable`.
 /// Neighbours of a voxel are the 6 that share a face with it, the 18 that share a face or an edge,
 /// or all 26: the first so many of seedWord::offsets.
 /// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
 /// was one, the generation is now one more. Then each step: every voxel that is no member and has a
-/// neighbour that was a member before the step and whose label it accepts becomes
-/// member(generation + 1, label, direction), the smallest such word; if there was one, the
+/// neighbour that was a member before the step, whose label it accepts and which it follows,
+/// becomes member(generation + 1, label, direction), the smallest such word; if there was one, the
 /// generation is one more, else the growth is at closure and further steps do nothing.
 /// Where the plane held the label itself, the direction is 30 for a seed and 29 else (SeedWord.h),
 /// unless `tellsHeld` is false.

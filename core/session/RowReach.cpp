@@ -31,6 +31,15 @@ glm::dvec2 millimetres(const Fixed3& fixed30)
     return glm::dvec2(double(fixed30[0]), double(fixed30[1])) / 1073741824.0;
 }
 
+/// What a growth asks of voxels; null for other edits.
+const GrowCriteria* criteriaOf(const Edit& edit)
+{
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return &grow->criteria;
+    const auto* interval = std::get_if<ChangeInterval>(&edit);
+    return interval ? &interval->criteria : nullptr;
+}
+
 /// The bricks under a brush.
 std::set<std::uint32_t> bricksUnder(
     const BrushPath& path, const CapsuleFrame& frame, const VolumeGeometry& geometry)
@@ -91,6 +100,10 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
                 bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(grid.brickOf(voxel))});
         }
         m_reach = std::move(bricks);
+    } else if (const GrowCriteria* criteria = criteriaOf(edit); criteria && criteria->onlyVisible) {
+        Fields fields{.plane = document.growths.front().plane, .layers = {}};
+        fields.layers.set();
+        m_reach = fields;
     } else if (std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ShrinkSteps>(edit)
         || std::holds_alternative<RemoveSegment>(edit)) {
         m_reach = Plane{document.growths.front().plane};

@@ -356,6 +356,18 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
     return result;
 }
 
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeSeeds& command)
+{
+    const SeedSumsByLabel sums = seedSums(m_programs.growth.seedStatistics, *m_fields,
+        command.plane, command.lowCode, command.highCode);
+    core::EngineResult result;
+    for (std::size_t label = 0; label < sums.size(); ++label) {
+        if (sums[label].voxels > 0)
+            result.seeds.push_back({std::uint8_t(label), sums[label]});
+    }
+    return result;
+}
+
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
 {
     if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)

@@ -68,6 +68,7 @@ private:
     Outcome carryOut(const core::MuteLayers& command);
     Outcome carryOut(const core::ReadBricks& command);
     Outcome carryOut(const core::ProbeVoxels& command);
+    Outcome carryOut(const core::ProbeSeeds& command);
     Outcome carryOut(const core::PickVoxels& command);
     Outcome carryOut(const core::CountGenerations& command);
 

@@ -38,29 +38,34 @@ Buffer listBuffer(std::span<const std::uint32_t> list)
 
 } // namespace
 
-GrowthPrograms::Rings::Rings(const ShaderLibrary& shaders, int connectivity)
-    : front(program(shaders, "edit/growFront.comp", {{"CONNECTIVITY", connectivity}}))
-    , ring(program(shaders, "edit/growRing.comp", {{"CONNECTIVITY", connectivity}}))
-    , severalRings(program(
-          shaders, "edit/growRing.comp", {{"CONNECTIVITY", connectivity}, {"SEVERAL_RINGS", 1}}))
+GrowthPrograms::Rings::Rings(
+    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits)
 {
+    ShaderDefines defines = definesOf(limits);
+    admit = program(shaders, "edit/growAdmit.comp", defines);
+    defines.emplace_back("CONNECTIVITY", connectivity);
+    front = program(shaders, "edit/growFront.comp", defines);
+    ring = program(shaders, "edit/growRing.comp", defines);
+    defines.emplace_back("SEVERAL_RINGS", 1);
+    severalRings = program(shaders, "edit/growRing.comp", defines);
 }
 
 GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
     : placeSeeds(program(shaders, "edit/placeSeeds.comp"))
-    , admit(program(shaders, "edit/growAdmit.comp"))
     , label(program(shaders, "edit/growLabel.comp"))
+    , seedStatistics(program(shaders, "edit/seedStatistics.comp"))
     , m_shaders(shaders)
 {
-    (void)rings(6);
+    (void)rings(6, {});
 }
 
-GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity)
+GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity, const core::GrowLimits& limits)
 {
-    const auto known = m_rings.find(connectivity);
+    const std::pair<int, unsigned> kind(connectivity, kindOf(limits));
+    const auto known = m_rings.find(kind);
     if (known != m_rings.end())
         return known->second;
-    return m_rings.try_emplace(connectivity, m_shaders, connectivity).first->second;
+    return m_rings.try_emplace(kind, m_shaders, connectivity, limits).first->second;
 }
 
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
@@ -94,35 +99,33 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::GrowBurst& burst)
     : m_programs(programs)
-    , m_rings(programs.rings(burst.connectivity))
+    , m_rings(programs.rings(burst.connectivity, burst.limits))
     , m_fields(fields)
     , m_before(before)
     , m_burst(burst)
+    , m_criterion(programs.seedStatistics, fields, burst)
     , m_state({.label = "growth state", .bytes = sizeof(State)})
     , m_generation(burst.generation)
     , m_prepared(std::size_t(fields.grid().brickCount()), false)
 {
     setQueues(1u << 18);
     for (Program* each :
-        {&programs.admit, &m_rings.front, &m_rings.ring, &m_rings.severalRings, &programs.label})
-        setCriterion(*each);
+        {&m_rings.admit, &m_rings.front, &m_rings.ring, &m_rings.severalRings, &programs.label})
+        setUniforms(*each);
     m_rings.front.set("openGeneration", burst.generation);
 }
 
-void GrowthKernel::setCriterion(Program& each) const
+void GrowthKernel::setUniforms(Program& each) const
 {
-    // An empty interval is one whose low end no code reaches.
-    const bool none = m_burst.lowCode > m_burst.highCode || m_burst.highCode < 0;
     const std::array<unsigned, 8> overwritable = words(m_burst.overwritable);
     const std::array<unsigned, 8> frozen = words(m_burst.frozen);
     each.set("volumeSize", m_fields.grid().volumeSize)
         .set("volumeBricks", m_fields.grid().bricks())
-        .set("lowCode", none ? 65536u : unsigned(std::max(m_burst.lowCode, 0)))
-        .set("highCode", none ? 0u : unsigned(m_burst.highCode))
         .set("overwritable", std::span<const unsigned>(overwritable))
         .set("frozen", std::span<const unsigned>(frozen))
         .set("tellsHeld", m_burst.tellsHeld)
         .set("queueCapacity", m_queueCapacity);
+    m_criterion.setUniforms(each);
 }
 
 void GrowthKernel::bind()
@@ -131,6 +134,7 @@ void GrowthKernel::bind()
     words.atlas().bindImage(0, GL_READ_WRITE);
     m_fields.labels(m_burst.plane).bindImage(1, GL_READ_WRITE);
     m_fields.codes().bindImage(2, GL_READ_ONLY);
+    m_criterion.bind(m_fields);
     words.pageTable().bindImage(3, GL_READ_ONLY);
     words.pageOwners().bindBase(GL_SHADER_STORAGE_BUFFER, 5);
     m_state.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
@@ -169,8 +173,8 @@ void GrowthKernel::open()
     const Buffer list = listBuffer(held);
     if (m_generation < core::seedWord::maxGeneration) {
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-        m_programs.admit.set("admittedGeneration", m_generation + 1);
-        m_programs.admit.dispatch({unsigned(held.size()), 1, 1});
+        m_rings.admit.set("admittedGeneration", m_generation + 1);
+        m_rings.admit.dispatch({unsigned(held.size()), 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         const std::uint32_t admitted = takeBatch().admitted;
         if (admitted > 0) {

@@ -3,11 +3,13 @@
 
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/GrowCriterion.h"
 #include "gpu/edit/VoxelFields.h"
 
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace gpu {
@@ -17,24 +19,26 @@ struct GrowthPrograms {
     /// @param shaders outlives them
     explicit GrowthPrograms(const ShaderLibrary& shaders);
 
-    /// What depends on how many neighbours a voxel has.
+    /// What depends on how many neighbours a voxel has and what is asked of it.
     struct Rings {
-        Rings(const ShaderLibrary& shaders, int connectivity);
+        Rings(const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
 
+        Program admit;
         Program front;
         Program ring;
         Program severalRings;
     };
-    /// @param connectivity 6, 18 or 26; the latter two are compiled when first needed
-    [[nodiscard]] Rings& rings(int connectivity);
+    /// Compiled when first needed, but for a growth over faces (6) without limits.
+    /// @param connectivity 6, 18 or 26
+    [[nodiscard]] Rings& rings(int connectivity, const core::GrowLimits& limits);
 
     Program placeSeeds;
-    Program admit;
     Program label;
+    Program seedStatistics;
 
 private:
     const ShaderLibrary& m_shaders;
-    std::map<int, Rings> m_rings;
+    std::map<std::pair<int, unsigned>, Rings> m_rings; ///< by neighbours and kindOf(limits)
 };
 
 /// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
@@ -78,7 +82,7 @@ private:
     };
 
     void bind();
-    void setCriterion(Program& program) const;
+    void setUniforms(Program& program) const;
     void findFront();
     void prepareBricks();
     void start(const State& state);
@@ -92,6 +96,7 @@ private:
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;
+    GrowCriterion m_criterion;
     Buffer m_state;
     Buffer m_queues; ///< two, one behind the other
     Buffer m_reached;

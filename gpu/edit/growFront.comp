@@ -11,6 +11,7 @@ uniform uint openGeneration; // members of later generations show in the label p
 
 bool canGoOn(ivec3 voxel, uint label)
 {
+    Parent parent = parentAt(voxel);
     for (int direction = 0; direction < CONNECTIVITY; ++direction) {
         ivec3 neighbour = voxel + neighbourOffsets[direction];
         bool held;
@@ -20,7 +21,7 @@ bool canGoOn(ivec3 voxel, uint label)
         uint word = entry != 0u ? imageLoad(words, atlasTexel(entry, neighbour)).r : unvisited;
         if (isMember(word) || word == barrierWord)
             continue;
-        if (accepts(label, neighbour, held))
+        if (accepts(label, neighbour, held) && follows(parent, neighbour))
             return true;
     }
     return false;

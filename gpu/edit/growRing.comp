@@ -55,6 +55,9 @@ void growFrom(uint entry, uint ring)
         if (there != 0u && word > memberWord(generation, label, direction))
             open |= 1u << direction;
     }
+    Parent parent = Parent(0u, 0u);
+    if (open != 0u)
+        parent = parentAt(voxel);
     if (open != 0u) do {
         uint direction = uint(findLSB(open));
         open &= open - 1u;
@@ -67,7 +70,8 @@ void growFrom(uint entry, uint ring)
         ivec3 neighbour = voxel + step;
         bool held = false;
         // A brick at the rim reaches beyond the volume.
-        if (inside(neighbour, volumeSize) && accepts(label, neighbour, held)) {
+        if (inside(neighbour, volumeSize) && accepts(label, neighbour, held)
+            && follows(parent, neighbour)) {
             uint there = neighbourEntry(page + 1u, neighbour, origin);
             uint claim = memberWord(generation, label, held ? heldDirection : direction);
             uint before = imageAtomicMin(words, atlasTexel(there, neighbour), claim);

@@ -34,6 +34,8 @@ uniform bool tellsHeld;
 uniform uint queueCapacity; // of each
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
+#include "edit/growCriterion.glsl"
+
 uint pageEntry(ivec3 voxel)
 {
     return imageLoad(pageTable, voxel >> 4).r;
@@ -45,7 +47,7 @@ ivec3 ownerOrigin(uint page)
     return ivec3(owner & 1023u, owner >> 10 & 1023u, owner >> 20) * brickSide;
 }
 
-// Whether a label may enter a voxel: its code is in the interval and no other segment holds it.
+// Whether a label may enter a voxel: the limits allow it and no other segment holds it.
 // @param held whether the label holds it already; false where that is not told
 bool accepts(uint label, ivec3 voxel, out bool held)
 {
@@ -56,7 +58,7 @@ bool accepts(uint label, ivec3 voxel, out bool held)
     bool mayEnter = there == 0u || own;
     if (!mayEnter)
         mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
-    return mayEnter && code >= lowCode && code <= highCode;
+    return mayEnter && allows(label, voxel, code);
 }
 
 // Asked where a front begins; those whom a front claims have its label.

@@ -74,16 +74,17 @@ std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink
     return greatest;
 }
 
-Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::GrowBurst burst)
-    : m_codes(codes)
-    , m_burst(std::move(burst))
+Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> coverage,
+    DenseFields& fields, core::GrowBurst burst)
+    : m_burst(std::move(burst))
     , m_words(fields.seedWords(m_burst.plane))
     , m_labels(fields.labels(m_burst.plane))
+    , m_criterion(codes, std::move(coverage), m_words, m_burst)
     , m_generation(m_burst.generation)
 {
     std::vector<glm::ivec3> olderMembers;
     std::vector<glm::ivec3> admitted;
-    forEachVoxel(m_codes.size, [&](const glm::ivec3& voxel) {
+    forEachVoxel(m_words.size, [&](const glm::ivec3& voxel) {
         std::uint32_t& word = m_words.at(voxel);
         const std::uint32_t label = seedWord::label(word);
         if (seedWord::isMember(word)) {
@@ -101,9 +102,8 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core
 
 bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
 {
-    const int code = m_codes.at(voxel);
     const std::uint8_t held = m_labels.at(voxel); // changes only where members are
-    return !m_burst.frozen.test(label) && m_burst.lowCode <= code && code <= m_burst.highCode
+    return !m_burst.frozen.test(label) && m_criterion.allows(label, voxel)
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
 
@@ -123,7 +123,8 @@ bool Growth::step()
              ++direction) {
             const std::array<int, 3>& offset = seedWord::offsets[direction];
             const glm::ivec3 child = parent + glm::ivec3(offset[0], offset[1], offset[2]);
-            if (!m_words.contains(child) || !accepts(label, child))
+            if (!m_words.contains(child) || !accepts(label, child)
+                || !m_criterion.follows(parent, child))
                 continue;
             std::uint32_t& word = m_words.at(child);
             const std::uint32_t claim =

@@ -3,6 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/DenseFields.h"
+#include "tests/reference/GrowCriterion.h"
 
 namespace reference {
 
@@ -18,8 +19,9 @@ std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink
 /// One open burst of growth (core::GrowBurst). Codes and fields are borrowed.
 class Growth {
 public:
-    /// Admits the pending seeds.
-    Growth(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::GrowBurst burst);
+    /// Admits the pending seeds. @param coverage of the composed layers
+    Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> coverage,
+        DenseFields& fields, core::GrowBurst burst);
 
     /// @param steps negative: to closure
     void advance(int steps);
@@ -38,10 +40,10 @@ private:
     /// One more generation is finished: counts it and shows it in the label plane.
     void finishGeneration(std::vector<glm::ivec3> added);
 
-    const DenseArray<std::uint16_t>& m_codes;
     core::GrowBurst m_burst;
     DenseArray<std::uint32_t>& m_words;
     DenseArray<std::uint8_t>& m_labels;
+    GrowCriterion m_criterion;
     std::vector<glm::ivec3> m_front; ///< members that may have neighbours to take
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;

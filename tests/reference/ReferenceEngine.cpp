@@ -105,7 +105,9 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::GrowBurst& edit
 {
     if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
         return refuse("connectivity", "is not 6, 18 or 26");
-    return Growth(m_codes, m_fields, std::move(edit));
+    if (!core::isSound(edit.limits))
+        return refuse("limits", "are not sound");
+    return Growth(m_codes, m_fields.composedCoverage(m_muted), m_fields, std::move(edit));
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShrinkGrowth& edit)
@@ -382,6 +384,18 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
         if (!m_codes.contains(voxel))
             return refuse("voxels", "outside the volume");
         result.probes.push_back({m_codes.at(voxel), m_fields.labels(command.plane).at(voxel)});
+    }
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeSeeds& command)
+{
+    const auto sums =
+        seedSums(m_codes, m_fields.seedWords(command.plane), command.lowCode, command.highCode);
+    core::EngineResult result;
+    for (std::size_t label = 0; label < sums.size(); ++label) {
+        if (sums[label].voxels > 0)
+            result.seeds.push_back({std::uint8_t(label), sums[label]});
     }
     return result;
 }

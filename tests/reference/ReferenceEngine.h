@@ -55,6 +55,7 @@ private:
     [[nodiscard]] Outcome carryOut(core::MuteLayers& command);
     [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
     [[nodiscard]] Outcome carryOut(core::ProbeVoxels& command);
+    [[nodiscard]] Outcome carryOut(core::ProbeSeeds& command);
     [[nodiscard]] Outcome carryOut(core::PickVoxels& command);
     [[nodiscard]] Outcome carryOut(core::CountGenerations& command);
 

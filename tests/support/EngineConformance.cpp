@@ -302,7 +302,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
         number("generation", a.generation, b.generation),
         number("atClosure", int(a.atClosure), int(b.atClosure)),
         number("probes", a.probes.size(), b.probes.size()),
-        number("picks", a.picks.size(), b.picks.size()), QString()};
+        number("picks", a.picks.size(), b.picks.size()),
+        a.seeds == b.seeds ? QString() : QStringLiteral("other sums around the seeds")};
     for (const QString& text : texts) {
         if (!text.isEmpty())
             return text;

@@ -31,7 +31,7 @@ void paste(
 } // namespace
 
 GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
-    std::span<const glm::ivec3> seeds, int lowCode, int highCode)
+    std::span<const glm::ivec3> seeds, int lowCode, int highCode, const core::GrowLimits& limits)
 {
     GrownVoxels grown;
     const auto start = std::chrono::steady_clock::now();
@@ -42,6 +42,7 @@ GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
     core::GrowBurst burst;
     burst.lowCode = lowCode;
     burst.highCode = highCode;
+    burst.limits = limits;
     const core::Ticket ticket =
         core::submitWhole(engine, burst, {core::GrowAdvance{core::GrowAdvance::toClosure}});
     engine.finish();

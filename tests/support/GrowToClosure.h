@@ -18,6 +18,7 @@ struct GrownVoxels {
 /// Seeds one segment (label 1, plane 0) and grows it to closure in the volume that the engine
 /// holds. Qt Test's failures are the caller's: an engine's error comes as an empty mask.
 [[nodiscard]] GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
-    std::span<const glm::ivec3> seeds, int lowCode, int highCode);
+    std::span<const glm::ivec3> seeds, int lowCode, int highCode,
+    const core::GrowLimits& limits = {});
 
 } // namespace test

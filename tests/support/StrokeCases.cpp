@@ -185,7 +185,28 @@ core::SeedStroke randomSeeds(const core::Document& document, int segment, Random
     return seeds;
 }
 
-core::GrowSteps randomGrowth(Random& random)
+/// Limits beside the interval, any of them or none.
+void addRandomLimits(
+    core::GrowCriteria& criteria, const core::VolumeGeometry& geometry, Random& random)
+{
+    const auto maybe = [&random](double greatest) {
+        return random() % 4 ? std::nullopt : std::optional(greatest * randomUnit(random));
+    };
+    if (random() % 4 == 0)
+        criteria.sigmas = randomInt(random, 1, 1500) / 256.0;
+    criteria.difference = maybe(tissueCode);
+    criteria.gradient = maybe(tissueCode);
+    criteria.gradientDifference = maybe(tissueCode);
+    if (random() % 4 == 0)
+        criteria.majority = randomInt(random, 1, 20);
+    criteria.onlyVisible = random() % 3 == 0;
+    if (random() % 4 == 0)
+        criteria.box =
+            core::GrowBox{geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size))),
+                geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)))};
+}
+
+core::GrowSteps randomGrowth(const core::Document& document, Random& random)
 {
     core::GrowSteps grow;
     grow.criteria.lower = randomInt(random, 0, tissueCode / 2);
@@ -195,6 +216,10 @@ core::GrowSteps randomGrowth(Random& random)
         grow.steps = randomInt(random, 1, 12);
     grow.criteria.connectivity =
         std::array<int, 3>{6, 18, 26}[std::size_t(grow.criteria.upper) % 3];
+    // Of a generator of their own: older cases stay as they are.
+    Random limits(std::uint32_t(grow.criteria.lower * 1009.0 + grow.criteria.upper));
+    if (limits() % 2)
+        addRandomLimits(grow.criteria, document.volumes.front().geometry, limits);
     return grow;
 }
 
@@ -241,7 +266,7 @@ StrokeCase randomLists(int number)
                     randomSeeds(scene, segments[random() % segments.size()], random));
             break;
         case 2:
-            made.before.push_back(randomGrowth(random));
+            made.before.push_back(randomGrowth(scene, random));
             break;
         case 3:
             muted[std::size_t(layer)] = !muted[std::size_t(layer)];
@@ -299,7 +324,7 @@ core::Edit randomEdit(const core::Document& document, Random& random)
     }
     case 1:
     case 2:
-        return randomGrowth(random);
+        return randomGrowth(document, random);
     case 3: {
         core::Document segmented = document;
         segmented.segments = {{.label = 1}, {.label = 2}};

@@ -33,7 +33,7 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
     visit.field("connectivity", Presence::Optional, criteria.connectivity,
         editFields::Connectivity{},
         "neighbours of a voxel: those that share a face, a face or an edge, or a corner too");
-    visit.maybe("sigmas", criteria.sigmas, editFields::Number{"", 0.0, 100.0, 256.0},
+    visit.maybe("sigmas", criteria.sigmas, editFields::Number{"", 1.0 / 256.0, 100.0, 256.0},
         "narrows the interval, for each segment by itself, to mean ± so many standard deviations "
         "around its seeds",
         "the interval as it is");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <memory>
 #include <set>
@@ -125,6 +126,8 @@ private Q_SLOTS:
     void isBreadthFirst_data();
     void isBreadthFirst();
     void followsTheRuleLiterally();
+    void limitsAreWhatTheySay();
+    void seedsNarrowTheInterval();
     void directionsAreAllNeighboursInPairs();
     void shrinkingIsTheInverse_data();
     void shrinkingIsTheInverse();
@@ -224,6 +227,140 @@ void ReferenceGrowthTest::followsTheRuleLiterally()
                 == grownLiterally(
                     codes, before.labels(0).values, before.seedWords(0).values, grow, steps));
         }
+    }
+}
+
+/// Each limit by itself, on volumes where its result is plain.
+void ReferenceGrowthTest::limitsAreWhatTheySay()
+{
+    // A line that rises by 5 a voxel, by 9 from x = 12 on: 0, 5 … 60, 69 …
+    const glm::ivec3 size(20, 3, 3);
+    Codes line{size, {}};
+    for (int z = 0; z < 3; ++z)
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 20; ++x)
+                line.values.push_back(std::uint16_t(5 * x + 4 * std::max(x - 12, 0)));
+    const auto grown = [&](const Codes& codes, const glm::ivec3& seed, const GrowLimits& limits,
+                           int low = 0) {
+        ReferenceEngine engine;
+        (void)engine.openVolume(codes.size, codes.values);
+        submitWhole(engine, SeedPlacement{.label = 6, .voxels = {seed}});
+        submitWhole(engine, GrowBurst{.lowCode = low, .highCode = 65535, .limits = limits},
+            {GrowAdvance{}});
+        reference::DenseFields fields = engine.fields();
+        return fields.labels(0);
+    };
+    const auto reach = [&](const GrowLimits& limits) { // along the middle, from its low end
+        const auto labels = grown(line, {0, 1, 1}, limits);
+        int x = 0;
+        while (x < 20 && labels.at({x, 1, 1}) == 6)
+            ++x;
+        return x;
+    };
+    QCOMPARE(reach({}), 20);
+    QCOMPARE(reach({.difference = 4}), 1);
+    QCOMPARE(reach({.difference = 5}), 13);
+    QCOMPARE(reach({.difference = 9}), 20);
+    // 1024 to a whole one: the difference of two voxels, half as much at the rim.
+    const glm::ivec3 along(1024, 0, 0);
+    QCOMPARE(reach({.gradient = 4, .gradientWeights = along}), 0);
+    QCOMPARE(reach({.gradient = 9, .gradientWeights = along}), 1);
+    QCOMPARE(reach({.gradient = 10, .gradientWeights = along}), 12);
+    QCOMPARE(reach({.gradient = 14, .gradientWeights = along}), 13);
+    QCOMPARE(reach({.gradient = 18, .gradientWeights = along}), 20);
+    QCOMPARE(reach({.gradient = 9, .gradientWeights = {512, 65535, 65535}}), 20);
+    QCOMPARE(reach({.gradientDifference = 4, .gradientWeights = along}), 1);
+    QCOMPARE(reach({.gradientDifference = 5, .gradientWeights = along}), 19); // 18, then 9
+    QCOMPARE(reach({.gradientDifference = 9, .gradientWeights = along}), 20);
+    QCOMPARE(reach({.boxed = true, .boxFrom = {0, 1, 1}, .boxTo = {6, 1, 1}}), 7);
+
+    // All but a plane is open: half of the 27 lie on or beyond it one voxel away.
+    Codes wall = test::constantVolume({9, 5, 5}, 100);
+    for (int z = 0; z < 5; ++z)
+        for (int y = 0; y < 5; ++y)
+            wall.at({5, y, z}) = 0;
+    for (const auto& [majority, count] : {std::pair{18, 5}, std::pair{19, 4}, std::pair{27, 4}}) {
+        const auto labels = grown(wall, {0, 2, 2}, {.majority = majority}, 1);
+        QCOMPARE(int(std::count(labels.values.begin(), labels.values.end(), 6)), count * 25);
+    }
+
+    // Carved is closed, but where the layer is muted.
+    for (const bool muted : {false, true}) {
+        ReferenceEngine engine;
+        QVERIFY(engine.openVolume(size, line.values));
+        test::Bytes carved{size, std::vector<std::uint8_t>(line.values.size(), 0)};
+        for (int z = 0; z < 3; ++z)
+            for (int y = 0; y < 3; ++y) {
+                carved.at({4, y, z}) = 127;
+                carved.at({8, y, z}) = 128;
+            }
+        engine.submit(SwapBricks{test::bricksOf(carved, Field::Coverage, 3)});
+        if (muted)
+            engine.submit(MuteLayers{std::bitset<256>().set(3)});
+        submitWhole(engine, SeedPlacement{.label = 6, .voxels = {{0, 1, 1}}});
+        submitWhole(engine,
+            GrowBurst{.lowCode = 0, .highCode = 65535, .limits = {.onlyVisible = true}},
+            {GrowAdvance{}});
+        QCOMPARE(lastResult(engine).statistics.voxelsChanged, std::int64_t(muted ? 180 : 72));
+    }
+}
+
+/// To mean ± k σ of what lies around them within it, for each label by itself.
+void ReferenceGrowthTest::seedsNarrowTheInterval()
+{
+    test::Random random(5);
+    const glm::ivec3 size(30, 12, 12);
+    Codes codes = test::noiseVolume(size, 99, random);
+    for (int z = 0; z < 12; ++z)
+        for (int y = 0; y < 12; ++y)
+            for (int x = 15; x < 30; ++x)
+                codes.at({x, y, z}) = std::uint16_t(codes.at({x, y, z}) + 1000);
+    ReferenceEngine engine;
+    QVERIFY(engine.openVolume(size, codes.values));
+    const std::vector<glm::ivec3> seeds{{3, 5, 5}, {1, 1, 6}, {26, 5, 5}, {28, 10, 11}};
+    submitWhole(engine, SeedPlacement{.label = 2, .voxels = {seeds[0], seeds[1]}});
+    submitWhole(engine, SeedPlacement{.label = 5, .voxels = {seeds[2], seeds[3]}});
+    engine.submit(ProbeSeeds{.plane = 0, .lowCode = 20, .highCode = 1080});
+    const std::vector<ProbedSeeds> probed = lastResult(engine).seeds;
+    QCOMPARE(probed.size(), std::size_t(2));
+    submitWhole(engine,
+        GrowBurst{
+            .lowCode = 20, .highCode = 1080, .connectivity = 26, .limits = {.sigmas256 = 384}},
+        {GrowAdvance{}});
+    reference::DenseFields fields = engine.fields();
+    for (std::size_t half = 0; half < 2; ++half) {
+        std::vector<double> around;
+        for (const glm::ivec3& seed : {seeds[2 * half], seeds[2 * half + 1]})
+            for (int i = 0; i < 343; ++i) {
+                const glm::ivec3 voxel = seed + glm::ivec3(i % 7, i / 7 % 7, i / 49) - 3;
+                if (codes.contains(voxel) && codes.at(voxel) >= 20 && codes.at(voxel) <= 1080)
+                    around.push_back(codes.at(voxel));
+            }
+        double mean = 0.0;
+        for (const double code : around)
+            mean += code / double(around.size());
+        double variance = 0.0;
+        for (const double code : around)
+            variance += (code - mean) * (code - mean) / double(around.size());
+        QCOMPARE(int(probed[half].label), half == 0 ? 2 : 5);
+        QCOMPARE(probed[half].sums.voxels, std::uint64_t(around.size()));
+        const double low = mean - 1.5 * std::sqrt(variance);
+        const double high = mean + 1.5 * std::sqrt(variance);
+        int grown = 0;
+        for (int z = 0; z < 12; ++z) {
+            for (int y = 0; y < 12; ++y) {
+                for (int x = 15 * int(half); x < 15 + 15 * int(half); ++x) {
+                    const int code = codes.at({x, y, z});
+                    const int label = fields.labels(0).at({x, y, z});
+                    if (label != 0) {
+                        QCOMPARE(label, half == 0 ? 2 : 5);
+                        QVERIFY(code >= low - 0.1 && code <= high + 0.1);
+                    }
+                    grown += label != 0 ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY2(grown > 800, qPrintable(QString::number(grown)));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
 #include "tests/peers/ItkConnectedThreshold.h"
+#include "tests/peers/ItkNeighborhoodConnected.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EditEngineFixture.h"
 #include "tests/support/FailingLog.h"
@@ -11,10 +12,12 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
-/// Growth to closure is ITK's ConnectedThreshold, voxel for voxel, and the oracle's, word for word.
+/// Growth to closure is ITK's ConnectedThreshold, voxel for voxel, and the oracle's, word for word;
+/// where all 27 voxels of a neighbourhood must qualify it is ITK's NeighborhoodConnected.
 class GrowItkGlTest : public QObject {
     Q_OBJECT
 
@@ -23,6 +26,8 @@ private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void randomVolume_data();
     void randomVolume();
+    void wholeNeighbourhoods_data();
+    void wholeNeighbourhoods();
     void realSeries_data();
     void realSeries();
 
@@ -128,6 +133,53 @@ void GrowItkGlTest::randomVolume()
     reference::ReferenceEngine oracle;
     QVERIFY(equal(written(oracle, size, codes.values, seeds, low, high),
         written(m_gpu.engine(), size, codes.values, seeds, low, high)));
+    QCOMPARE(m_gpu.newErrors(), 0);
+}
+
+void GrowItkGlTest::wholeNeighbourhoods_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::newRow("noise") << 0;
+    QTest::newRow("balls in noise") << 1;
+    QTest::newRow("to the rim") << 2;
+}
+
+void GrowItkGlTest::wholeNeighbourhoods()
+{
+    QFETCH(int, kind);
+    test::Random random(20260201U + unsigned(kind));
+    const glm::ivec3 size(67, 41, 53);
+    std::array<glm::ivec3, 27> around;
+    for (int i = 0; i < 27; ++i)
+        around[std::size_t(i)] = glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+    test::Codes codes = test::noiseVolume(size, 999, random);
+    int low = 0;
+    int high = kind == 0 ? 975 : 999;
+    if (kind == 1) {
+        codes = test::balls(size, 60, random);
+        low = test::tissueCode / 2;
+        high = test::tissueCode;
+    } else if (kind == 2) {
+        codes.at({30, 20, 20}) = 2000;
+    }
+    // ITK takes every seed, whatever lies around it; growth asks them too.
+    std::vector<glm::ivec3> seeds;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::ivec3 voxel = test::randomVoxel(random, size);
+        if (std::all_of(around.begin(), around.end(), [&](const glm::ivec3& step) {
+                const int code = codes.at(glm::clamp(voxel + step, glm::ivec3(0), size - 1));
+                return code >= low && code <= high;
+            }))
+            seeds.push_back(voxel);
+    }
+    QVERIFY(m_gpu.engine().openVolume(size, codes.values).has_value());
+    const test::GrownVoxels ours =
+        test::growToClosure(m_gpu.engine(), size, seeds, low, high, {.majority = 27});
+    const std::vector<std::uint8_t> theirs = peer::itkNeighborhoodConnected(
+        size, codes.values, seeds, std::uint16_t(low), std::uint16_t(high));
+    QVERIFY2(countMembers(theirs) > 500, qPrintable(QString::number(countMembers(theirs))));
+    QCOMPARE(countMembers(ours.mask), countMembers(theirs));
+    QVERIFY(ours.mask == theirs);
     QCOMPARE(m_gpu.newErrors(), 0);
 }
 

@@ -1,0 +1,136 @@
+// What a growth asks of voxels beyond its interval and the label plane; the rules stand in
+// core/growth/GrowthCommands.h (GrowLimits). Each is there only where its define is, so that a
+// growth without limits is what it would be without this file. To be included after `codes`,
+// `volumeSize`, lowCode and highCode.
+
+#ifdef ONLY_VISIBLE
+layout(binding = 0) uniform usampler3D radiation; // at voxel centres it says what coverage does
+#endif
+#ifdef SIGMAS
+uniform uint seedIntervals[256]; // by label: low | high << 16; low above high where it has no seeds
+#endif
+#ifdef DIFFERENCE
+uniform uint difference;
+#endif
+#if defined(GRADIENT) || defined(GRADIENT_DIFFERENCE)
+uniform uvec3 gradientWeights;
+#endif
+#ifdef GRADIENT
+uniform uint gradient;
+#endif
+#ifdef GRADIENT_DIFFERENCE
+uniform uint gradientDifference;
+#endif
+#ifdef MAJORITY
+uniform int majority;
+#endif
+#ifdef BOXED
+uniform ivec3 boxFrom;
+uniform ivec3 boxTo;
+#endif
+
+// Outside the volume the nearest voxel's.
+uint codeAt(ivec3 voxel)
+{
+    return imageLoad(codes, clamp(voxel, ivec3(0), volumeSize - 1)).r;
+}
+
+bool isWithin(uint label, uint code)
+{
+#ifdef SIGMAS
+    uint interval = seedIntervals[label];
+    if (code < (interval & 0xFFFFu) || code > interval >> 16)
+        return false;
+#endif
+    return code >= lowCode && code <= highCode;
+}
+
+#if defined(GRADIENT) || defined(GRADIENT_DIFFERENCE)
+uint squaredPart(ivec3 voxel, ivec3 axis, uint weight)
+{
+    uint part = uint(abs(int(codeAt(voxel + axis)) - int(codeAt(voxel - axis))));
+    part = min(weight * part >> 10, 32767u);
+    return part * part;
+}
+
+uint squaredMagnitude(ivec3 voxel)
+{
+    return squaredPart(voxel, ivec3(1, 0, 0), gradientWeights.x)
+        + squaredPart(voxel, ivec3(0, 1, 0), gradientWeights.y)
+        + squaredPart(voxel, ivec3(0, 0, 1), gradientWeights.z);
+}
+#endif
+
+#ifdef GRADIENT_DIFFERENCE
+// The root, rounded down, digit by digit.
+uint magnitudeAt(ivec3 voxel)
+{
+    uint left = squaredMagnitude(voxel);
+    uint root = 0u;
+    for (uint bit = 1u << 30; bit != 0u; bit >>= 2) {
+        bool fits = left >= root + bit;
+        left -= fits ? root + bit : 0u;
+        root = (root >> 1) + (fits ? bit : 0u);
+    }
+    return root;
+}
+#endif
+
+// @param code the voxel's
+bool allows(uint label, ivec3 voxel, uint code)
+{
+    if (!isWithin(label, code))
+        return false;
+#ifdef BOXED
+    if (any(lessThan(voxel, boxFrom)) || any(greaterThan(voxel, boxTo)))
+        return false;
+#endif
+#ifdef ONLY_VISIBLE
+    if (texelFetch(radiation, voxel, 0).r >= 128u)
+        return false;
+#endif
+#ifdef GRADIENT
+    // ⌊√s⌋ ≤ g is s < (g + 1)².
+    if (squaredMagnitude(voxel) >= (gradient + 1u) * (gradient + 1u))
+        return false;
+#endif
+#ifdef MAJORITY
+    int count = 0;
+    for (int i = 0; i < 27; ++i)
+        count += isWithin(label, codeAt(voxel + ivec3(i % 3, i / 3 % 3, i / 9) - 1)) ? 1 : 0;
+    if (count < majority)
+        return false;
+#endif
+    return true;
+}
+
+// What is asked of a child about its parent, looked up once.
+struct Parent {
+    uint code;
+    uint magnitude;
+};
+
+Parent parentAt(ivec3 voxel)
+{
+    Parent parent = Parent(0u, 0u);
+#ifdef DIFFERENCE
+    parent.code = codeAt(voxel);
+#endif
+#ifdef GRADIENT_DIFFERENCE
+    parent.magnitude = magnitudeAt(voxel);
+#endif
+    return parent;
+}
+
+bool follows(Parent parent, ivec3 voxel)
+{
+#ifdef DIFFERENCE
+    if (uint(abs(int(codeAt(voxel)) - int(parent.code))) > difference)
+        return false;
+#endif
+#ifdef GRADIENT_DIFFERENCE
+    if (uint(abs(int(magnitudeAt(voxel)) - int(parent.magnitude))) > gradientDifference)
+        return false;
+#endif
+    return true;
+}

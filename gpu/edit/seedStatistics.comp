@@ -1,0 +1,69 @@
+// Adds up the codes around the seeds of every label (GrowLimits in core/growth/GrowthCommands.h).
+// One work-group a listed brick of the seed words. Sums are of 64 bits, in two words, low first.
+
+layout(local_size_x = 64) in;
+
+#include "edit/bricks.glsl"
+#include "edit/seedWord.glsl"
+
+layout(binding = 0) uniform usampler3D words; // atlas
+layout(binding = 1) uniform usampler3D pageTable;
+layout(binding = 2) uniform usampler3D codes;
+layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
+// Of each label the voxels, their codes, the squares of codes.
+layout(binding = 1, std430) buffer Sums { uint sums[256 * 6]; };
+
+uniform ivec3 volumeSize;
+uniform ivec3 volumeBricks;
+uniform uint lowCode;
+uniform uint highCode;
+const int seedReach = 3;
+
+void add(uint place, uint low, uint high)
+{
+    uint before = atomicAdd(sums[place], low);
+    uint carry = before + low < before ? 1u : 0u;
+    if (high + carry != 0u)
+        atomicAdd(sums[place + 1u], high + carry);
+}
+
+void addAround(ivec3 seed, uint label)
+{
+    ivec3 from = max(seed - seedReach, ivec3(0));
+    ivec3 to = min(seed + seedReach, volumeSize - 1);
+    uint count = 0u;
+    uint sum = 0u;
+    uint squaresLow = 0u;
+    uint squaresHigh = 0u;
+    for (int z = from.z; z <= to.z; ++z) {
+        for (int y = from.y; y <= to.y; ++y) {
+            for (int x = from.x; x <= to.x; ++x) {
+                uint code = texelFetch(codes, ivec3(x, y, z), 0).r;
+                if (code < lowCode || code > highCode)
+                    continue;
+                ++count;
+                sum += code;
+                uint carry;
+                squaresLow = uaddCarry(squaresLow, code * code, carry);
+                squaresHigh += carry;
+            }
+        }
+    }
+    add(6u * label, count, 0u);
+    add(6u * label + 2u, sum, 0u);
+    add(6u * label + 4u, squaresLow, squaresHigh);
+}
+
+void main()
+{
+    ivec3 brick = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks);
+    uint entry = texelFetch(pageTable, brick, 0).r;
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 voxel = brick * brickSide + voxelInBrick(offset);
+        if (!inside(voxel, volumeSize))
+            continue;
+        uint word = texelFetch(words, atlasTexel(entry, voxel), 0).r;
+        if (isPendingSeed(word) || (isMember(word) && isSeed(word)))
+            addAround(voxel, labelOf(word));
+    }
+}
