@@ -87,24 +87,6 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
 }
 
-QJsonObject toJson(const Workspace::GrowSettings& growth)
-{
-    return {{QStringLiteral("lower"), growth.lower}, {QStringLiteral("upper"), growth.upper},
-        {QStringLiteral("overwriteUnlocked"), growth.overwriteUnlocked},
-        {QStringLiteral("generationsPerSecond"), growth.generationsPerSecond}};
-}
-
-void read(const QJsonValue& json, Workspace::GrowSettings& growth)
-{
-    Workspace::GrowSettings settings = growth;
-    read(json[QLatin1String("lower")], settings.lower);
-    read(json[QLatin1String("upper")], settings.upper);
-    read(json[QLatin1String("overwriteUnlocked")], settings.overwriteUnlocked);
-    read(json[QLatin1String("generationsPerSecond")], settings.generationsPerSecond);
-    if (settings.lower <= settings.upper && settings.generationsPerSecond >= 0.0)
-        growth = settings;
-}
-
 } // namespace
 
 QJsonObject toolSettings(const Workspace& workspace, const std::vector<Tool*>& tools)
@@ -134,7 +116,7 @@ void applyToolSettings(
         workspace.setBrushSettings(brush, settings);
     }
     Workspace::GrowSettings growth = workspace.growSettings();
-    read(state[QLatin1String("growth")], growth);
+    read(state[QLatin1String("growth")].toObject(), growth);
     workspace.setGrowSettings(growth);
     const QJsonValue own = state[QLatin1String("tools")];
     for (Tool* tool : tools)

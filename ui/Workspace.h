@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
+#include "ui/GrowSettings.h"
 
 #include <QObject>
 #include <QString>
@@ -59,14 +60,7 @@ public:
         bool operator==(const BrushSettings&) const = default;
     };
     enum class Brush { Paint, Carve };
-    struct GrowSettings {
-        double lower = 0.0; ///< modality units
-        double upper = 0.0;
-        bool overwriteUnlocked = false;
-        int connectivity = 6; ///< 6, 18 or 26
-        double generationsPerSecond = 0.0; ///< 0: as fast as it goes
-        bool operator==(const GrowSettings&) const = default;
-    };
+    using GrowSettings = ui::GrowSettings;
     /// How the 3D view draws.
     struct VolumeDisplay {
         gpu::RenderMode mode = gpu::RenderMode::Surface;

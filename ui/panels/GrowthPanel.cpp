@@ -3,11 +3,13 @@
 
 #include "ui/CountText.h"
 #include "ui/Icons.h"
+#include "ui/SeedBand.h"
 #include "ui/SeedStatistics.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/GenerationSection.h"
+#include "ui/panels/GrowCriteriaSection.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QCheckBox>
@@ -65,6 +67,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     m_watch.setInterval(watchMilliseconds);
     connect(&m_watch, &QTimer::timeout, this, &GrowthPanel::poll);
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
+    connect(m_band, &SeedBand::changed, this, [this] { m_range->setBand(m_band->values()); });
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
@@ -93,6 +96,8 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
 
 void GrowthPanel::build()
 {
+    m_band = new SeedBand(m_workspace, this);
+    m_criteria = new GrowCriteriaSection(m_workspace, *m_band, this);
     m_range = new HistogramRange(this);
     m_range->setObjectName(QStringLiteral("growthInterval"));
     makeSeedButton();
@@ -160,6 +165,7 @@ void GrowthPanel::build()
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_range);
+    layout->addWidget(m_criteria);
     layout->addLayout(transport);
     layout->addLayout(back);
     layout->addWidget(m_advice);
@@ -200,12 +206,8 @@ QString GrowthPanel::summary() const
 
 core::GrowSteps GrowthPanel::growEdit() const
 {
-    const Workspace::GrowSettings& settings = m_workspace.growSettings();
     core::GrowSteps edit;
-    edit.criteria.lower = settings.lower;
-    edit.criteria.upper = settings.upper;
-    edit.criteria.overwriteUnlocked = settings.overwriteUnlocked;
-    edit.criteria.connectivity = settings.connectivity;
+    edit.criteria = criteriaOf(m_workspace.growSettings());
     return edit;
 }
 
@@ -248,7 +250,7 @@ void GrowthPanel::showSettings()
 
 void GrowthPanel::takeSettings()
 {
-    Workspace::GrowSettings settings;
+    Workspace::GrowSettings settings = m_workspace.growSettings();
     settings.lower = m_range->lower();
     settings.upper = m_range->upper();
     settings.overwriteUnlocked = m_overwrite->isChecked();

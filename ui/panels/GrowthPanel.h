@@ -19,7 +19,9 @@ class QToolButton;
 namespace ui {
 
 class GenerationSection;
+class GrowCriteriaSection;
 class HistogramRange;
+class SeedBand;
 class Workspace;
 
 /// Region growing (seed A §5): the interval, and transport buttons like a player's. A burst lasts
@@ -61,7 +63,9 @@ private:
     void takeIntervalFromSeeds(double deviations);
 
     Workspace& m_workspace;
+    SeedBand* m_band = nullptr;
     HistogramRange* m_range = nullptr;
+    GrowCriteriaSection* m_criteria = nullptr;
     QToolButton* m_fromSeeds = nullptr;
     QPushButton* m_step = nullptr;
     QPushButton* m_play = nullptr;

@@ -89,14 +89,10 @@ QPolygonF toPixels(const std::vector<glm::dvec3>& polygonLps, const ViewContext&
 void paintClipSection(QPainter& painter, const ViewContext& view, const core::ClipRegion& clip,
     const core::VolumeGeometry& geometry)
 {
-    const auto& slice = std::get<gpu::SliceScene>(view.scene);
     painter.save();
     painter.setBrush(Qt::NoBrush);
-    if (clip.box.on) {
-        const auto section = core::boxSection(
-            clip.box, geometry, slice.centreLps, glm::cross(slice.rightLps, slice.downLps));
-        drawPolygon(painter, toPixels(section, view), boxColour());
-    }
+    if (clip.box.on)
+        paintBoxSection(painter, view, clip.box, geometry, boxColour());
     for (const core::ClipPlane& plane : clip.planes) {
         if (plane.on)
             paintPlaneLine(painter, view, plane, geometry);
@@ -104,8 +100,23 @@ void paintClipSection(QPainter& painter, const ViewContext& view, const core::Cl
     painter.restore();
 }
 
+void paintBoxSection(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
+    const core::VolumeGeometry& geometry, const QColor& colour)
+{
+    const auto& slice = std::get<gpu::SliceScene>(view.scene);
+    const auto section =
+        core::boxSection(box, geometry, slice.centreLps, glm::cross(slice.rightLps, slice.downLps));
+    drawPolygon(painter, toPixels(section, view), colour);
+}
+
 void paintClipBox(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
     const core::VolumeGeometry& geometry)
+{
+    paintBox(painter, view, box, geometry, boxColour());
+}
+
+void paintBox(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
+    const core::VolumeGeometry& geometry, const QColor& colour)
 {
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
     const glm::dvec3 towardsViewer = scene.eyeLps - scene.targetLps;
@@ -128,10 +139,10 @@ void paintClipBox(QPainter& painter, const ViewContext& view, const core::ClipRe
             to[axis] = box.maximum[axis];
             const bool front = (high ? facing[other] : -facing[other]) > 0.0
                 || (far ? facing[third] : -facing[third]) > 0.0;
-            QColor colour = boxColour();
-            colour.setAlpha(front ? 230 : 80);
+            QColor shade = colour;
+            shade.setAlpha(front ? 230 : 80);
             drawLine(painter, view.toPixel(geometry.toWorld(from)),
-                view.toPixel(geometry.toWorld(to)), colour);
+                view.toPixel(geometry.toWorld(to)), shade);
         }
     }
     painter.restore();

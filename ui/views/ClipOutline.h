@@ -4,6 +4,7 @@
 #include "core/volume/ClipRegion.h"
 #include "ui/tools/ViewContext.h"
 
+#include <QColor>
 #include <QPolygonF>
 
 #include <vector>
@@ -17,8 +18,15 @@ namespace ui {
 void paintClipSection(QPainter& painter, const ViewContext& slice, const core::ClipRegion& clip,
     const core::VolumeGeometry& geometry);
 
-/// Its box in a 3D view: the edges towards the viewer bright, those behind faint. Drawn whether the
+/// Where a box along the volume's axes meets a slice.
+void paintBoxSection(QPainter& painter, const ViewContext& slice, const core::ClipRegion::Box& box,
+    const core::VolumeGeometry& geometry, const QColor& colour);
+
+/// A box in a 3D view: the edges towards the viewer bright, those behind faint. Drawn whether the
 /// box is on or not.
+void paintBox(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
+    const core::VolumeGeometry& geometry, const QColor& colour);
+/// In the colour of clip boxes.
 void paintClipBox(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
     const core::VolumeGeometry& geometry);
 

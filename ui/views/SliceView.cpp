@@ -46,6 +46,7 @@ SliceView::SliceView(
 {
     connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, qOverload<>(&SliceView::update));
+    connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
     openVolume();
 }
 
@@ -269,6 +270,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     const auto& slice = std::get<gpu::SliceScene>(shown.scene);
 
     paintClipSection(painter, shown, workspace().clip(), volume.geometry);
+    if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
+        paintBoxSection(painter, shown, *box, volume.geometry, theme::good);
     paintMeasurements(painter, shown, workspace());
     if (options.showCrosshair) {
         const bool axial = m_orientation == SliceOrientation::Axial;

@@ -8,6 +8,7 @@
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
+#include "ui/views/ClipOutline.h"
 #include "ui/views/MeasurementLines.h"
 #include "ui/views/PieceBadges.h"
 
@@ -40,6 +41,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
+    connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&VolumeView::update));
     connect(&workspace.pieces(), &Pieces::looksChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.seeds(), &PendingSeeds::changed, this, [this] { requestFrame(); });
     connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
@@ -256,6 +258,8 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         }
         painter.restore();
     }
+    if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
+        paintBox(painter, shown, *box, volume.geometry, theme::good);
     paintPieceBadges(painter, shown, workspace());
     paintMeasurements(painter, shown, workspace());
     paintEdgeLetters(painter, rect(), camera.right(), -camera.up);

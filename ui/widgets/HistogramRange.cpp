@@ -96,6 +96,11 @@ void HistogramRange::setMarkers(const std::vector<double>& values)
     m_plot->setMarkers(values);
 }
 
+void HistogramRange::setBand(const std::optional<std::pair<double, double>>& band)
+{
+    m_plot->setBand(band);
+}
+
 void HistogramRange::setMiddleWidget(QWidget* widget)
 {
     m_layout->addWidget(widget, 1, 1, Qt::AlignCenter);

@@ -6,6 +6,8 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QDoubleSpinBox;
@@ -30,6 +32,8 @@ public:
     [[nodiscard]] double upper() const { return m_upper; }
     /// Values of seeds, as ticks on the histogram's foot.
     void setMarkers(const std::vector<double>& values);
+    /// What the interval is narrowed to by something else, on the histogram.
+    void setBand(const std::optional<std::pair<double, double>>& band);
     /// Stands between the two numbers; taken over.
     void setMiddleWidget(QWidget* widget);
     /// The part of the histogram around the interval fills the width.

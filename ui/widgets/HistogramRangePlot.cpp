@@ -39,6 +39,12 @@ void HistogramRangePlot::setMarkers(const std::vector<double>& values)
     update();
 }
 
+void HistogramRangePlot::setBand(const std::optional<std::pair<double, double>>& band)
+{
+    m_band = band;
+    update();
+}
+
 HistogramRangePlot::Grip HistogramRangePlot::gripAt(double x) const
 {
     const double toLower = std::abs(x - xOf(m_lower));
@@ -142,6 +148,15 @@ void HistogramRangePlot::paintEvent(QPaintEvent* event)
     painter.setClipRect(QRectF(rect()));
     painter.fillRect(QRectF(QPointF(left, area.top()), QPointF(right, area.bottom())),
         QColor(colour.red(), colour.green(), colour.blue(), 60));
+    if (m_band && m_band->first <= m_band->second) {
+        const QRectF band(QPointF(xOf(m_band->first), area.top()),
+            QPointF(std::max(xOf(m_band->second), xOf(m_band->first) + 1.0), area.bottom()));
+        painter.fillRect(band,
+            QColor(theme::caution.red(), theme::caution.green(), theme::caution.blue(), 45));
+        painter.setPen(QPen(theme::caution, 1.0, Qt::DashLine));
+        painter.drawLine(band.topLeft(), band.bottomLeft());
+        painter.drawLine(band.topRight(), band.bottomRight());
+    }
     for (const double x : {left, right}) {
         painter.setPen(QPen(colour, 2.0));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));

@@ -3,6 +3,8 @@
 
 #include "ui/widgets/HistogramPlot.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace ui {
@@ -17,6 +19,8 @@ public:
 
     void setRange(double lower, double upper);
     void setMarkers(const std::vector<double>& values);
+    /// A stretch of its own within the interval; none: there is none.
+    void setBand(const std::optional<std::pair<double, double>>& band);
 
 Q_SIGNALS:
     void rangeDragged(double lower, double upper);
@@ -37,6 +41,7 @@ private:
     double m_lower = 0.0;
     double m_upper = 0.0;
     std::vector<double> m_markers;
+    std::optional<std::pair<double, double>> m_band;
     Grip m_grip = Grip::None;
     Grip m_lastGrip = Grip::Upper;
     double m_pressX = 0.0;

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FailingLog.h"
+#include "tests/support/WorkspaceFixture.h"
+#include "ui/GrowSettings.h"
+#include "ui/SegmentActions.h"
+#include "ui/panels/GrowthPanel.h"
+#include "ui/widgets/RangeSlider.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QToolButton>
+#include <QtTest>
+
+using test::WorkspaceFixture;
+
+namespace {
+
+class CriteriaPanel : public WorkspaceFixture {
+public:
+    CriteriaPanel()
+        : panel(workspace)
+    {
+        panel.show();
+        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+            qFatal("no panel");
+        part<QToolButton>("growCriteria").click();
+    }
+    template <class Widget> Widget& part(const char* name)
+    {
+        auto* found = panel.findChild<Widget*>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return *found;
+    }
+    void setInterval(double lower, double upper)
+    {
+        ui::GrowSettings settings = workspace.growSettings();
+        settings.lower = lower;
+        settings.upper = upper;
+        workspace.setGrowSettings(settings);
+    }
+    [[nodiscard]] core::GrowCriteria criteria() const { return panel.growEdit().criteria; }
+    /// Grows from the middle to closure. @return how many voxels the segment has
+    [[nodiscard]] std::int64_t grown()
+    {
+        apply(middleSeed(1));
+        panel.runToClosure();
+        if (!QTest::qWaitFor([this] { return !panel.running(); }))
+            qFatal("it grows on");
+        settle();
+        return session().document().segments[0].voxels;
+    }
+    ui::GrowthPanel panel;
+};
+
+} // namespace
+
+class GrowCriteriaUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void atFirstNothingIsAsked()
+    {
+        CriteriaPanel fixture;
+        core::GrowCriteria plain;
+        plain.lower = fixture.criteria().lower;
+        plain.upper = fixture.criteria().upper;
+        QCOMPARE(fixture.criteria(), plain);
+        QCOMPARE(fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria"));
+        // Every value is one that could be meant.
+        for (const char* name : {"growSigmasValue", "growDifferenceValue", "growGradientValue",
+                 "growGradientDifferenceValue", "growMajorityValue"})
+            QVERIFY2(fixture.part<QDoubleSpinBox>(name).value() > 0.0, name);
+    }
+
+    void ticksAreCriteria()
+    {
+        CriteriaPanel fixture;
+        for (const char* name : {"growSigmas", "growDifference", "growGradient",
+                 "growGradientDifference", "growMajority", "growOnlyVisible", "growBoxed"})
+            fixture.part<QCheckBox>(name).click();
+        const core::GrowCriteria criteria = fixture.criteria();
+        QCOMPARE(criteria.sigmas.value_or(0.0), 2.5);
+        QCOMPARE(criteria.majority.value_or(0), 14);
+        QVERIFY(criteria.difference && criteria.gradient && criteria.gradientDifference);
+        QCOMPARE(*criteria.gradient, fixture.part<QDoubleSpinBox>("growGradientValue").value());
+        QVERIFY(criteria.onlyVisible && criteria.box);
+        QCOMPARE(
+            fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria · 7 on"));
+        // The interval and what else the panel sets leave them alone.
+        fixture.setInterval(0.0, 50.0);
+        QMetaObject::invokeMethod(
+            &fixture.part<QCheckBox>("growOverwrite"), "toggled", Q_ARG(bool, true));
+        QVERIFY(fixture.criteria().majority.has_value());
+        fixture.part<QCheckBox>("growMajority").click();
+        QVERIFY(!fixture.criteria().majority);
+    }
+
+    void whoGivesAValueMeansIt()
+    {
+        CriteriaPanel fixture;
+        fixture.part<QDoubleSpinBox>("growDifferenceValue").setValue(33.0);
+        QVERIFY(fixture.part<QCheckBox>("growDifference").isChecked());
+        QCOMPARE(fixture.criteria().difference.value_or(0.0), 33.0);
+    }
+
+    /// Ventricle, brain and bone are 8, 40 and 900 HU: a step of 35 passes the first border alone.
+    void aStepKeepsGrowthIn()
+    {
+        CriteriaPanel fixture;
+        fixture.setInterval(-2000.0, 3000.0);
+        fixture.part<QDoubleSpinBox>("growDifferenceValue").setValue(35.0);
+        QCOMPARE(fixture.grown(),
+            test::smallHead::voxelsOf(test::smallHead::ventricleHu)
+                + test::smallHead::voxelsOf(test::smallHead::brainHu));
+    }
+
+    void theBandFollowsTheSeeds()
+    {
+        CriteriaPanel fixture;
+        fixture.setInterval(0.0, 20.0);
+        auto& text = fixture.part<QLabel>("growBandText");
+        fixture.part<QCheckBox>("growSigmas").click();
+        fixture.settle();
+        QVERIFY(text.isHidden());
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        QTRY_VERIFY(!text.isHidden());
+        QVERIFY2(text.text().startsWith(QStringLiteral("8.0 … 8.0")), qPrintable(text.text()));
+        fixture.setInterval(0.0, 50.0); // brain lies around the seed too
+        QTRY_VERIFY(!text.text().startsWith(QStringLiteral("8.0 …")));
+        fixture.part<QCheckBox>("growSigmas").click();
+        QTRY_VERIFY(text.isHidden());
+    }
+
+    void aBoxBoundsGrowth()
+    {
+        CriteriaPanel fixture;
+        fixture.setInterval(-2000.0, 3000.0);
+        QVERIFY(fixture.part<ui::RangeSlider>("growBoxAxis0").parentWidget()->isHidden());
+        fixture.part<QCheckBox>("growBoxed").click();
+        QVERIFY(!fixture.part<ui::RangeSlider>("growBoxAxis0").parentWidget()->isHidden());
+        // Axes 0 and 1: voxels 16 … 23 of 1 mm, axis 2: 18 … 21 of 1.5 mm.
+        for (int axis = 0; axis < 3; ++axis) {
+            auto& slider = fixture.part<ui::RangeSlider>(
+                qPrintable(QStringLiteral("growBoxAxis%1").arg(axis)));
+            Q_EMIT slider.valuesEdited(axis < 2 ? 16.2 : 27.0, axis < 2 ? 23.9 : 33.0);
+        }
+        QCOMPARE(fixture.grown(), std::int64_t(8 * 8 * 4));
+    }
+
+    void theSessionKeepsThem()
+    {
+        ui::GrowSettings settings;
+        settings.lower = 3.0;
+        settings.upper = 9.0;
+        settings.connectivity = 26;
+        settings.sigmas = {.on = true, .value = 1.5};
+        settings.difference = {.on = false, .value = 12.0};
+        settings.gradient = {.on = true, .value = 80.5};
+        settings.majority = {.on = true, .value = 27};
+        settings.onlyVisible = true;
+        settings.boxed = true;
+        settings.box = core::GrowBox{{1.5, -2.0, 3.0}, {9.0, 8.0, 7.25}};
+        const QByteArray text = QJsonDocument(toJson(settings)).toJson();
+        ui::GrowSettings back;
+        ui::read(QJsonDocument::fromJson(text).object(), back);
+        QVERIFY(back == settings);
+        // What makes no sense is passed over.
+        ui::GrowSettings kept = settings;
+        ui::read(QJsonObject{{QStringLiteral("connectivity"), 7}, {QStringLiteral("box"), 3},
+                     {QStringLiteral("sigmas"), true}},
+            kept);
+        QVERIFY(kept == settings);
+    }
+};
+
+QTEST_MAIN(GrowCriteriaUiTest)
+#include "GrowCriteriaUiTest.moc"

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+#include "core/volume/ClipRegion.h"
+#include "core/volume/Volume.h"
+
+#include <QJsonObject>
+
+#include <optional>
+
+namespace ui {
+
+/// How the next growth is to go. Kept with the session's display.
+struct GrowSettings {
+    /// A limit that keeps its value while it is off.
+    struct Limit {
+        bool on = false;
+        double value = 0.0; ///< 0: none was ever chosen
+        bool operator==(const Limit&) const = default;
+    };
+    double lower = 0.0; ///< modality units
+    double upper = 0.0;
+    bool overwriteUnlocked = false;
+    int connectivity = 6; ///< 6, 18 or 26
+    double generationsPerSecond = 0.0; ///< 0: as fast as it goes
+    Limit sigmas{.on = false, .value = 2.5};
+    Limit difference{}; ///< modality units
+    Limit gradient{}; ///< modality units a millimetre
+    Limit gradientDifference{};
+    Limit majority{.on = false, .value = 14};
+    bool onlyVisible = false;
+    bool boxed = false;
+    std::optional<core::GrowBox> box{}; ///< none was ever chosen
+    bool operator==(const GrowSettings&) const = default;
+};
+
+[[nodiscard]] core::GrowCriteria criteriaOf(const GrowSettings& settings);
+
+/// How many limits are on.
+[[nodiscard]] int limitsOn(const GrowSettings& settings);
+
+/// Gives values to limits that never had one: tenths of what a window shows of the volume.
+void chooseLimits(GrowSettings& settings, const core::Volume& volume);
+
+/// The box in index positions, from border to border of its voxels; none where growth is not bound
+/// by one, or by one that misses the volume.
+[[nodiscard]] std::optional<core::ClipRegion::Box> growBoxOf(
+    const GrowSettings& settings, const core::VolumeGeometry& geometry);
+/// The other way round: all voxels whose centres lie in it.
+[[nodiscard]] core::GrowBox growBoxFrom(
+    const core::ClipRegion::Box& box, const core::VolumeGeometry& geometry);
+
+[[nodiscard]] QJsonObject toJson(const GrowSettings& settings);
+/// Fields that are missing or make no sense are passed over.
+void read(const QJsonObject& json, GrowSettings& settings);
+
+} // namespace ui
