@@ -252,6 +252,22 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     return paint;
 }
 
+Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& document)
+{
+    const Result<CapsuleFrame> frame =
+        capsuleFrame(stroke.path, document.volumes.front().geometry, QStringLiteral("barrier"));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    PaintBarrier barrier;
+    barrier.erase = stroke.erase;
+    barrier.frame = *frame;
+    for (const Segment& segment : document.segments) {
+        if (segment.plane == barrier.plane)
+            barrier.frozen[segment.label] = segment.locked;
+    }
+    return barrier;
+}
+
 Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document)
 {
     const Result<CapsuleFrame> frame =

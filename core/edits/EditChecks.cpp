@@ -82,6 +82,10 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
     }
     if (const auto* paint = std::get_if<PaintStroke>(&edit))
         return discardValue(paintLabel(*paint, document));
+    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return discardValue(paintBarrier(*barrier, document));
+    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+        return discardValue(growBurst(*change, document));
     if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
         if (const Result<void> checked = checkLayer("brush.layer", brush->layer, document);
             !checked)

@@ -221,6 +221,9 @@ struct GrowSteps {
 struct ChangeInterval {
     GrowCriteria criteria{}; ///< with `asBefore` only lower and upper are looked at
     bool asBefore = true; ///< all else as the last growth; false once it is carried out
+    /// The growth is taken back to its seeds and made anew; none: where more than one segment
+    /// grows, or its criteria are not fixed, which is told once it is carried out.
+    std::optional<bool> fromSeeds{};
     std::optional<int> steps{}; ///< none: to closure
 };
 

@@ -26,6 +26,9 @@ namespace core {
 /// volume).
 [[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
 
+/// The same of an interval that names all that it reads (RecentGrowth.h). Errors likewise.
+[[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
+
 /// Errors: SegmentLocked (no segment may change).
 [[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
     const ShrinkSteps& shrink, const Document& document);
@@ -86,6 +89,10 @@ namespace core {
 
 /// The path is not in it. Errors: UnknownSegment, SegmentLocked, InvalidField.
 [[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
+
+/// Likewise. Errors: InvalidField.
+[[nodiscard]] Result<PaintBarrier> paintBarrier(
+    const BarrierStroke& stroke, const Document& document);
 
 /// Likewise. Errors: InvalidField.
 [[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);

@@ -112,6 +112,15 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
     return burst;
 }
 
+Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document)
+{
+    Result<GrowBurst> burst = burstOf(change.criteria, document, QStringLiteral("interval"));
+    if (burst)
+        burst->opening =
+            change.fromSeeds.value_or(false) ? GrowOpening::Restart : GrowOpening::Narrow;
+    return burst;
+}
+
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)
 {
     constexpr std::uint8_t plane = 0;

@@ -41,7 +41,8 @@ struct EraseLabel {
 /// label. Of these voxels' seed words: with `seeds` each that is no member of the label becomes
 /// member(0, label, 31), else each that bears another label becomes unvisited. Generation 0 comes
 /// before any growth, so a growth goes on from there, while shrinking it (which takes away what is
-/// later than some generation) leaves what was painted; and no burst counts it as its own.
+/// later than some generation) leaves what was painted; and no burst counts it as its own. A
+/// barrier stays one.
 /// Erase: a voxel that the plane holds the label at becomes 0, and a seed word that bears the label
 /// becomes unvisited: the place is open to growth.
 struct PaintLabel {
@@ -91,7 +92,13 @@ struct GrowAdvance {
 /// Forget steps that were asked for and not yet done.
 struct GrowPause { };
 
-/// More of the path of PaintLabel or CapsuleCut.
+/// The open growth begins anew: as if it had been rolled back and opened so. Steps that were asked
+/// for before are forgotten.
+struct GrowAnew {
+    GrowBurst burst;
+};
+
+/// More of the path of PaintLabel, PaintBarrier or CapsuleCut.
 struct CapsulePath {
     std::vector<Capsule> capsules;
 };
@@ -102,7 +109,7 @@ struct PeelDepth {
 };
 
 using EngineExtension =
-    std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth, ShrinkTo>;
+    std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth, ShrinkTo, GrowAnew>;
 
 // --- Commands
 // -------------------------------------------------------------------------------------
@@ -200,7 +207,8 @@ using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, M
 struct EditStatistics {
     std::int64_t voxelsChanged = 0; ///< values that differ, over all fields but seed words
     int bricks = 0; ///< changed, all fields but seed words
-    int generations = 0; ///< steps a growth advanced (its opening included), or was taken back
+    /// Steps a growth advanced (the admission of seeds included), or was taken back.
+    int generations = 0;
     double milliseconds = 0.0; ///< engine time; never part of a hash
 };
 

@@ -55,11 +55,17 @@ struct GrowLimits {
 /// Whether every number is in its range; differences and magnitudes are not below 0.
 [[nodiscard]] bool isSound(const GrowLimits& limits);
 
-/// What becomes of the members that are there when a burst opens.
+/// What becomes of the members that are there when a burst opens. Those of labels in `frozen` stay
+/// as they are, and so does what was painted (generation 0).
 enum class GrowOpening : std::uint8_t {
     GoOn, ///< they stay
-    Narrow, ///< those that qualify no more leave, with what hung on them
-    Restart, ///< only the accepted seeds stay
+    /// Those that qualify no more leave, with what hung on them. A seed that is not accepted waits
+    /// again; any other member stays if it is accepted and has a neighbour that stays, of its label
+    /// and of an earlier generation. The lowest direction that leads from such a neighbour is then
+    /// its own, unless that is 29.
+    Narrow,
+    /// All leave: as ShrinkGrowth to generation 0.
+    Restart,
 };
 
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
@@ -69,9 +75,11 @@ enum class GrowOpening : std::uint8_t {
 /// the label itself, or a label in `overwritable`.
 /// Neighbours of a voxel are the 6 that share a face with it, the 18 that share a face or an edge,
 /// or all 26: the first so many of seedWord::offsets.
-/// Opening: every pending seed that is accepted becomes member(generation + 1, label, 31); if there
-/// was one, the generation is now one more. Then each step: every voxel that is no member and has a
-/// neighbour that was a member before the step, whose label it accepts and which it follows,
+/// Opening: what leaves by GrowOpening leaves as ShrinkGrowth says, and the generation is then the
+/// greatest that a member has. Every pending seed that is accepted becomes member(generation + 1,
+/// label, 31); if there was one, the generation is now one more. Then each step: every voxel that
+/// is no member and has a neighbour that was a member before the step, whose label it accepts and
+/// which it follows,
 /// becomes member(generation + 1, label, direction), the smallest such word; if there was one, the
 /// generation is one more, else the growth is at closure and further steps do nothing.
 /// Where the plane held the label itself, the direction is 30 for a seed and 29 else (SeedWord.h),
@@ -136,10 +144,18 @@ struct CutGrowth {
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
 };
 
-/// Shut places to growth along a path (word = barrier), or open them again (unvisited).
+/// Shut places to growth along a path, or open them again. Looked at are the voxels inside
+/// (CapsuleSweep.h, rule 4).
+///
+/// Shut: every word becomes seedWord::barrier but those that bear a label in `frozen` (a member's
+/// or a pending seed's). What growth added there goes, as ShrinkGrowth says: where a member was, of
+/// a generation above 0 and of a direction that is neither 29 nor 30, and the plane holds its
+/// label, the plane becomes 0.
+/// Erase: a barrier becomes unvisited, so growth goes on through it. The label plane stays.
 struct PaintBarrier {
     std::uint8_t plane = 0;
     bool erase = false;
+    std::bitset<256> frozen{};
     CapsuleFrame frame;
 };
 

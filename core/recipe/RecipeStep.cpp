@@ -93,6 +93,7 @@ bool isBoundToStudy(const RecipeStep& step)
         return paste->pivotLps.has_value();
     return !edit || std::holds_alternative<SeedStroke>(*edit)
         || std::holds_alternative<DrillStroke>(*edit) || std::holds_alternative<PaintStroke>(*edit)
+        || std::holds_alternative<BarrierStroke>(*edit)
         || std::holds_alternative<BrushStroke>(*edit) || std::holds_alternative<PeelCut>(*edit)
         || std::holds_alternative<ScissorsCut>(*edit) || std::holds_alternative<LaserStroke>(*edit)
         || std::holds_alternative<AddBookmark>(*edit) || std::holds_alternative<RevertRows>(*edit)

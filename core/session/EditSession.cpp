@@ -175,10 +175,14 @@ Result<void> EditSession::begin(const Edit& edit)
     const Edit rounded = quantised(edit);
     const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
         || std::holds_alternative<PaintStroke>(rounded)
+        || std::holds_alternative<BarrierStroke>(rounded)
         || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded)
         || std::holds_alternative<LaserStroke>(rounded);
-    if (!isStroke && !std::holds_alternative<GrowSteps>(rounded)
-        && !std::holds_alternative<ShrinkSteps>(rounded))
+    const bool isGrowth = std::holds_alternative<GrowSteps>(rounded)
+        || std::holds_alternative<ResumeGrowth>(rounded)
+        || std::holds_alternative<ChangeInterval>(rounded)
+        || std::holds_alternative<ShrinkSteps>(rounded);
+    if (!isStroke && !isGrowth)
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));
     m_queue->closeGrowth();
@@ -220,6 +224,14 @@ void EditSession::extendGrowth(GrowAdvance advance)
 {
     if (VoxelOperation* open = m_queue->interactive())
         open->extendGrowth(m_queue->state(), advance);
+}
+
+void EditSession::setInterval(double lower, double upper)
+{
+    const editFields::Number& field = editSchema::modalityValue;
+    VoxelOperation* open = m_queue->interactive();
+    if (open && lower <= upper && field.check(lower).isEmpty() && field.check(upper).isEmpty())
+        open->setInterval(m_queue->state(), field.rounded(lower), field.rounded(upper));
 }
 
 void EditSession::pauseGrowth()

@@ -85,11 +85,12 @@ public:
     Result<void> apply(const Edit& edit);
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
-    /// DrillStroke or LaserStroke without samples, PaintStroke or BrushStroke with the first point,
-    /// PeelCut, GrowSteps or ShrinkSteps
+    /// DrillStroke or LaserStroke without samples, PaintStroke, BarrierStroke or BrushStroke with
+    /// the first point, PeelCut, GrowSteps, ResumeGrowth, ChangeInterval or ShrinkSteps
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
-    /// Of a PaintStroke or BrushStroke. @param lifted the path begins anew at the first of these
+    /// Of a PaintStroke, BarrierStroke or BrushStroke. @param lifted the path begins anew at the
+    /// first of these
     void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
     /// Of a PeelCut that was begun: deeper or less deep; out of range it stays as it is.
     void setPeelDepth(double depthMm);
@@ -97,6 +98,9 @@ public:
     /// there are leave the accepted seeds.
     void setShrinkSteps(int steps);
     void extendGrowth(GrowAdvance advance);
+    /// Of a ChangeInterval that was begun: it is as if it had been begun with these bounds, and
+    /// extendGrowth() has to be told again. Bounds that cannot be are left alone.
+    void setInterval(double lower, double upper);
     void pauseGrowth();
     void end(Ending ending);
     [[nodiscard]] bool transactionOpen() const;

@@ -275,6 +275,41 @@ QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,
             stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
 }
 
+/// "Recover 120 … 300 HU, +2 104 voxels"; the name says what was done.
+QString intervalName(
+    const ChangeInterval& change, const std::vector<BrickChange>& changes, const Document& document)
+{
+    std::int64_t gained = 0;
+    std::int64_t lost = 0;
+    const std::vector<std::uint8_t> empty(std::size_t(BrickGrid::voxelsPerBrick), 0);
+    for (const BrickChange& brick : changes) {
+        if (brick.key.field != Field::Labels)
+            continue;
+        const std::vector<std::uint8_t>& before = brick.before.empty() ? empty : brick.before;
+        const std::vector<std::uint8_t>& after = brick.after.empty() ? empty : brick.after;
+        for (std::size_t i = 0; i < empty.size(); ++i) {
+            gained += after[i] != before[i] && after[i] != 0 ? 1 : 0;
+            lost += after[i] != before[i] && after[i] == 0 ? 1 : 0;
+        }
+    }
+    const QString what = change.fromSeeds.value_or(false) ? QStringLiteral("Grow anew from seeds")
+        : gained > 0 && lost > 0                          ? QStringLiteral("Recover and withdraw")
+        : lost > 0                                        ? QStringLiteral("Withdraw to")
+                                                          : QStringLiteral("Recover");
+    QStringList figures;
+    if (gained > 0)
+        figures += QLatin1Char('+') + grouped(gained);
+    if (lost > 0)
+        figures += QStringLiteral("−") + grouped(lost);
+    const QString unit = document.volumes.front().unit;
+    return QStringLiteral("%1 %2 … %3%4, %5")
+        .arg(what, QString::number(change.criteria.lower, 'g', 6),
+            QString::number(change.criteria.upper, 'g', 6),
+            unit.isEmpty() ? QString() : QLatin1Char(' ') + unit,
+            figures.isEmpty() ? counted(seedWordsChanged(changes), "seed voxel")
+                              : figures.join(QLatin1Char(' ')) + QStringLiteral(" voxels"));
+}
+
 QString targetName(const SegmentChoice& choice, const Document& document)
 {
     return quoted(choice.segment ? segmentName(*choice.segment, document) : choice.name);
@@ -376,6 +411,12 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("Grow %1%2, +%3")
             .arg(whatGrew(changes, document), counted(statistics.generations, "step"),
                 counted(statistics.voxelsChanged, "voxel"));
+    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+        return intervalName(*change, changes, document);
+    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return QStringLiteral("%1 %2, %3")
+            .arg(barrier->erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
+                millimetres(barrier->path.radiusMm), counted(seedWordsChanged(changes), "voxel"));
     if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
         return QStringLiteral("Shrink %1, −%2")
             .arg(shrink->steps ? counted(statistics.generations, "step")

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core {
 
@@ -51,6 +52,18 @@ std::set<std::uint32_t> bricksUnder(
         under.insert(near.begin(), near.end());
     }
     return under;
+}
+
+/// Of a brush that writes labels and seed words: its way, and the plane; null for other edits.
+std::pair<const BrushPath*, std::uint8_t> labelledPath(const Edit& edit, const Document& document)
+{
+    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return {&barrier->path, document.growths.front().plane};
+    const auto* paint = std::get_if<PaintStroke>(&edit);
+    if (!paint)
+        return {nullptr, std::uint8_t(0)};
+    const Segment* segment = document.segment(paint->segment);
+    return {&paint->path, segment ? segment->plane : std::uint8_t(0)};
 }
 
 } // namespace
@@ -105,7 +118,8 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         fields.layers.set();
         m_reach = fields;
     } else if (std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ShrinkSteps>(edit)
-        || std::holds_alternative<RemoveSegment>(edit)) {
+        || std::holds_alternative<RemoveSegment>(edit)
+        || std::holds_alternative<ChangeInterval>(edit)) {
         m_reach = Plane{document.growths.front().plane};
     } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
         std::vector<glm::dvec2> path;
@@ -125,13 +139,11 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
     } else if (const auto* scissors = std::get_if<ScissorsCut>(&edit)) {
         if (const Result<MaskScissors> cut = maskScissors(*scissors, document))
             m_reach = sweptOutline(cut->frame, grid, scissors->polygonMm);
-    } else if (const auto* paint = std::get_if<PaintStroke>(&edit)) {
+    } else if (const auto [path, plane] = labelledPath(edit, document); path) {
         Bricks bricks;
         const VolumeGeometry& geometry = document.volumes.front().geometry;
-        const Segment* segment = document.segment(paint->segment);
-        const std::uint8_t plane = segment ? segment->plane : std::uint8_t(0);
-        if (const auto frame = capsuleFrame(paint->path, geometry, {})) {
-            for (const std::uint32_t brick : bricksUnder(paint->path, *frame, geometry)) {
+        if (const auto frame = capsuleFrame(*path, geometry, {})) {
+            for (const std::uint32_t brick : bricksUnder(*path, *frame, geometry)) {
                 bricks.keys.insert({Field::Labels, plane, brick});
                 bricks.keys.insert({Field::SeedWords, plane, brick});
             }

@@ -6,6 +6,7 @@
 #include "core/edits/EngineEdits.h"
 #include "core/edits/SparedSegments.h"
 #include "core/growth/SeedWord.h"
+#include "core/session/RecentGrowth.h"
 
 #include <utility>
 
@@ -45,11 +46,22 @@ std::vector<PenSample>* samplesOf(Edit& edit)
     return laser ? &laser->samples : nullptr;
 }
 
+/// How far a growth goes; null for other edits.
+std::optional<int>* stepsOf(Edit& edit)
+{
+    if (auto* grow = std::get_if<GrowSteps>(&edit))
+        return &grow->steps;
+    auto* change = std::get_if<ChangeInterval>(&edit);
+    return change ? &change->steps : nullptr;
+}
+
 /// The way of a brush; null for other edits.
 BrushPath* pathOf(Edit& edit)
 {
     if (auto* paint = std::get_if<PaintStroke>(&edit))
         return &paint->path;
+    if (auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return &barrier->path;
     auto* brush = std::get_if<BrushStroke>(&edit);
     return brush ? &brush->path : nullptr;
 }
@@ -83,8 +95,19 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         Result<GrowBurst> burst = growBurst(*grow, document);
         if (!burst)
             return tl::unexpected(burst.error());
-        m_firstGeneration = burst->generation;
         return EngineEdit(*std::move(burst));
+    }
+    if (const auto* change = std::get_if<ChangeInterval>(&m_edit)) {
+        Result<GrowBurst> burst = growBurst(*change, document);
+        if (!burst)
+            return tl::unexpected(burst.error());
+        return EngineEdit(*std::move(burst));
+    }
+    if (const auto* barrier = std::get_if<BarrierStroke>(&m_edit)) {
+        Result<PaintBarrier> shut = paintBarrier(*barrier, document);
+        if (!shut)
+            return tl::unexpected(shut.error());
+        return EngineEdit(*std::move(shut));
     }
     if (const auto* shrink = std::get_if<ShrinkSteps>(&m_edit)) {
         Result<ShrinkGrowth> command = shrinkGrowth(*shrink, document);
@@ -93,9 +116,7 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         m_firstGeneration = command->generation;
         return EngineEdit(*std::move(command));
     }
-    if (std::holds_alternative<ChangeInterval>(m_edit)
-        || std::holds_alternative<ResumeGrowth>(m_edit) || std::holds_alternative<ShrinkAt>(m_edit)
-        || std::holds_alternative<PlugLeak>(m_edit) || std::holds_alternative<BarrierStroke>(m_edit)
+    if (std::holds_alternative<ShrinkAt>(m_edit) || std::holds_alternative<PlugLeak>(m_edit)
         || std::holds_alternative<GrowFromSeeds>(m_edit))
         return failure(ErrorCode::InvalidField, editName(m_edit), QStringLiteral("is not known"));
     if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
@@ -179,8 +200,9 @@ void VoxelOperation::start(SessionState& state)
     if (m_again == 0)
         spareProtected(m_edit, state.document);
     const std::vector<PenSample>* samples = samplesOf(m_edit);
-    const auto* grow = std::get_if<GrowSteps>(&m_edit);
-    Result<EngineEdit> edit = engineEdit(state.document);
+    const Result<void> named = nameWhatGrowthReads(m_edit, state.history, state.document);
+    Result<EngineEdit> edit =
+        named ? engineEdit(state.document) : Result<EngineEdit>(tl::unexpected(named.error()));
     if (!edit) {
         state.fail(edit.error());
         m_refused = true;
@@ -194,8 +216,9 @@ void VoxelOperation::start(SessionState& state)
         m_waiting.push_front(peelDepth(*peel));
     if (const BrushPath* path = pathOf(m_edit))
         m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
-    if (grow && m_kind == Kind::Whole && grow->steps.value_or(1) > 0)
-        m_waiting.push_back(GrowAdvance{.steps = grow->steps.value_or(GrowAdvance::toClosure)});
+    const std::optional<int>* steps = stepsOf(m_edit);
+    if (steps && m_kind == Kind::Whole && steps->value_or(1) > 0)
+        m_waiting.push_back(GrowAdvance{.steps = steps->value_or(GrowAdvance::toClosure)});
     if (m_kind == Kind::Whole)
         m_ending = Ending::Commit;
     if (m_ending)
@@ -269,6 +292,22 @@ void VoxelOperation::extendGrowth(SessionState& state, EngineExtension extension
     if (!isGrowth() || !open())
         return;
     m_waiting.push_back(std::move(extension));
+    submitWaiting(state);
+}
+
+void VoxelOperation::setInterval(SessionState& state, double lower, double upper)
+{
+    auto* change = std::get_if<ChangeInterval>(&m_edit);
+    if (!change || !open())
+        return;
+    change->criteria.lower = lower;
+    change->criteria.upper = upper;
+    if (m_begun) {
+        Result<GrowBurst> burst = growBurst(*change, state.document);
+        if (!burst)
+            return state.fail(burst.error());
+        m_waiting.push_back(GrowAnew{*std::move(burst)});
+    }
     submitWaiting(state);
 }
 
@@ -347,13 +386,16 @@ Edit VoxelOperation::carriedOut(const EngineResult& result) const
 {
     if (!isGrowth() || m_kind == Kind::Whole)
         return m_edit;
-    GrowSteps grow = std::get<GrowSteps>(m_edit);
-    grow.steps.reset();
+    Edit done = m_edit;
+    std::optional<int>& steps = *stepsOf(done);
+    steps.reset();
     if (!result.atClosure) {
-        const bool admitted = openingAdmittedSeeds(result.changes, m_firstGeneration + 1);
-        grow.steps = int(result.generation - m_firstGeneration) - (admitted ? 1 : 0);
+        const int generations = result.statistics.generations;
+        const std::uint32_t first = result.generation - std::uint32_t(generations);
+        const bool admitted = openingAdmittedSeeds(result.changes, first + 1);
+        steps = generations - (admitted ? 1 : 0);
     }
-    return grow;
+    return done;
 }
 
 } // namespace core

@@ -25,9 +25,16 @@ public:
     void setPeelDepth(SessionState& state, double depthMm);
     void setShrinkSteps(SessionState& state, int steps);
     void extendGrowth(SessionState& state, EngineExtension extension);
+    /// Of a ChangeInterval: it begins anew with these bounds; steps have to be asked for again.
+    void setInterval(SessionState& state, double lower, double upper);
     void end(SessionState& state, Ending ending);
     [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
-    [[nodiscard]] bool isGrowth() const { return std::holds_alternative<GrowSteps>(m_edit); }
+    [[nodiscard]] bool isGrowth() const
+    {
+        return std::holds_alternative<GrowSteps>(m_edit)
+            || std::holds_alternative<ChangeInterval>(m_edit)
+            || std::holds_alternative<ResumeGrowth>(m_edit);
+    }
     [[nodiscard]] bool movesGeneration() const
     {
         return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit);
@@ -56,7 +63,7 @@ private:
     Kind m_kind;
     RowId m_again = 0;
     std::optional<DrillPathSampler> m_path; ///< of a stroke of drill or laser
-    std::uint32_t m_firstGeneration = 0;
+    std::uint32_t m_firstGeneration = 0; ///< of a shrinking
     std::deque<EngineExtension> m_waiting;
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_begun;

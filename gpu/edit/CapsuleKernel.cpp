@@ -75,6 +75,7 @@ std::vector<std::uint32_t> withoutPage(
 
 CapsulePrograms::CapsulePrograms(const ShaderLibrary& library)
     : paint(program(library, "edit/capsulePaint.comp"))
+    , barrier(program(library, "edit/capsuleBarrier.comp"))
     , cut(program(library, "edit/capsuleCut.comp"))
 {
 }
@@ -96,6 +97,19 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
         .set("seeds", paint.seeds)
         .set("lowCode", none ? 65536u : unsigned(std::max(paint.lowCode, 0)))
         .set("highCode", none ? 0u : unsigned(paint.highCode));
+}
+
+CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
+    const core::PaintBarrier& barrier)
+    : m_programs(programs)
+    , m_fields(fields)
+    , m_before(before)
+    , m_edit(barrier)
+    , m_frame(barrier.frame)
+{
+    setFrame(m_programs.barrier);
+    const std::array<unsigned, 8> frozen = words(barrier.frozen);
+    m_programs.barrier.set("erase", barrier.erase).set("frozen", std::span<const unsigned>(frozen));
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -138,6 +152,9 @@ void CapsuleKernel::extend(const std::vector<core::Capsule>& capsules)
 
 void CapsuleKernel::extendBy(const std::vector<core::Capsule>& capsules)
 {
+    const auto writeTo = [&](const Candidates& candidates) {
+        std::visit([&](const auto& edit) { write(edit, candidates, capsules); }, m_edit);
+    };
     std::map<std::uint32_t, std::vector<std::uint32_t>> near;
     for (std::uint32_t number = 0; number < capsules.size(); ++number) {
         for (const std::uint32_t brick :
@@ -151,10 +168,10 @@ void CapsuleKernel::extendBy(const std::vector<core::Capsule>& capsules)
         batch.bricks.push_back(brick);
         batch.near.push_back(std::move(numbers));
         if (batch.bricks.size() == bricksAtOnce)
-            write(std::exchange(batch, {}), capsules);
+            writeTo(std::exchange(batch, {}));
     }
     if (!batch.bricks.empty())
-        write(batch, capsules);
+        writeTo(batch);
 }
 
 bool CapsuleKernel::nothingToTakeAway(std::uint32_t brick) const
@@ -165,16 +182,10 @@ bool CapsuleKernel::nothingToTakeAway(std::uint32_t brick) const
     if (const auto* paint = std::get_if<core::PaintLabel>(&m_edit))
         return paint->erase && !has(core::Field::Labels, paint->plane)
             && !has(core::Field::SeedWords, paint->plane);
+    if (const auto* barrier = std::get_if<core::PaintBarrier>(&m_edit))
+        return barrier->erase && !has(core::Field::SeedWords, barrier->plane);
     const auto& cut = std::get<core::CapsuleCut>(m_edit);
     return cut.restore && !has(core::Field::Coverage, cut.layer);
-}
-
-void CapsuleKernel::write(const Candidates& candidates, const std::vector<core::Capsule>& capsules)
-{
-    if (const auto* label = std::get_if<core::PaintLabel>(&m_edit))
-        paint(*label, candidates, capsules);
-    else
-        cut(std::get<core::CapsuleCut>(m_edit), candidates, capsules);
 }
 
 std::vector<std::uint32_t> CapsuleKernel::run(
@@ -211,22 +222,34 @@ std::vector<std::uint32_t> CapsuleKernel::run(
     return changed;
 }
 
-void CapsuleKernel::paint(const core::PaintLabel& paint, const Candidates& candidates,
+void CapsuleKernel::write(const core::PaintLabel& paint, const Candidates& candidates,
     const std::vector<core::Capsule>& capsules)
 {
-    BrickField& seedWords = m_fields.seedWords(paint.plane);
-    m_before.capture(core::Field::Labels, paint.plane, candidates.bricks);
-    m_before.capture(core::Field::SeedWords, paint.plane, candidates.bricks);
+    writeLabels(m_programs.paint, paint.plane, paint.seeds && !paint.erase, candidates, capsules);
+}
+
+void CapsuleKernel::write(const core::PaintBarrier& barrier, const Candidates& candidates,
+    const std::vector<core::Capsule>& capsules)
+{
+    writeLabels(m_programs.barrier, barrier.plane, !barrier.erase, candidates, capsules);
+}
+
+void CapsuleKernel::writeLabels(Program& program, std::uint8_t plane, bool newWords,
+    const Candidates& candidates, const std::vector<core::Capsule>& capsules)
+{
+    BrickField& seedWords = m_fields.seedWords(plane);
+    m_before.capture(core::Field::Labels, plane, candidates.bricks);
+    m_before.capture(core::Field::SeedWords, plane, candidates.bricks);
     std::vector<std::uint32_t> fresh;
-    if (paint.seeds && !paint.erase) {
+    if (newWords) {
         fresh = withoutPage(seedWords, candidates.bricks);
         seedWords.ensure(fresh);
     }
     m_fields.codes().bindUnit(0);
     seedWords.pageTable().bindUnit(1);
-    m_fields.labels(paint.plane).bindImage(0, GL_READ_WRITE);
+    m_fields.labels(plane).bindImage(0, GL_READ_WRITE);
     seedWords.atlas().bindImage(1, GL_READ_WRITE);
-    const std::vector<std::uint32_t> found = run(m_programs.paint, candidates, capsules);
+    const std::vector<std::uint32_t> found = run(program, candidates, capsules);
 
     std::vector<std::uint32_t> labels;
     std::vector<std::uint32_t> words;
@@ -234,11 +257,11 @@ void CapsuleKernel::paint(const core::PaintLabel& paint, const Candidates& candi
         const std::uint32_t brick = candidates.bricks[i];
         if ((found[i] & changedLabel) != 0) {
             labels.push_back(brick);
-            m_touched.insert({core::Field::Labels, paint.plane, brick});
+            m_touched.insert({core::Field::Labels, plane, brick});
         }
         if ((found[i] & changedWord) != 0) {
             words.push_back(brick);
-            m_touched.insert({core::Field::SeedWords, paint.plane, brick});
+            m_touched.insert({core::Field::SeedWords, plane, brick});
         }
     }
     releaseUnused(seedWords, fresh, words);
@@ -246,7 +269,7 @@ void CapsuleKernel::paint(const core::PaintLabel& paint, const Candidates& candi
     m_fields.noteChanged(core::Field::SeedWords, words);
 }
 
-void CapsuleKernel::cut(const core::CapsuleCut& cut, const Candidates& candidates,
+void CapsuleKernel::write(const core::CapsuleCut& cut, const Candidates& candidates,
     const std::vector<core::Capsule>& capsules)
 {
     BrickField& coverage = m_fields.coverage(cut.layer);

@@ -41,11 +41,6 @@ core::Result<void> check(const core::CutGrowth&, const core::BrickGrid&)
     return refusal("edit", "is not known");
 }
 
-core::Result<void> check(const core::PaintBarrier&, const core::BrickGrid&)
-{
-    return refusal("edit", "is not known");
-}
-
 core::Result<void> check(const core::SpreadLabels&, const core::BrickGrid&)
 {
     return refusal("edit", "is not known");
@@ -95,6 +90,13 @@ core::Result<void> check(const core::PaintLabel& edit, const core::BrickGrid&)
 {
     if (edit.label == 0)
         return refusal("label", "0 is no segment");
+    if (!core::isSound(edit.frame))
+        return refusal("frame", "is not sound");
+    return {};
+}
+
+core::Result<void> check(const core::PaintBarrier& edit, const core::BrickGrid&)
+{
     if (!core::isSound(edit.frame))
         return refusal("frame", "is not sound");
     return {};
@@ -174,7 +176,7 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     if (!checked)
         return tl::unexpected(checked.error());
 
-    std::unique_ptr<EditTransaction> transaction(new EditTransaction(fields));
+    std::unique_ptr<EditTransaction> transaction(new EditTransaction(programs.growth, fields));
     transaction->m_edit = edit;
     BeforeImages& before = transaction->m_before;
     if (const auto* seeds = std::get_if<core::SeedPlacement>(&edit)) {
@@ -190,6 +192,8 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_wholeKeys = eraseLabel(programs.erase, fields, before, *erase);
     } else if (const auto* paint = std::get_if<core::PaintLabel>(&edit)) {
         transaction->m_capsule.emplace(programs.capsule, fields, before, *paint);
+    } else if (const auto* barrier = std::get_if<core::PaintBarrier>(&edit)) {
+        transaction->m_capsule.emplace(programs.capsule, fields, before, *barrier);
     } else if (const auto* cut = std::get_if<core::CapsuleCut>(&edit)) {
         transaction->m_capsule.emplace(programs.capsule, fields, before, *cut);
     } else if (const auto* peel = std::get_if<core::MaskPeel>(&edit)) {
@@ -205,7 +209,7 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {
         transaction->m_wholeKeys = foldLayer(fields, before, *fold);
     } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&edit)) {
-        transaction->m_shrink.emplace(programs.shrink, fields, before, *shrink);
+        transaction->m_shrink.emplace(programs.growth.shrink, fields, before, *shrink);
     }
     return transaction;
 }
@@ -245,6 +249,8 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
     }
     if (!m_growth)
         return refusal("extension", "the open edit is no growth");
+    if (const auto* anew = std::get_if<core::GrowAnew>(&extension))
+        return growAnew(anew->burst);
     if (const auto* steps = std::get_if<core::GrowAdvance>(&extension)) {
         m_generationsPerSecond = steps->generationsPerSecond;
         m_stepsLeft = steps->steps < 0 || m_stepsLeft < 0 ? core::GrowAdvance::toClosure
@@ -252,6 +258,21 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
     } else {
         m_stepsLeft = 0;
     }
+    return {};
+}
+
+core::Result<void> EditTransaction::growAnew(const core::GrowBurst& burst)
+{
+    if (const core::Result<void> checked = check(burst, m_fields.grid()); !checked)
+        return checked;
+    if (burst.plane != std::get<core::GrowBurst>(m_edit).plane)
+        return refusal("plane", "is another one");
+    m_before.restore(touchedKeys());
+    m_growth->releaseUnused();
+    m_edit = burst;
+    m_growth.emplace(m_growthPrograms, m_fields, m_before, burst);
+    m_growth->open();
+    m_stepsLeft = 0;
     return {};
 }
 
@@ -322,11 +343,11 @@ void EditTransaction::commit(core::EngineResult& result)
 {
     result.changes = m_before.changes(touchedKeys());
     result.statistics = statisticsOf(result.changes);
-    if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
+    if (m_growth) {
         m_growth->releaseUnused();
         result.generation = m_growth->generation();
         result.atClosure = m_growth->atClosure();
-        result.statistics.generations = int(m_growth->generation() - grow->generation);
+        result.statistics.generations = int(m_growth->frontSizes().size());
     }
     if (m_shrink) {
         result.generation = m_shrink->generation();

@@ -27,7 +27,6 @@ struct EditPrograms {
         , capsule(library)
         , label(library)
         , laser(library)
-        , shrink(library)
     {
     }
 
@@ -37,7 +36,6 @@ struct EditPrograms {
     CapsulePrograms capsule;
     LabelPrograms label;
     LaserPrograms laser;
-    ShrinkPrograms shrink;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -65,12 +63,17 @@ public:
     [[nodiscard]] core::GrowthProgress progress() const;
 
 private:
-    explicit EditTransaction(VoxelFields& fields)
-        : m_before(fields)
+    EditTransaction(GrowthPrograms& growthPrograms, VoxelFields& fields)
+        : m_growthPrograms(growthPrograms)
+        , m_fields(fields)
+        , m_before(fields)
     {
     }
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
+    core::Result<void> growAnew(const core::GrowBurst& burst);
 
+    GrowthPrograms& m_growthPrograms;
+    VoxelFields& m_fields;
     BeforeImages m_before;
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;

@@ -380,7 +380,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CountGenerations& command)
 {
     core::EngineResult result;
-    result.generationSizes = generationSizes(m_programs.shrink, *m_fields, command.plane);
+    result.generationSizes = generationSizes(m_programs.growth.shrink, *m_fields, command.plane);
     return result;
 }
 

@@ -38,12 +38,15 @@ Buffer listBuffer(std::span<const std::uint32_t> list)
 
 } // namespace
 
-GrowthPrograms::Rings::Rings(
-    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits)
+GrowthPrograms::Rings::Rings(const ShaderLibrary& shaders, int connectivity,
+    const core::GrowLimits& limits, bool back)
 {
     ShaderDefines defines = definesOf(limits);
-    admit = program(shaders, "edit/growAdmit.comp", defines);
+    if (!back)
+        admit = program(shaders, "edit/growAdmit.comp", defines);
     defines.emplace_back("CONNECTIVITY", connectivity);
+    if (back)
+        defines.emplace_back("BACK", 1);
     front = program(shaders, "edit/growFront.comp", defines);
     ring = program(shaders, "edit/growRing.comp", defines);
     defines.emplace_back("SEVERAL_RINGS", 1);
@@ -54,6 +57,7 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
     : placeSeeds(program(shaders, "edit/placeSeeds.comp"))
     , label(program(shaders, "edit/growLabel.comp"))
     , seedStatistics(program(shaders, "edit/seedStatistics.comp"))
+    , shrink(shaders)
     , m_shaders(shaders)
 {
     (void)rings(6, {});
@@ -65,7 +69,7 @@ GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity, const core::GrowL
     const auto known = m_rings.find(kind);
     if (known != m_rings.end())
         return known->second;
-    return m_rings.try_emplace(kind, m_shaders, connectivity, limits).first->second;
+    return m_rings.try_emplace(kind, m_shaders, connectivity, limits, false).first->second;
 }
 
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
@@ -99,7 +103,7 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::GrowBurst& burst)
     : m_programs(programs)
-    , m_rings(programs.rings(burst.connectivity, burst.limits))
+    , m_rings(&programs.rings(burst.connectivity, burst.limits))
     , m_fields(fields)
     , m_before(before)
     , m_burst(burst)
@@ -110,9 +114,8 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
 {
     setQueues(1u << 18);
     for (Program* each :
-        {&m_rings.admit, &m_rings.front, &m_rings.ring, &m_rings.severalRings, &programs.label})
+        {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &programs.label})
         setUniforms(*each);
-    m_rings.front.set("openGeneration", burst.generation);
 }
 
 void GrowthKernel::setUniforms(Program& each) const
@@ -147,7 +150,8 @@ void GrowthKernel::setQueues(std::uint32_t capacity)
     m_queueCapacity = capacity;
     m_queues = Buffer(
         {.label = "growth fronts", .bytes = 2 * std::size_t(capacity) * sizeof(std::uint32_t)});
-    for (Program* each : {&m_rings.front, &m_rings.ring, &m_rings.severalRings, &m_programs.label})
+    for (Program* each :
+        {&m_rings->front, &m_rings->ring, &m_rings->severalRings, &m_programs.label})
         each->set("queueCapacity", m_queueCapacity);
 }
 
@@ -169,21 +173,36 @@ void GrowthKernel::open()
     m_before.capture(core::Field::SeedWords, m_burst.plane, held);
     m_before.capture(core::Field::Labels, m_burst.plane, held);
 
-    start({});
-    const Buffer list = listBuffer(held);
-    if (m_generation < core::seedWord::maxGeneration) {
-        list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-        m_rings.admit.set("admittedGeneration", m_generation + 1);
-        m_rings.admit.dispatch({unsigned(held.size()), 1, 1});
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        const std::uint32_t admitted = takeBatch().admitted;
-        if (admitted > 0) {
-            ++m_generation;
-            m_frontSizes.push_back(admitted);
-            m_members = admitted;
-        }
-    }
+    if (m_burst.opening == core::GrowOpening::Narrow)
+        narrow(held);
+    else if (m_burst.opening == core::GrowOpening::Restart)
+        restart();
+    m_rings->front.set("openGeneration", m_generation);
+    if (m_generation < core::seedWord::maxGeneration)
+        admitSeeds(held);
     findFront();
+}
+
+void GrowthKernel::admitSeeds(const std::vector<std::uint32_t>& held)
+{
+    m_rings->admit.set("admittedGeneration", m_generation + 1);
+    const std::uint32_t admitted = runOver(m_rings->admit, held).admitted;
+    if (admitted == 0)
+        return;
+    ++m_generation;
+    m_frontSizes.push_back(admitted);
+    m_members = admitted;
+}
+
+GrowthKernel::State GrowthKernel::runOver(
+    Program& program, const std::vector<std::uint32_t>& bricks)
+{
+    start({});
+    const Buffer list = listBuffer(bricks);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+    program.dispatch({unsigned(bricks.size()), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    return takeBatch();
 }
 
 void GrowthKernel::findFront()
@@ -192,13 +211,8 @@ void GrowthKernel::findFront()
     // Members of before are no claims of this burst: the bricks found count as front only.
     const std::set<std::uint32_t> touchedBefore = m_allTouched;
     for (;;) {
-        start({});
-        m_rings.front.set("firstQueue", 1 - m_frontQueue);
-        const Buffer list = listBuffer(held);
-        list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-        m_rings.front.dispatch({unsigned(held.size()), 1, 1});
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        m_frontCount = takeBatch().counts[1];
+        m_rings->front.set("firstQueue", 1 - m_frontQueue);
+        m_frontCount = runOver(m_rings->front, held).counts[1];
         if (m_frontCount <= m_queueCapacity)
             break;
         setQueues(4 * m_queueCapacity);
@@ -228,14 +242,14 @@ void GrowthKernel::prepareBricks()
 void GrowthKernel::runRings(int count)
 {
     GrowthPrograms& programs = m_programs;
-    for (Program* each : {&m_rings.ring, &m_rings.severalRings, &programs.label})
+    for (Program* each : {&m_rings->ring, &m_rings->severalRings, &programs.label})
         each->set("firstQueue", m_frontQueue).set("baseGeneration", m_generation);
     m_frontQueue = (m_frontQueue + unsigned(count)) % 2;
 
     int ring = 0;
     if (m_frontCount <= smallFront) {
-        m_rings.severalRings.set("ringCount", unsigned(count));
-        m_rings.severalRings.dispatch({1, 1, 1});
+        m_rings->severalRings.set("ringCount", unsigned(count));
+        m_rings->severalRings.dispatch({1, 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         State state;
         m_state.read(std::span<State>(&state, 1));
@@ -246,9 +260,13 @@ void GrowthKernel::runRings(int count)
     // A front that outgrows these groups is walked in strides.
     const glm::uvec3 groups(std::min((2 * m_frontCount + 255) / 256, 65535u), 1, 1);
     for (; ring < count; ++ring) {
-        m_rings.ring.set("ring", unsigned(ring));
-        m_rings.ring.dispatch(groups);
+        m_rings->ring.set("ring", unsigned(ring));
+        m_rings->ring.dispatch(groups);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    }
+    if (m_floodsBack) {
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+        return;
     }
     programs.label.set("ring", unsigned(count));
     programs.label.dispatch(groups);

@@ -21,7 +21,10 @@ struct GrowthPrograms {
 
     /// What depends on how many neighbours a voxel has and what is asked of it.
     struct Rings {
-        Rings(const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
+        /// @param back the flood by which a growth that is narrowed finds out who stays; it admits
+        /// no seeds
+        Rings(const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits,
+            bool back);
 
         Program admit;
         Program front;
@@ -32,13 +35,28 @@ struct GrowthPrograms {
     /// @param connectivity 6, 18 or 26
     [[nodiscard]] Rings& rings(int connectivity, const core::GrowLimits& limits);
 
+    /// The further kernels of narrowing.
+    struct Narrowing {
+        Narrowing(
+            const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
+
+        Program doubt;
+        Rings back;
+        Program sweep;
+    };
+    /// Compiled when first needed.
+    [[nodiscard]] Narrowing& narrowing(int connectivity, const core::GrowLimits& limits);
+
     Program placeSeeds;
     Program label;
     Program seedStatistics;
+    ShrinkPrograms shrink;
 
 private:
     const ShaderLibrary& m_shaders;
-    std::map<std::pair<int, unsigned>, Rings> m_rings; ///< by neighbours and kindOf(limits)
+    using Kind = std::pair<int, unsigned>; ///< neighbours, kindOf(limits)
+    std::map<Kind, Rings> m_rings;
+    std::map<Kind, Narrowing> m_narrowings;
 };
 
 /// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
@@ -57,7 +75,7 @@ public:
     GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::GrowBurst& burst);
 
-    /// Admits pending seeds and finds the front. Call it once, first.
+    /// Takes back what has to leave, admits pending seeds and finds the front. Call it once, first.
     void open();
     /// Up to @p rings (at most ringsPerBatch) generations. Returns how many added something; fewer
     /// than asked means closure.
@@ -79,10 +97,19 @@ private:
         std::array<std::uint32_t, ringsPerBatch + 1> counts{};
         std::uint32_t admitted = 0;
         std::uint32_t nextRing = 0;
+        std::uint32_t greatest = 0;
     };
 
     void bind();
     void setUniforms(Program& program) const;
+    void admitSeeds(const std::vector<std::uint32_t>& held);
+    // What leaves at the opening (GrowthNarrowing.cpp). @param held bricks with words, captured
+    void narrow(const std::vector<std::uint32_t>& held);
+    void floodBack();
+    void restart();
+    /// Runs a kernel over listed bricks.
+    State runOver(Program& program, const std::vector<std::uint32_t>& bricks);
+
     void findFront();
     void prepareBricks();
     void start(const State& state);
@@ -92,7 +119,7 @@ private:
     void runRings(int count);
 
     GrowthPrograms& m_programs;
-    GrowthPrograms::Rings& m_rings;
+    GrowthPrograms::Rings* m_rings;
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;
@@ -101,6 +128,7 @@ private:
     Buffer m_queues; ///< two, one behind the other
     Buffer m_reached;
     std::uint32_t m_queueCapacity = 1u << 18;
+    bool m_floodsBack = false; ///< only while it is narrowed: m_rings are those of the flood
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;
     unsigned m_frontQueue = 0; ///< which of the queues holds the front

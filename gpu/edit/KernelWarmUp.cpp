@@ -138,6 +138,8 @@ void KernelWarmUp::runBrushes()
         core::capsules(brushPath, m_document.volumes.front().geometry)};
     if (const auto paint = core::paintLabel({.segment = label, .path = brushPath}, m_document))
         run(*paint, {capsules});
+    if (const auto barrier = core::paintBarrier({.path = brushPath}, m_document))
+        run(*barrier, {capsules});
     if (const auto carve = core::capsuleCut({.path = brushPath}, m_document))
         run(*carve, {capsules});
 }
@@ -149,6 +151,9 @@ void KernelWarmUp::runGrowth()
         core::Ending::Commit);
     core::GrowBurst burst{.lowCode = matter, .highCode = matter};
     run(burst, {core::GrowAdvance{}}, core::Ending::Commit);
+    burst.generation = core::seedWord::maxGeneration;
+    burst.opening = core::GrowOpening::Narrow;
+    run(burst, {});
     run(core::ShrinkGrowth{.generation = core::seedWord::maxGeneration, .keep = 2}, {});
 }
 

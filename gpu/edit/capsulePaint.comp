@@ -29,6 +29,8 @@ bool bearsAny(uint word)
 
 uint paintedWord(uint word)
 {
+    if (word == barrierWord)
+        return word;
     if (seeds)
         return isMember(word) && labelOf(word) == label ? word
                                                         : memberWord(0u, label, seedDirection);

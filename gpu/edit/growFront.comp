@@ -1,4 +1,5 @@
 // Finds where a growth can go on: every member with a neighbour (CONNECTIVITY) that it could claim.
+// BACK, while it is narrowed: with one that it could prove to qualify.
 // One work-group a listed brick. The queue's order depends on scheduling and decides nothing.
 
 layout(local_size_x = 64) in;
@@ -9,8 +10,9 @@ layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
 
 uniform uint openGeneration; // members of later generations show in the label plane
 
-bool canGoOn(ivec3 voxel, uint label)
+bool canGoOn(ivec3 voxel, uint own)
 {
+    uint label = labelOf(own);
     Parent parent = parentAt(voxel);
     for (int direction = 0; direction < CONNECTIVITY; ++direction) {
         ivec3 neighbour = voxel + neighbourOffsets[direction];
@@ -19,8 +21,13 @@ bool canGoOn(ivec3 voxel, uint label)
             continue;
         uint entry = pageEntry(neighbour);
         uint word = entry != 0u ? imageLoad(words, atlasTexel(entry, neighbour)).r : unvisited;
+#ifdef BACK
+        if (!canProve(own, word))
+            continue;
+#else
         if (isMember(word) || word == barrierWord)
             continue;
+#endif
         if (accepts(label, neighbour, held) && follows(parent, neighbour))
             return true;
     }
@@ -38,11 +45,15 @@ void main()
         uint word = imageLoad(words, atlasTexel(entry, voxel)).r;
         if (!isMember(word))
             continue;
+#ifndef BACK
         if (generationOf(word) > openGeneration)
             imageStore(labels, voxel, uvec4(labelOf(word)));
-        if (!mayGrow(labelOf(word)) || !canGoOn(voxel, labelOf(word)))
+#endif
+        if (!mayGrow(labelOf(word)) || !canGoOn(voxel, word))
             continue;
         enqueue(0u, voxel, entry - 1u);
+#ifndef BACK
         reached[entry - 1u] = holdsFront;
+#endif
     }
 }

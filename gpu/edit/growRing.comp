@@ -11,6 +11,9 @@
 // Loops ask at their end: a device without branches (a software renderer) walks a loop once more
 // for lanes that are all done when it asks at the start.
 //
+// BACK: the flood by which a growth that is narrowed finds out who stays. Members prove doubtful
+// neighbours of later generations; those go on. It only clears a bit, so the order does not matter.
+//
 // SEVERAL_RINGS: one work group runs ring after ring while the front is small, since a dispatch
 // costs more than such a ring.
 
@@ -42,17 +45,25 @@ void growFrom(uint entry, uint ring)
     int offset = int(entry & 4095u);
     ivec3 origin = ownerOrigin(page);
     ivec3 voxel = origin + voxelInBrick(offset);
-    uint label = labelOf(imageLoad(words, pageTexel(page, offset)).r);
+    uint own = imageLoad(words, pageTexel(page, offset)).r;
+    uint label = labelOf(own);
+#ifndef BACK
     // A word is final one generation after its claim: now the label plane may show it.
     imageStore(labels, voxel, uvec4(label));
     reached[page] = heldFront;
+#endif
 
     uint open = 0u; // one bit a direction
     for (uint direction = 0u; direction < uint(CONNECTIVITY); ++direction) {
         ivec3 neighbour = voxel + neighbourOffsets[direction];
         uint there = neighbourEntry(page + 1u, neighbour, origin);
         uint word = imageLoad(words, atlasTexel(there, neighbour)).r;
-        if (there != 0u && word > memberWord(generation, label, direction))
+#ifdef BACK
+        bool wanted = canProve(own, word);
+#else
+        bool wanted = word > memberWord(generation, label, direction);
+#endif
+        if (there != 0u && wanted)
             open |= 1u << direction;
     }
     Parent parent = Parent(0u, 0u);
@@ -73,8 +84,12 @@ void growFrom(uint entry, uint ring)
         if (inside(neighbour, volumeSize) && accepts(label, neighbour, held)
             && follows(parent, neighbour)) {
             uint there = neighbourEntry(page + 1u, neighbour, origin);
+#ifdef BACK
+            uint before = imageAtomicAnd(words, atlasTexel(there, neighbour), ~notMember);
+#else
             uint claim = memberWord(generation, label, held ? heldDirection : direction);
             uint before = imageAtomicMin(words, atlasTexel(there, neighbour), claim);
+#endif
             if (!isMember(before))
                 enqueue(ring, neighbour, there - 1u);
         }
@@ -100,8 +115,10 @@ void main()
     }
     if (state.counts[ring] == 0u)
         ring = ringCount; // at closure: nothing is left to do
+#ifndef BACK
     if (ring == ringCount)
         showFront(ring, gl_LocalInvocationID.x, gl_WorkGroupSize.x);
+#endif
     if (gl_LocalInvocationID.x == 0u)
         state.nextRing = ring;
 }

@@ -13,6 +13,7 @@ layout(binding = 0, std430) coherent buffer State {
     uint counts[17]; // voxels in the front that each ring starts from; ring r fills the next
     uint admitted;
     uint nextRing; // where a dispatch of several rings stopped
+    uint greatest; // generation of a member (growSweep.comp)
 } state;
 // Two queues, one behind the other: a ring reads one and fills the other. An entry is
 // page << 12 | offset in the brick.
@@ -59,6 +60,19 @@ bool accepts(uint label, ivec3 voxel, out bool held)
     if (!mayEnter)
         mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
     return mayEnter && allows(label, voxel, code);
+}
+
+// Marked while a growth is narrowed: leaves unless it proves to qualify. No seed is.
+bool isDoubtful(uint word)
+{
+    return (word & notMember) != 0u && (word & 31u) <= heldDirection;
+}
+
+// Whether a member proves that a doubtful neighbour qualifies, if that one is accepted.
+bool canProve(uint member, uint word)
+{
+    return isDoubtful(word) && labelOf(word) == labelOf(member)
+        && generationOf(word) > generationOf(member);
 }
 
 // Asked where a front begins; those whom a front claims have its label.

@@ -54,6 +54,15 @@ Capsules::Capsules(
 }
 
 Capsules::Capsules(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintBarrier shut)
+    : m_codes(codes)
+    , m_fields(fields)
+    , m_edit(shut)
+    , m_frame(shut.frame)
+{
+}
+
+Capsules::Capsules(
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::CapsuleCut cut)
     : m_codes(codes)
     , m_fields(fields)
@@ -119,7 +128,11 @@ void Capsules::extend(const std::vector<core::Capsule>& capsules)
                         continue;
                     if (const auto* carve = std::get_if<core::CapsuleCut>(&m_edit))
                         cut(*carve, voxel, *squared);
-                    else if (*squared <= unitRadius * unitRadius)
+                    else if (*squared > unitRadius * unitRadius)
+                        continue;
+                    else if (const auto* barrier = std::get_if<core::PaintBarrier>(&m_edit))
+                        shut(*barrier, voxel);
+                    else
                         paint(std::get<core::PaintLabel>(m_edit), voxel);
                 }
             }
@@ -158,11 +171,32 @@ void Capsules::paint(const core::PaintLabel& paint, const glm::ivec3& voxel)
     if (held != 0 && held != paint.label && !paint.overwritable.test(held))
         return;
     held = paint.label;
+    if (word == seedWord::barrier)
+        return;
     const bool isMemberOfIt = seedWord::isMember(word) && seedWord::label(word) == paint.label;
     if (paint.seeds && !isMemberOfIt)
         word = seedWord::member(0, paint.label, seedWord::seedDirection);
     else if (!paint.seeds && bearsAnother(word, paint.label))
         word = seedWord::unvisited;
+}
+
+void Capsules::shut(const core::PaintBarrier& shut, const glm::ivec3& voxel)
+{
+    std::uint32_t& word = m_fields.seedWords(shut.plane).at(voxel);
+    if (shut.erase) {
+        if (word == seedWord::barrier)
+            word = seedWord::unvisited;
+        return;
+    }
+    const std::uint32_t label = seedWord::label(word);
+    const std::uint32_t direction = seedWord::direction(word);
+    if (bears(word, label) && shut.frozen.test(label))
+        return;
+    std::uint8_t& held = m_fields.labels(shut.plane).at(voxel);
+    if (seedWord::isMember(word) && seedWord::generation(word) > 0 && direction != 29
+        && direction != 30 && held == label)
+        held = 0;
+    word = seedWord::barrier;
 }
 
 } // namespace reference

@@ -82,6 +82,15 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
     , m_criterion(codes, std::move(coverage), m_words, m_burst)
     , m_generation(m_burst.generation)
 {
+    if (m_burst.opening == core::GrowOpening::Narrow)
+        narrow();
+    if (m_burst.opening == core::GrowOpening::Restart)
+        m_generation = shrinkGrowth(fields,
+            {.plane = m_burst.plane,
+                .generation = m_generation,
+                .keep = 0,
+                .keepSeeds = false,
+                .frozen = m_burst.frozen});
     std::vector<glm::ivec3> olderMembers;
     std::vector<glm::ivec3> admitted;
     forEachVoxel(m_words.size, [&](const glm::ivec3& voxel) {
@@ -98,6 +107,67 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
     if (!admitted.empty())
         finishGeneration(std::move(admitted));
     m_front.insert(m_front.end(), olderMembers.begin(), olderMembers.end());
+}
+
+void Growth::narrow()
+{
+    std::vector<glm::ivec3> grown;
+    const auto goes = [this](const glm::ivec3& voxel, std::uint32_t becomes) {
+        std::uint32_t& word = m_words.at(voxel);
+        const bool wasThere = seedWord::direction(word) == 29 || seedWord::direction(word) == 30;
+        if (!wasThere && m_labels.at(voxel) == seedWord::label(word))
+            m_labels.at(voxel) = 0;
+        word = becomes;
+    };
+    forEachVoxel(m_words.size, [&](const glm::ivec3& voxel) {
+        const std::uint32_t word = m_words.at(voxel);
+        const std::uint32_t label = seedWord::label(word);
+        if (!seedWord::isMember(word) || seedWord::generation(word) == 0
+            || m_burst.frozen.test(label))
+            return;
+        if (!seedWord::isSeed(word))
+            grown.push_back(voxel);
+        else if (!accepts(label, voxel))
+            goes(voxel, seedWord::pendingSeed(label));
+    });
+    // From early to late: whoever comes before has been decided on.
+    const auto generationAt = [this](const glm::ivec3& voxel) {
+        return seedWord::generation(m_words.at(voxel));
+    };
+    std::stable_sort(grown.begin(), grown.end(), [&](const glm::ivec3& a, const glm::ivec3& b) {
+        return generationAt(a) < generationAt(b);
+    });
+    for (const glm::ivec3& voxel : grown) {
+        std::uint32_t& word = m_words.at(voxel);
+        const std::optional<std::uint32_t> direction = parentDirection(voxel);
+        if (!direction)
+            goes(voxel, seedWord::unvisited);
+        else if (seedWord::direction(word) != 29)
+            word = seedWord::member(seedWord::generation(word), seedWord::label(word), *direction);
+    }
+    m_generation = 0;
+    for (const std::uint32_t word : m_words.values) {
+        if (seedWord::isMember(word))
+            m_generation = std::max(m_generation, seedWord::generation(word));
+    }
+}
+
+std::optional<std::uint32_t> Growth::parentDirection(const glm::ivec3& voxel) const
+{
+    const std::uint32_t word = m_words.at(voxel);
+    for (std::uint32_t direction = 0; direction < std::uint32_t(m_burst.connectivity);
+         ++direction) {
+        const std::array<int, 3>& offset = seedWord::offsets[direction];
+        const glm::ivec3 parent = voxel - glm::ivec3(offset[0], offset[1], offset[2]);
+        if (!m_words.contains(parent) || !accepts(seedWord::label(word), voxel)
+            || !m_criterion.follows(parent, voxel))
+            continue;
+        const std::uint32_t there = m_words.at(parent);
+        if (seedWord::isMember(there) && seedWord::label(there) == seedWord::label(word)
+            && seedWord::generation(there) < seedWord::generation(word))
+            return direction;
+    }
+    return std::nullopt;
 }
 
 bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const

@@ -5,6 +5,8 @@
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/GrowCriterion.h"
 
+#include <optional>
+
 namespace reference {
 
 /// Marks pending seeds (core::SeedPlacement).
@@ -19,13 +21,15 @@ std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink
 /// One open burst of growth (core::GrowBurst). Codes and fields are borrowed.
 class Growth {
 public:
-    /// Admits the pending seeds. @param coverage of the composed layers
+    /// Takes back what has to leave, and admits the pending seeds. @param coverage of the composed
+    /// layers
     Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> coverage,
         DenseFields& fields, core::GrowBurst burst);
 
     /// @param steps negative: to closure
     void advance(int steps);
 
+    [[nodiscard]] std::uint8_t plane() const { return m_burst.plane; }
     [[nodiscard]] std::uint32_t openedAt() const { return m_burst.generation; }
     [[nodiscard]] std::uint32_t generation() const { return m_generation; }
     [[nodiscard]] bool atClosure() const { return m_atClosure; }
@@ -35,6 +39,10 @@ private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
     /// Whether the label plane held the label there before, where that is told.
     [[nodiscard]] bool holds(std::uint32_t label, const glm::ivec3& voxel) const;
+    /// core::GrowOpening::Narrow.
+    void narrow();
+    /// The lowest direction from a member of the same label and of an earlier generation.
+    [[nodiscard]] std::optional<std::uint32_t> parentDirection(const glm::ivec3& voxel) const;
     /// True if anything was added.
     bool step();
     /// One more generation is finished: counts it and shows it in the label plane.

@@ -17,6 +17,15 @@ auto refuse(const char* field, const char* reason)
         core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
 }
 
+core::Result<void> check(const core::GrowBurst& burst)
+{
+    if (burst.connectivity != 6 && burst.connectivity != 18 && burst.connectivity != 26)
+        return refuse("connectivity", "is not 6, 18 or 26");
+    if (!core::isSound(burst.limits))
+        return refuse("limits", "are not sound");
+    return {};
+}
+
 core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
 {
     core::EditStatistics statistics;
@@ -103,10 +112,8 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SeedPlacement& 
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::GrowBurst& edit)
 {
-    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
-        return refuse("connectivity", "is not 6, 18 or 26");
-    if (!core::isSound(edit.limits))
-        return refuse("limits", "are not sound");
+    if (const core::Result<void> checked = check(edit); !checked)
+        return tl::unexpected(checked.error());
     return Growth(m_codes, m_fields.composedCoverage(m_muted), m_fields, std::move(edit));
 }
 
@@ -122,9 +129,11 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CutGrowth&)
     return refuse("edit", "is not known");
 }
 
-core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier&)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier& edit)
 {
-    return refuse("edit", "is not known");
+    if (!core::isSound(edit.frame))
+        return refuse("frame", "is not sound");
+    return Capsules(m_codes, m_fields, edit);
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SpreadLabels&)
@@ -301,6 +310,16 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
     Growth* growth = std::get_if<Growth>(&m_open->work);
     if (!growth)
         return refuse("extension", "the open edit is no growth");
+    if (const auto* anew = std::get_if<core::GrowAnew>(&command.extension)) {
+        if (anew->burst.plane != growth->plane())
+            return refuse("plane", "is another one");
+        if (const core::Result<void> checked = check(anew->burst); !checked)
+            return tl::unexpected(checked.error());
+        m_fields = m_open->before;
+        m_open->work.emplace<Growth>(
+            m_codes, m_fields.composedCoverage(m_muted), m_fields, anew->burst);
+        return std::nullopt;
+    }
     if (const auto* advance = std::get_if<core::GrowAdvance>(&command.extension))
         growth->advance(advance->steps);
     return std::nullopt;

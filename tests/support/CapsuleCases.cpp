@@ -94,6 +94,12 @@ struct Scene {
         test::append(made.steps, paint, {core::Field::Labels, paint.plane, 0},
             capsulesOf(stroke.path, document), random, ending);
     }
+    void append(const core::BarrierStroke& stroke, core::Ending ending = core::Ending::Commit)
+    {
+        const core::PaintBarrier barrier = valueOf(core::paintBarrier(stroke, document));
+        test::append(made.steps, barrier, {core::Field::SeedWords, barrier.plane, 0},
+            capsulesOf(stroke.path, document), random, ending);
+    }
     void append(const BrushStroke& stroke, core::Ending ending = core::Ending::Commit)
     {
         const CapsuleCut cut = valueOf(core::capsuleCut(stroke, document));
@@ -317,9 +323,21 @@ std::vector<EngineCase> capsuleCases(int randomCount)
         over.overwriteUnlocked = true;
         scene.append(over); // takes it, seeds and all
         grow(core::GrowAdvance::toClosure);
-        for (int i = 0; i < 6; ++i)
+        // Paint leaves a barrier be, with seeds and without.
+        core::BarrierStroke barrier{.path = paint.path};
+        barrier.path.radiusMm = 2.0;
+        scene.append(barrier);
+        scene.append(paint);
+        paint.seeds = false;
+        scene.append(paint);
+        grow(2);
+        barrier.erase = true;
+        scene.append(barrier, core::Ending::Rollback);
+        scene.append(barrier);
+        grow(core::GrowAdvance::toClosure);
+        for (int i = 0; i < 12; ++i)
             scene.made.steps.push_back(Undo{});
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < 12; ++i)
             scene.made.steps.push_back(Redo{});
         add(scene);
     }

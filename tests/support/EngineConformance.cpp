@@ -127,7 +127,16 @@ private:
             }
             m_isOpen = true;
         }
-        const std::size_t place = submit(command);
+        const auto* extend = std::get_if<core::ExtendEdit>(&command);
+        const auto* anew = extend ? std::get_if<core::GrowAnew>(&extend->extension) : nullptr;
+        std::size_t place = 0;
+        if (anew) {
+            core::GrowBurst burst = anew->burst;
+            burst.generation = m_opening.generationBefore;
+            place = submit(core::ExtendEdit{core::GrowAnew{std::move(burst)}});
+        } else {
+            place = submit(command);
+        }
         const auto* end = std::get_if<core::EndEdit>(&command);
         if (end && m_isOpen && end->ending == core::Ending::Commit) {
             m_history.resize(m_undone, m_opening);

@@ -17,7 +17,7 @@ namespace test {
 // compared. Growth on plane p goes on from the generation that the case stands at, as a session's
 // document would tell it.
 
-/// BeginEdit of a growth whose `generation` is where the plane stands.
+/// BeginEdit of a growth whose `generation` is where the plane stands. (A GrowAnew gets it too.)
 struct BeginGrowth {
     core::GrowBurst burst;
 };

@@ -66,10 +66,14 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             session.poll();
         }
     } else if (std::holds_alternative<core::PaintStroke>(edit)
+        || std::holds_alternative<core::BarrierStroke>(edit)
         || std::holds_alternative<core::BrushStroke>(edit)) {
         core::Edit first = edit;
         auto* paint = std::get_if<core::PaintStroke>(&first);
-        core::BrushPath& path = paint ? paint->path : std::get<core::BrushStroke>(first).path;
+        auto* barrier = std::get_if<core::BarrierStroke>(&first);
+        core::BrushPath& path = paint ? paint->path
+            : barrier                 ? barrier->path
+                                      : std::get<core::BrushStroke>(first).path;
         const core::BrushPath whole = path;
         const std::vector<glm::dvec3>& points = whole.pointsLps;
         path.pointsLps.resize(1);
@@ -89,6 +93,21 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             session.setPeelDepth(depthMm);
             session.poll();
         }
+    } else if (const auto* change = std::get_if<core::ChangeInterval>(&edit)) {
+        // As a slider is dragged.
+        core::ChangeInterval first = *change;
+        first.criteria.upper += 200.0;
+        require(session.begin(first), "begin");
+        session.extendGrowth({});
+        session.poll();
+        session.setInterval(change->criteria.lower - 100.0, change->criteria.upper);
+        session.extendGrowth({});
+        session.poll();
+        session.setInterval(change->criteria.lower, change->criteria.upper);
+        session.extendGrowth({.steps = change->steps.value_or(core::GrowAdvance::toClosure)});
+    } else if (const auto* resume = std::get_if<core::ResumeGrowth>(&edit)) {
+        require(session.begin(*resume), "begin");
+        session.extendGrowth({.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
     } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
         require(session.begin(*grow), "begin");
         const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
@@ -441,6 +460,49 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growth after shrinking", volume, {first, seeds, all, three}, over});
     cases.push_back({"undo only a shrinking", volume, {first, seeds, all, three, drill},
         core::RevertRows{{4}}});
+    const auto interval = [](double lower, double upper) {
+        core::ChangeInterval change;
+        change.criteria.lower = lower;
+        change.criteria.upper = upper;
+        return change;
+    };
+    core::ChangeInterval fewSteps = interval(0, 900);
+    fewSteps.steps = 3;
+    core::ChangeInterval anew = interval(100, 900);
+    anew.fromSeeds = true;
+    cases.push_back({"wider", volume, {first, seeds, all}, interval(0, 900)});
+    cases.push_back({"wider, some steps", volume, {first, seeds, all}, fewSteps});
+    cases.push_back({"narrower", volume, {first, seeds, over}, interval(0, 240)});
+    cases.push_back(
+        {"narrower and wider", volume, {first, seeds, all, interval(100, 600)}, interval(50, 300)});
+    cases.push_back({"nothing is left", volume, {first, seeds, all}, interval(60000, 60001)});
+    cases.push_back({"seeds that wait come in", volume, {first, seeds, none}, interval(0, 900)});
+    cases.push_back(
+        {"wider, two compete", volume, {first, seeds, second, others, some}, interval(0, 900)});
+    cases.push_back({"wider beside a locked one", volume,
+        {first, seeds, some, second, others, all, lock}, interval(0, 900)});
+    cases.push_back({"anew from the seeds", volume, {first, seeds, all}, anew});
+    cases.push_back({"resume", volume, {first, seeds, some}, core::ResumeGrowth{.steps = 4}});
+    cases.push_back({"resume after another interval", volume,
+        {first, seeds, some, fewSteps, core::ShrinkSteps{.steps = 2}}, core::ResumeGrowth{}});
+    cases.push_back({"undo only a change of the interval", volume,
+        {first, seeds, all, interval(0, 900), drill}, core::RevertRows{{4}}});
+    core::BarrierStroke shut;
+    shut.path.radiusMm = 5.0;
+    shut.path.pointsLps = {document.volumes.front().geometry.toWorld({4.0, 9.0, 9.0}),
+        document.volumes.front().geometry.toWorld({20.0, 16.0, 12.0}),
+        document.volumes.front().geometry.toWorld({30.0, 30.0, 12.0})};
+    core::BarrierStroke opened = shut;
+    opened.erase = true;
+    opened.path.radiusMm = 3.0;
+    cases.push_back({"barrier", volume, {first, seeds}, shut});
+    cases.push_back({"barrier on what has grown", volume, {first, seeds, over}, shut});
+    cases.push_back({"growth beside a barrier", volume, {first, seeds, shut}, over});
+    cases.push_back({"barrier opened", volume, {first, seeds, shut, over}, opened});
+    cases.push_back({"growth through an opened barrier", volume, {first, seeds, shut, over, opened},
+        core::ResumeGrowth{}});
+    cases.push_back(
+        {"interval beside a barrier", volume, {first, seeds, over, shut}, interval(0, 800)});
     cases.push_back({"drill", volume, {}, drill});
     cases.push_back({"drill in a drill", volume, {drill}, drill});
     cases.push_back({"drill on a segment", volume, {first, seeds, all}, drill});

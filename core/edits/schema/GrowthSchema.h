@@ -86,6 +86,9 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
     visit.field("asBefore", Presence::Optional, edit.asBefore, editFields::Flag{},
         "whether all other criteria are those of the growth before; false once it is carried out");
     visit.when(!edit.asBefore, [&] { visitOtherCriteria(visit, edit.criteria); });
+    visit.maybe("fromSeeds", edit.fromSeeds, editFields::Flag{},
+        "whether it is taken back to the seeds and grown anew; told once it is carried out",
+        "where several segments grow, or sigmas or a passage are asked for");
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
         "rings to add after the change, or until nothing is left to add");
 }

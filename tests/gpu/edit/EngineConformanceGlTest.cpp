@@ -60,7 +60,8 @@ std::vector<EngineCase> EngineConformanceGlTest::cases()
 {
     const bool all = test::longRun();
     std::vector<EngineCase> collected = test::growthCases(all ? 400 : 20);
-    for (auto more : {test::growLimitCases(all ? 400 : 16), test::drillCases(all ? 400 : 20),
+    for (auto more : {test::growLimitCases(all ? 400 : 16), test::intervalCases(all ? 300 : 12),
+             test::drillCases(all ? 400 : 20),
              test::peelCases(all ? 640 : 20), test::scissorsCases(all ? 240 : 8),
              test::laserCases(all ? 520 : 20), test::carveCases(all ? 240 : 8),
              test::pickCases(all ? 150 : 8), test::eraseCases(all ? 300 : 12),
