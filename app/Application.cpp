@@ -24,6 +24,7 @@
 #include "ui/panels/PiecesPanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/VolumePanel.h"
+#include "ui/tools/BarrierTool.h"
 #include "ui/tools/CarveBrushTool.h"
 #include "ui/tools/ClipTool.h"
 #include "ui/tools/DrillTool.h"
@@ -84,6 +85,7 @@ void Application::makeWindow()
     ui::addPieceActions(window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
     auto* paint = new ui::PaintTool(*m_workspace, &window);
+    auto* barrier = new ui::BarrierTool(*m_workspace, &window);
     auto* ruler = new ui::RulerTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
@@ -102,6 +104,7 @@ void Application::makeWindow()
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
+    window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
@@ -119,7 +122,7 @@ void Application::makeWindow()
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     const std::vector<ui::Tool*> tools{
-        drill, laser, peel, scissors, carve, clip, piece, seed, paint, ruler, undoHere};
+        drill, laser, peel, scissors, carve, clip, piece, seed, paint, barrier, ruler, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

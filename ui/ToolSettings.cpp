@@ -17,8 +17,9 @@ namespace {
 
 using displayJson::read;
 
-constexpr std::array<std::pair<const char*, Workspace::Brush>, 2> brushes{
-    {{"paint", Workspace::Brush::Paint}, {"carve", Workspace::Brush::Carve}}};
+constexpr std::array<std::pair<const char*, Workspace::Brush>, 3> brushes{
+    {{"paint", Workspace::Brush::Paint}, {"carve", Workspace::Brush::Carve},
+        {"barrier", Workspace::Brush::Barrier}}};
 
 QJsonObject toJson(const Workspace::DrillSettings& drill)
 {

@@ -196,12 +196,14 @@ void Workspace::setDrillSettings(const DrillSettings& settings)
 
 const Workspace::BrushSettings& Workspace::brushSettings(Brush brush) const
 {
-    return brush == Brush::Paint ? m_paint : m_carve;
+    return brush == Brush::Paint ? m_paint : brush == Brush::Carve ? m_carve : m_barrier;
 }
 
 void Workspace::setBrushSettings(Brush brush, const BrushSettings& settings)
 {
-    BrushSettings& mine = brush == Brush::Paint ? m_paint : m_carve;
+    BrushSettings& mine = brush == Brush::Paint ? m_paint
+        : brush == Brush::Carve                 ? m_carve
+                                                : m_barrier;
     if (settings == mine)
         return;
     mine = settings;

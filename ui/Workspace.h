@@ -49,7 +49,7 @@ public:
         Sweep sweep = Sweep::View; ///< the drill's
         bool operator==(const DrillSettings&) const = default;
     };
-    /// Of paint and of the carve brush, each its own.
+    /// Of paint, of the carve brush and of barriers, each its own.
     struct BrushSettings {
         double radiusMm = 4.0;
         bool disc = false; ///< on slices: of the shown slice only, not a ball
@@ -59,7 +59,7 @@ public:
         bool overwriteUnlocked = false;
         bool operator==(const BrushSettings&) const = default;
     };
-    enum class Brush { Paint, Carve };
+    enum class Brush { Paint, Carve, Barrier };
     using GrowSettings = ui::GrowSettings;
     /// How the 3D view draws.
     struct VolumeDisplay {
@@ -200,6 +200,7 @@ private:
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;
+    BrushSettings m_barrier;
     GrowSettings m_grow;
     ViewOptions m_viewOptions;
     bool m_cautionAccepted = false;

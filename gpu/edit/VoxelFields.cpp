@@ -15,6 +15,12 @@ VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
     // What a session begins with (core::initialDocument).
     coverage(1).reserve();
     seedWords(0).reserve();
+    m_shared.setSeedWords(&seedWords(0));
+}
+
+VoxelFields::~VoxelFields()
+{
+    m_shared.setSeedWords(nullptr);
 }
 
 BrickField& VoxelFields::coverage(std::uint8_t layer)
@@ -122,6 +128,8 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
         return;
     if (field == core::Field::Coverage) {
         noteCoverage(boxesOf(bricks));
+    } else if (field == core::Field::SeedWords) {
+        m_shared.markDirty(VolumeField::Barriers, boxOf(bricks));
     } else if (field == core::Field::Labels) {
         m_labelledBricks.insert(bricks.begin(), bricks.end());
         m_shared.markDirty(VolumeField::Labels, boxOf(bricks));

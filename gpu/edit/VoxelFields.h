@@ -21,6 +21,9 @@ class VoxelFields {
 public:
     /// @param shared the dense textures of the open volume; both outlive the fields
     VoxelFields(FieldPrograms& programs, VolumeTextures& shared);
+    ~VoxelFields();
+    VoxelFields(const VoxelFields&) = delete;
+    VoxelFields& operator=(const VoxelFields&) = delete;
 
     [[nodiscard]] const core::BrickGrid& grid() const { return m_grid; }
     [[nodiscard]] const Texture3D& codes() const { return m_shared.intensityCodes(); }
@@ -73,8 +76,7 @@ private:
     [[nodiscard]] core::VoxelBox roomFor(const PieceSource& source);
     /// Makes room for all pieces anew where one has outgrown its own.
     void arrangePieces();
-    void updatePiece(
-        const PieceSource& source, std::span<const RadiationKernel::Region> regions);
+    void updatePiece(const PieceSource& source, std::span<const RadiationKernel::Region> regions);
     void notePieces(bool ofLayers, std::span<const std::uint32_t> bricks);
 
     core::BrickGrid m_grid;

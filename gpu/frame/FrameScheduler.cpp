@@ -186,14 +186,16 @@ void FrameScheduler::takeChanges()
     const core::VoxelBox radiation = m_volume.takeDirty(VolumeField::Radiation);
     const core::VoxelBox segmentation = m_volume.takeDirty(VolumeField::Segmentation);
     const core::VoxelBox pieces = m_volume.takeDirty(VolumeField::Pieces);
-    if (labels.empty() && radiation.empty() && segmentation.empty() && pieces.empty())
+    const core::VoxelBox barriers = m_volume.takeDirty(VolumeField::Barriers);
+    if (labels.empty() && radiation.empty() && segmentation.empty() && pieces.empty()
+        && barriers.empty())
         return;
     m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
         radiation.united(segmentation));
     for (auto& [id, view] : m_views) {
         const auto* slice = std::get_if<SliceScene>(&view.request.scene);
-        core::VoxelBox seen =
-            slice != nullptr ? labels.united(radiation) : radiation.united(segmentation);
+        core::VoxelBox seen = slice != nullptr ? labels.united(radiation).united(barriers)
+                                               : radiation.united(segmentation);
         if (slice == nullptr && !std::get<VolumeScene>(view.request.scene).pieces.empty())
             seen = seen.united(pieces);
         if (seen.empty() || (slice != nullptr && !meetsPlane(*slice, m_volume.geometry(), seen)))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/SlicePass.h"
 
+#include "gpu/edit/BrickField.h"
 #include "gpu/render/WindowMapping.h"
 #include "gpu/textures/VolumeTextures.h"
 
@@ -8,11 +9,12 @@ namespace gpu {
 
 SlicePass::SlicePass(const ShaderLibrary& library)
 {
-    for (int variant = 0; variant < 4; ++variant) {
+    for (int variant = 0; variant < 8; ++variant) {
         m_programs[std::size_t(variant)] = Program(library,
             {.label = "slice",
                 .fragmentPath = "render/slice.frag",
-                .defines = {{"LABELED", variant & 1}, {"CARVED", variant >> 1}}});
+                .defines = {{"LABELED", variant & 1}, {"CARVED", variant >> 1 & 1},
+                    {"BARRIERS", variant >> 2}}});
     }
 }
 
@@ -32,7 +34,12 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     volume.labels().bindUnit(3);
     palette.texture().bindUnit(7);
     Program& program = m_programs[(volume.touched(VolumeField::Labels) ? 1u : 0u)
-        + (volume.touched(VolumeField::Radiation) ? 2u : 0u)];
+        + (volume.touched(VolumeField::Radiation) ? 2u : 0u)
+        + (volume.touched(VolumeField::Barriers) && volume.seedWords() ? 4u : 0u)];
+    if (BrickField* words = volume.seedWords()) {
+        words->atlas().bindUnit(14);
+        words->pageTable().bindUnit(15);
+    }
     program.set("base", glm::vec3(base))
         .set("perX", glm::vec3(perX))
         .set("perY", glm::vec3(perY))

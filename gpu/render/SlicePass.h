@@ -13,7 +13,8 @@ namespace gpu {
 class VolumeTextures;
 
 /// Draws any plane through the volume: window/level (DICOM LINEAR), fill and outline of segments,
-/// outline of what is carved away. Outside the volume it is black.
+/// outline of what is carved away, stripes where growth is shut out. Outside the volume it is
+/// black.
 class SlicePass {
 public:
     /// Throws ShaderError.
@@ -25,7 +26,8 @@ public:
         const Palette& palette, const PassTarget& target);
 
 private:
-    std::array<Program, 4> m_programs; ///< labels or none, plus twice carved or not
+    /// Labels or none, plus twice carved or not, plus four times barriers or none.
+    std::array<Program, 8> m_programs;
 };
 
 } // namespace gpu

@@ -1,10 +1,17 @@
-// One pixel of a slice view. LABELED, CARVED: whether there is anything of the kind to look for.
+// One pixel of a slice view. LABELED, CARVED, BARRIERS: whether there is anything of the kind to look
+// for.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 7) uniform sampler2D palette;   // rgb, shown
+#if BARRIERS
+#include "edit/bricks.glsl"
+#include "edit/seedWord.glsl"
+layout(binding = 14) uniform usampler3D seedWords; // atlas
+layout(binding = 15) uniform usampler3D seedPages; // page table
+#endif
 
 /* Uniforms */
 uniform vec3 base;   // index: place of pixel (0, 0)
@@ -24,6 +31,8 @@ layout(location = 0) out vec4 colour;
 
 const vec3 carvedColour = vec3(0.94, 0.55, 0.29);
 const float carvedWidth = 1.5; // pixels
+const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
+const float barrierWidth = 1.2; // pixels
 
 /// Index space at a pixel (centres at + 0.5).
 vec3 indexAt(vec2 pixel)
@@ -36,6 +45,14 @@ ivec3 nearestVoxel(vec3 index)
     return clamp(ivec3(floor(index + 0.5)), ivec3(0), textureSize(labels, 0) - 1);
 }
 
+#if BARRIERS
+bool isShut(ivec3 voxel)
+{
+    const uint entry = texelFetch(seedPages, voxel >> 4, 0).r;
+    return entry != 0u && texelFetch(seedWords, atlasTexel(max(entry, 1u), voxel), 0).r == barrierWord;
+}
+#endif
+
 vec2 around(int i)
 {
     const float angle = 0.785398163 * float(i);
@@ -47,7 +64,7 @@ void main()
     const vec2 pixel = gl_FragCoord.xy * pixelScale;
     const vec3 index = indexAt(pixel);
     const vec3 size = vec3(textureSize(intensity, 0));
-    const bool inside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
+    const bool isInside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
     const ivec3 voxel = nearestVoxel(index);
     const vec3 place = interpolated ? index : vec3(voxel);
     const float grey
@@ -78,5 +95,13 @@ void main()
     const float tint = least < 0.5 ? 0.9 : carvedAsHole ? 0.0 : 0.10;
     result = mix(result, carvedColour, showCarved && covered >= 0.5 ? tint : 0.0);
 #endif
-    colour = vec4(inside ? result : vec3(0.0), 1.0);
+#if BARRIERS
+    const bool shut = isShut(voxel);
+    bool rim = false;
+    for (int i = 0; i < 8; i += 2)
+        rim = rim || isShut(nearestVoxel(indexAt(pixel + around(i) * barrierWidth))) != shut;
+    const bool stripe = fract((pixel.x + pixel.y) / 8.0) < 0.4;
+    result = mix(result, barrierColour, shut ? (rim || stripe ? 0.9 : 0.25) : 0.0);
+#endif
+    colour = vec4(isInside ? result : vec3(0.0), 1.0);
 }

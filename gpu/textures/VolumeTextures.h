@@ -16,12 +16,15 @@
 
 namespace gpu {
 
+class BrickField;
+
 /// What changes in an open volume, as the renderers see it.
 enum class VolumeField : std::uint8_t {
     Labels, ///< label plane 0
     Radiation, ///< of the composed sculpt layers; ≥ 0.5 is carved away
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
     Pieces, ///< footprints of pieces (PieceTextures)
+    Barriers, ///< what is shut to growth: words of the seed map of plane 0
 };
 
 /// The dense textures of the open volume (DESIGN §4). Edit kernels write labels, radiation and
@@ -55,6 +58,9 @@ public:
     [[nodiscard]] MacroCells& cells() { return m_cells; }
     [[nodiscard]] const MaximumCells& maximumCells() const { return m_maximumCells; }
     [[nodiscard]] PieceTextures& pieces() { return m_pieces; }
+    /// The seed map of plane 0, lent by whoever edits it; null: there is none.
+    [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
+    void setSeedWords(BrickField* words) { m_seedWords = words; }
 
     /// The kernels that were queued before this call change these voxels of this field.
     void markDirty(VolumeField field, const core::VoxelBox& box);
@@ -82,8 +88,9 @@ private:
     MaximumCells m_maximumCells;
     std::uint64_t m_revision = 0;
     PieceTextures m_pieces;
-    std::array<core::VoxelBox, 4> m_dirty;
-    std::array<bool, 4> m_touched{};
+    BrickField* m_seedWords = nullptr;
+    std::array<core::VoxelBox, 5> m_dirty;
+    std::array<bool, 5> m_touched{};
     bool m_replaced = false;
 };
 
