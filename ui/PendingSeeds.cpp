@@ -3,13 +3,20 @@
 
 #include "ui/Workspace.h"
 
+#include <QPointer>
+
 #include <utility>
 
 namespace ui {
 
 namespace {
 
-std::vector<gpu::SceneSeed> pendingSeeds(const core::EditSession& session)
+struct Seeds {
+    std::vector<gpu::SceneSeed> pending;
+    std::vector<gpu::SceneSeed> grown; ///< growths have come to them
+};
+
+Seeds seedsOf(const core::EditSession& session)
 {
     std::vector<gpu::SceneSeed> seeds;
     std::vector<std::pair<std::uint32_t, gpu::SceneSeed>> grown; ///< and since which generation
@@ -17,7 +24,8 @@ std::vector<gpu::SceneSeed> pendingSeeds(const core::EditSession& session)
     const core::History& history = session.history();
     for (const core::RowId id : history.standing()) {
         const core::HistoryRow& row = history.row(id);
-        if (std::holds_alternative<core::GrowSteps>(row.edit)) {
+        if (std::holds_alternative<core::GrowSteps>(row.edit)
+            || std::holds_alternative<core::ChangeInterval>(row.edit)) {
             for (const gpu::SceneSeed& seed : seeds)
                 grown.emplace_back(generation + 1, seed);
             seeds.clear();
@@ -44,11 +52,16 @@ std::vector<gpu::SceneSeed> pendingSeeds(const core::EditSession& session)
         }
         generation = row.growthGeneration;
     }
-    std::erase_if(seeds, [&session](const gpu::SceneSeed& seed) {
-        const core::Segment* segment = session.document().segment(seed.label);
-        return !segment || !segment->visible;
-    });
-    return seeds;
+    Seeds sketched{.pending = std::move(seeds), .grown = {}};
+    for (const auto& each : grown)
+        sketched.grown.push_back(each.second);
+    for (std::vector<gpu::SceneSeed>* list : {&sketched.pending, &sketched.grown}) {
+        std::erase_if(*list, [&session](const gpu::SceneSeed& seed) {
+            const core::Segment* segment = session.document().segment(seed.label);
+            return !segment || !segment->visible;
+        });
+    }
+    return sketched;
 }
 
 } // namespace
@@ -70,12 +83,41 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
 void PendingSeeds::update()
 {
     const core::EditSession* session = m_workspace.session();
-    std::vector<gpu::SceneSeed> seeds =
-        session ? pendingSeeds(*session) : std::vector<gpu::SceneSeed>();
-    if (seeds == *m_seeds)
+    Seeds seeds = session ? seedsOf(*session) : Seeds();
+    findHollow(std::move(seeds.grown));
+    if (seeds.pending == *m_seeds)
         return;
-    m_seeds = std::make_shared<const std::vector<gpu::SceneSeed>>(std::move(seeds));
+    m_seeds = std::make_shared<const std::vector<gpu::SceneSeed>>(std::move(seeds.pending));
     Q_EMIT changed();
+}
+
+void PendingSeeds::findHollow(std::vector<gpu::SceneSeed> grown)
+{
+    const std::uint64_t asked = ++m_asked;
+    if (grown.empty()) {
+        if (!std::exchange(m_hollow, {}).empty())
+            Q_EMIT changed();
+        return;
+    }
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+    core::ProbeVoxels question;
+    for (const gpu::SceneSeed& seed : grown)
+        question.voxels.emplace_back(glm::floor(geometry.toIndex(seed.lps) + 0.5));
+    m_workspace.session()->ask(std::move(question),
+        [seeds = QPointer<PendingSeeds>(this), asked, grown = std::move(grown)](
+            const core::EngineResult& result) {
+            if (!seeds || seeds->m_asked != asked || result.probes.size() != grown.size())
+                return;
+            std::vector<gpu::SceneSeed> hollow;
+            for (std::size_t i = 0; i < grown.size(); ++i) {
+                if (result.probes[i].label != grown[i].label)
+                    hollow.push_back(grown[i]);
+            }
+            if (hollow == seeds->m_hollow)
+                return;
+            seeds->m_hollow = std::move(hollow);
+            Q_EMIT seeds->changed();
+        });
 }
 
 } // namespace ui

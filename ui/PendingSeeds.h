@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace ui {
 
 class Workspace;
 
-/// The sketched seeds that no growth has taken up yet: those of the history's line up to its
-/// position, after the last growth, of segments that are shown. Part of Workspace.
+/// The sketched seeds that are no members: those that no growth has come to yet (of the history's
+/// line up to its position, after the last growth), and those that growths have left waiting, since
+/// they do not qualify. Of segments that are shown. Part of Workspace.
 class PendingSeeds : public QObject {
     Q_OBJECT
 
@@ -21,7 +23,9 @@ public:
     explicit PendingSeeds(Workspace& workspace);
 
     [[nodiscard]] const std::vector<gpu::SceneSeed>& seeds() const { return *m_seeds; }
-    /// The same for a picture of the 3D view.
+    /// Those that growths have left waiting; drawn hollow.
+    [[nodiscard]] const std::vector<gpu::SceneSeed>& hollow() const { return m_hollow; }
+    /// The first for a picture of the 3D view.
     [[nodiscard]] std::shared_ptr<const std::vector<gpu::SceneSeed>> scene() const
     {
         return m_seeds;
@@ -32,9 +36,13 @@ Q_SIGNALS:
 
 private:
     void update();
+    /// Asks which of the seeds that growths came to are members.
+    void findHollow(std::vector<gpu::SceneSeed> grown);
 
     Workspace& m_workspace;
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_seeds;
+    std::vector<gpu::SceneSeed> m_hollow;
+    std::uint64_t m_asked = 0; ///< questions; only the last counts
 };
 
 } // namespace ui

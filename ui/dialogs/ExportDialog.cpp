@@ -71,6 +71,15 @@ QLabel* line(QWidget* parent, const QString& text, const QString& role = {})
     return label;
 }
 
+/// Of a growth; null for other edits.
+const std::optional<int>* askedSteps(const core::Edit& edit)
+{
+    if (const auto* grow = std::get_if<core::GrowSteps>(&edit))
+        return &grow->steps;
+    const auto* change = std::get_if<core::ChangeInterval>(&edit);
+    return change ? &change->steps : nullptr;
+}
+
 } // namespace
 
 std::bitset<256> growingLabels(core::EditSession& session)
@@ -88,11 +97,11 @@ std::bitset<256> growingLabels(core::EditSession& session)
                    paint && paint->seeds) {
             seeded.set(std::size_t(paint->segment));
             pending.set(std::size_t(paint->segment));
-        } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
+        } else if (const std::optional<int>* asked = askedSteps(edit)) {
             pending.reset();
             // A row without a number of steps ran to closure; so did one that stopped early.
             const int steps = history.row(id).statistics.generations;
-            grown = !grow->steps || steps < *grow->steps;
+            grown = !*asked || steps < **asked;
         } else if (std::holds_alternative<core::ShrinkSteps>(edit)) {
             grown = false;
         }

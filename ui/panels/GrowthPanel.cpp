@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/GrowthPanel.h"
 
+#include "core/session/RecentGrowth.h"
 #include "ui/CountText.h"
 #include "ui/Icons.h"
+#include "ui/LiveInterval.h"
 #include "ui/SeedBand.h"
 #include "ui/SeedStatistics.h"
 #include "ui/Theme.h"
@@ -66,13 +68,18 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     build();
     m_watch.setInterval(watchMilliseconds);
     connect(&m_watch, &QTimer::timeout, this, &GrowthPanel::poll);
+    m_liveInterval = new LiveInterval(workspace, this);
+    connect(m_liveInterval, &LiveInterval::progressed, this, &GrowthPanel::showState);
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
     connect(m_band, &SeedBand::changed, this, [this] { m_range->setBand(m_band->values()); });
+    connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
+    connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
     connect(m_play, &QPushButton::clicked, this, &GrowthPanel::playOrPause);
     connect(m_toClosure, &QPushButton::clicked, this, &GrowthPanel::runToClosure);
+    connect(m_resume, &QPushButton::clicked, this, &GrowthPanel::resume);
     connect(m_shrink, &QPushButton::clicked, this, &GrowthPanel::shrinkStep);
     connect(m_toSeeds, &QPushButton::clicked, this, &GrowthPanel::shrinkToSeeds);
     connect(m_connectivity, &QComboBox::activated, this, &GrowthPanel::takeSettings);
@@ -115,6 +122,15 @@ void GrowthPanel::build()
     m_shrink->setAutoRepeat(true);
     m_toSeeds = narrowButton(this, QStringLiteral("growToSeeds"), tr("To seeds"));
     m_toSeeds->setToolTip(tr("Take back all that has grown; the accepted seeds stay"));
+    m_resume = narrowButton(this, QStringLiteral("growResume"), tr("Resume"));
+    m_resume->setToolTip(
+        tr("Go on with the criteria of the growth before; seeds sketched since take part"));
+    m_live = new QCheckBox(tr("live"), this);
+    m_live->setObjectName(QStringLiteral("growLive"));
+    m_live->setToolTip(
+        tr("What has grown follows the interval while you move it: wider bounds recover voxels, "
+           "narrower ones take them back with what hung on them"));
+    m_live->setChecked(true);
     m_connectivity = new QComboBox(this);
     m_connectivity->setObjectName(QStringLiteral("growConnectivity"));
     m_connectivity->setFixedHeight(theme::controlHeight);
@@ -154,6 +170,10 @@ void GrowthPanel::build()
     back->addWidget(m_shrink, 1);
     back->addWidget(m_toSeeds, 1);
     back->addWidget(m_connectivity, 1);
+    auto* again = new QHBoxLayout;
+    again->setSpacing(theme::smallPadding);
+    again->addWidget(m_resume, 1);
+    again->addWidget(m_live, 1);
     auto* pace = new QHBoxLayout;
     auto* paceLabel = new QLabel(tr("Pace"), this);
     paceLabel->setProperty("role", QStringLiteral("secondary"));
@@ -168,6 +188,7 @@ void GrowthPanel::build()
     layout->addWidget(m_criteria);
     layout->addLayout(transport);
     layout->addLayout(back);
+    layout->addLayout(again);
     layout->addWidget(m_advice);
     layout->addLayout(pace);
     layout->addWidget(m_progress);
@@ -259,12 +280,24 @@ void GrowthPanel::takeSettings()
     m_workspace.setGrowSettings(settings);
 }
 
-bool GrowthPanel::begin(double generationsPerSecond)
+void GrowthPanel::followInterval()
+{
+    if (m_live->isChecked() && !m_running && m_liveInterval->possible())
+        m_liveInterval->move(m_range->lower(), m_range->upper());
+}
+
+void GrowthPanel::settleInterval()
+{
+    if (m_liveInterval->follows())
+        m_liveInterval->settle();
+}
+
+bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
         return false;
-    if (const auto begun = session->begin(growEdit()); !begun) {
+    if (const auto begun = session->begin(growth); !begun) {
         m_workspace.fail(begun.error());
         return false;
     }
@@ -294,14 +327,20 @@ void GrowthPanel::playOrPause()
         m_workspace.session()->pauseGrowth();
         finish();
     } else {
-        begin(m_workspace.growSettings().generationsPerSecond);
+        begin(growEdit(), m_workspace.growSettings().generationsPerSecond);
     }
+}
+
+void GrowthPanel::resume()
+{
+    if (!m_running)
+        begin(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
 }
 
 void GrowthPanel::runToClosure()
 {
     if (!m_running)
-        begin(0.0);
+        begin(growEdit(), 0.0);
 }
 
 void GrowthPanel::shrinkStep()
@@ -393,6 +432,8 @@ void GrowthPanel::takeIntervalFromSeeds(double deviations)
     settings.upper = std::min(seeds.mean + spread, volume->maximum);
     m_workspace.setGrowSettings(settings);
     m_range->zoomToRange();
+    followInterval();
+    settleInterval();
 }
 
 void GrowthPanel::showState()
@@ -406,6 +447,9 @@ void GrowthPanel::showState()
     m_toClosure->setEnabled(canGrow && !m_running);
     const core::Growth* growth = session ? session->document().growth(0) : nullptr;
     const bool canShrink = growth && growth->generation > 1 && !allLocked && !m_running;
+    const bool hasGrown = session && core::recentCriteria(session->history()).has_value();
+    m_resume->setEnabled(canGrow && !m_running && hasGrown);
+    m_live->setEnabled(hasGrown);
     m_shrink->setEnabled(canShrink);
     m_toSeeds->setEnabled(canShrink);
     // Dark on the accent, as its text is.
@@ -450,6 +494,8 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
     const core::History& history = session->history();
     const core::HistoryRow* row =
         history.position() == 0 ? nullptr : &history.row(history.position());
+    if (row && std::holds_alternative<core::ChangeInterval>(row->edit))
+        return tr("Generation %1 · %2").arg(countText(generation), row->name);
     const bool shrunk = row && std::holds_alternative<core::ShrinkSteps>(row->edit);
     if (!row || (!shrunk && !std::holds_alternative<core::GrowSteps>(row->edit)))
         return tr("Generation %1").arg(countText(generation));

@@ -21,6 +21,7 @@ namespace ui {
 class GenerationSection;
 class GrowCriteriaSection;
 class HistogramRange;
+class LiveInterval;
 class SeedBand;
 class Workspace;
 
@@ -43,6 +44,7 @@ public Q_SLOTS:
     void step();
     void playOrPause();
     void runToClosure();
+    void resume();
     void shrinkStep();
     void shrinkToSeeds();
 
@@ -55,7 +57,9 @@ private:
     [[nodiscard]] QString seedText(int seeds) const;
     [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
     void poll();
-    bool begin(double generationsPerSecond);
+    bool begin(const core::Edit& growth, double generationsPerSecond);
+    void followInterval();
+    void settleInterval();
     void shrink(std::optional<int> steps);
     void finish();
     void askSeedValues();
@@ -72,6 +76,9 @@ private:
     QPushButton* m_toClosure = nullptr;
     QPushButton* m_shrink = nullptr;
     QPushButton* m_toSeeds = nullptr;
+    QPushButton* m_resume = nullptr;
+    QCheckBox* m_live = nullptr;
+    LiveInterval* m_liveInterval = nullptr;
     QComboBox* m_connectivity = nullptr;
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;

@@ -24,12 +24,26 @@ void paintSeedMarks(QPainter& painter, const ViewContext& slice, const Workspace
     for (int axis = 0; axis < 3; ++axis)
         halfThickness += 0.5 * std::abs(glm::dot(normal, direction[axis])) * spacing[axis];
 
-    std::map<int, QList<QPointF>> points;
-    for (const gpu::SceneSeed& seed : workspace.seeds().seeds()) {
-        if (std::abs(glm::dot(seed.lps - scene.centreLps, normal)) <= halfThickness)
-            points[seed.label].push_back(slice.toPixel(seed.lps));
-    }
+    const auto inPlane = [&](const std::vector<gpu::SceneSeed>& seeds) {
+        std::map<int, QList<QPointF>> points;
+        for (const gpu::SceneSeed& seed : seeds) {
+            if (std::abs(glm::dot(seed.lps - scene.centreLps, normal)) <= halfThickness)
+                points[seed.label].push_back(slice.toPixel(seed.lps));
+        }
+        return points;
+    };
+    const auto points = inPlane(workspace.seeds().seeds());
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [label, rings] : inPlane(workspace.seeds().hollow())) {
+        const core::Segment* segment = document.segment(label);
+        for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 3.0),
+                 QPen(QColor(segment ? segment->rgb : 0xFFFFFF), 1.4)}) {
+            painter.setPen(pen);
+            for (const QPointF& ring : rings)
+                painter.drawEllipse(ring, 3.0, 3.0);
+        }
+    }
     for (const auto& [label, dots] : points) {
         const core::Segment* segment = document.segment(label);
         if (!segment)

@@ -55,10 +55,15 @@ HistogramRange::HistogramRange(QWidget* parent)
     m_layout->setColumnStretch(1, 1);
 
     connect(m_plot, &HistogramRangePlot::rangeDragged, this, &HistogramRange::take);
-    connect(m_lowerBox, &QDoubleSpinBox::valueChanged, this,
-        [this](double value) { take(value, std::max(value, m_upper)); });
-    connect(m_upperBox, &QDoubleSpinBox::valueChanged, this,
-        [this](double value) { take(std::min(value, m_lower), value); });
+    connect(m_plot, &HistogramRangePlot::released, this, &HistogramRange::rangeSettled);
+    connect(m_lowerBox, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        take(value, std::max(value, m_upper));
+        Q_EMIT rangeSettled();
+    });
+    connect(m_upperBox, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        take(std::min(value, m_lower), value);
+        Q_EMIT rangeSettled();
+    });
 }
 
 void HistogramRange::setHistogram(const core::Histogram& histogram, const QString& unit)

@@ -44,6 +44,8 @@ public:
 Q_SIGNALS:
     /// By the user, while dragging too.
     void rangeEdited(double lower, double upper);
+    /// By the user: done for now. After each number that was typed too.
+    void rangeSettled();
 
 private:
     void take(double lower, double upper);

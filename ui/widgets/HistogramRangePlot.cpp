@@ -112,6 +112,8 @@ void HistogramRangePlot::mouseMoveEvent(QMouseEvent* event)
 
 void HistogramRangePlot::mouseReleaseEvent(QMouseEvent*)
 {
+    if (m_grip != Grip::None)
+        Q_EMIT released();
     m_grip = Grip::None;
     update();
 }
@@ -131,6 +133,7 @@ void HistogramRangePlot::keyPressEvent(QKeyEvent* event)
     }
     const double worth = roundedValueAt(1.0 + direction) - roundedValueAt(1.0);
     move(m_lastGrip, m_lower + worth, m_upper + worth);
+    Q_EMIT released();
 }
 
 void HistogramRangePlot::paintEvent(QPaintEvent* event)

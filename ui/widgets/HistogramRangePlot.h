@@ -24,6 +24,7 @@ public:
 
 Q_SIGNALS:
     void rangeDragged(double lower, double upper);
+    void released(); ///< the handles were let go; after each key as well
 
 protected:
     void paintEvent(QPaintEvent* event) override;
