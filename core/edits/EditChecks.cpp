@@ -68,6 +68,10 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
         return discardValue(growBurst(*grow, document));
     if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
         return discardValue(shrinkGrowth(*shrink, document));
+    if (const auto* shrink = std::get_if<ShrinkAt>(&edit))
+        return discardValue(cutGrowth(*shrink, document));
+    if (const auto* plug = std::get_if<PlugLeak>(&edit))
+        return discardValue(cutGrowth(*plug, document));
     if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
         if (const Result<void> checked = checkLayer("drill.layer", drill->layer, document);
             !checked)

@@ -214,6 +214,11 @@ struct GrowSteps {
     /// Voxels that the segment held before are told from those that grow over them, so that
     /// shrinking leaves them. False in sessions of schema 3 and before.
     bool tellsHeld = true;
+    /// Stops where a front that came out of a narrow place is so many times as wide (LeakGuard.h);
+    /// none: not guarded.
+    std::optional<double> guardFactor{};
+    int guardVoxels = 60; ///< and so many voxels wider
+    int guardGenerations = 20; ///< how far a narrow place lies back at most
 };
 
 /// Give a growth another interval: what qualifies now is recovered, what does not any more is taken

@@ -33,6 +33,11 @@ namespace core {
 [[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
     const ShrinkSteps& shrink, const Document& document);
 
+/// Errors: InvalidField (no point, a point outside the volume), SegmentLocked (no segment may
+/// change).
+[[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);
+[[nodiscard]] Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document);
+
 /// Errors: UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document);
 

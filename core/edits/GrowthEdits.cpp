@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace core {
@@ -16,6 +17,19 @@ namespace {
 QString pointText(const glm::dvec3& lps)
 {
     return QStringLiteral("[%1, %2, %3]").arg(lps.x).arg(lps.y).arg(lps.z);
+}
+
+/// None outside the volume.
+std::optional<glm::ivec3> voxelNearest(const glm::dvec3& point, const VolumeGeometry& geometry)
+{
+    // Cells reach half a voxel around their centres; a border belongs to the cell above it.
+    const glm::dvec3 nearest =
+        glm::floor(glm::dvec3(geometry.worldToIndex() * glm::dvec4(point, 1.0)) + 0.5);
+    const glm::dvec3 size(geometry.size);
+    if (!(glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0)))
+            && glm::all(glm::lessThan(nearest, size))))
+        return std::nullopt;
+    return glm::ivec3(nearest);
 }
 
 } // namespace
@@ -38,18 +52,13 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
 
 Result<std::vector<glm::ivec3>> seedVoxels(const SeedStroke& stroke, const VolumeGeometry& geometry)
 {
-    const glm::dmat4 worldToIndex = geometry.worldToIndex();
     std::vector<glm::ivec3> voxels;
     for (const glm::dvec3& point : stroke.pointsLps) {
-        // Cells reach half a voxel around their centres; a border belongs to the cell above it.
-        const glm::dvec3 nearest =
-            glm::floor(glm::dvec3(worldToIndex * glm::dvec4(point, 1.0)) + 0.5);
-        const glm::dvec3 size(geometry.size);
-        if (!(glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0)))
-                && glm::all(glm::lessThan(nearest, size))))
+        const std::optional<glm::ivec3> nearest = voxelNearest(point, geometry);
+        if (!nearest)
             return failure(ErrorCode::SeedOutsideVolume, pointText(point),
                 QStringLiteral("in field 'seed.pointsLps'"));
-        voxels.emplace_back(nearest);
+        voxels.push_back(*nearest);
     }
     const auto slicesFirst = [](const glm::ivec3& a, const glm::ivec3& b) {
         return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
@@ -107,8 +116,13 @@ Result<GrowBurst> burstOf(
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
 {
     Result<GrowBurst> burst = burstOf(grow.criteria, document, QStringLiteral("grow"));
-    if (burst)
-        burst->tellsHeld = grow.tellsHeld;
+    if (!burst)
+        return burst;
+    burst->tellsHeld = grow.tellsHeld;
+    if (grow.guardFactor)
+        burst->guard = GuardRule{.factor256 = int(std::lround(*grow.guardFactor * 256.0)),
+            .excess = grow.guardVoxels,
+            .window = grow.guardGenerations};
     return burst;
 }
 
@@ -141,6 +155,55 @@ Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& doc
     if (!anyMay && command.frozen.any())
         return failure(ErrorCode::SegmentLocked, QString());
     return command;
+}
+
+namespace {
+
+/// @param field of the points, for messages
+Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How how,
+    const Document& document, const QString& field)
+{
+    constexpr std::uint8_t plane = 0;
+    CutGrowth command{.plane = plane, .how = how};
+    if (pointsLps.empty())
+        return failure(ErrorCode::InvalidField, field, QStringLiteral("has no point"));
+    for (const glm::dvec3& point : pointsLps) {
+        const std::optional<glm::ivec3> voxel =
+            voxelNearest(point, document.volumes.front().geometry);
+        if (!voxel)
+            return failure(ErrorCode::InvalidField, field,
+                QStringLiteral("%1 lies outside the volume").arg(pointText(point)));
+        command.voxels.push_back(*voxel);
+    }
+    if (const Growth* growth = document.growth(plane))
+        command.generation = growth->generation;
+    bool anyMay = false;
+    for (const Segment& segment : document.segments) {
+        if (segment.plane != plane)
+            continue;
+        anyMay = anyMay || !segment.locked;
+        command.frozen[segment.label] = segment.locked;
+    }
+    if (!anyMay && command.frozen.any())
+        return failure(ErrorCode::SegmentLocked, QString());
+    return command;
+}
+
+} // namespace
+
+Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
+{
+    Result<CutGrowth> command =
+        cutAt(shrink.pointsLps, shrink.onlyHere ? CutGrowth::How::Here : CutGrowth::How::Subtree,
+            document, QStringLiteral("shrinkAt.pointsLps"));
+    if (command)
+        command->barrier = shrink.barrier;
+    return command;
+}
+
+Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)
+{
+    return cutAt({plug.pointLps}, CutGrowth::How::Neck, document, QStringLiteral("plug.pointLps"));
 }
 
 Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)

@@ -232,6 +232,7 @@ struct EngineResult {
     EditStatistics statistics;
     std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the counter at its end
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
+    std::optional<LeakAlarm> alarm{}; ///< EndEdit of a growth: why it stopped
     std::vector<ProbedVoxel> probes;
     std::vector<ProbedSeeds> seeds; ///< by label, only those that have voxels
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
@@ -247,6 +248,7 @@ struct GrowthProgress {
     std::uint32_t generation = 0;
     std::int64_t members = 0; ///< added since the burst was opened
     std::vector<std::uint32_t> frontSizes; ///< voxels added per generation, the opening's first
+    std::optional<LeakAlarm> alarm{};
 };
 
 } // namespace core

@@ -68,6 +68,23 @@ enum class GrowOpening : std::uint8_t {
     Restart,
 };
 
+/// When a growth stops by itself: LeakGuard.h says what an alarm is.
+struct GuardRule {
+    int factor256 = 512; ///< 256ths: so many times the narrow place
+    int excess = 60; ///< and so many voxels more than there
+    int window = 20; ///< generations that a narrow place lies back at most
+    bool operator==(const GuardRule&) const = default;
+};
+
+/// A front that burst out of a narrow place.
+struct LeakAlarm {
+    std::uint32_t generation = 0; ///< of the front
+    std::uint32_t narrow = 0; ///< generation of the narrow place
+    std::int64_t voxels = 0; ///< of the front
+    glm::ivec3 voxel{0}; ///< one of them
+    bool operator==(const LeakAlarm&) const = default;
+};
+
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
 ///
 /// accept(label, q): the label is not in `frozen`, the limits allow it at q (of which
@@ -101,6 +118,8 @@ struct GrowBurst {
     std::bitset<256> overwritable{};
     std::bitset<256> frozen{}; ///< labels that do not grow: locked segments
     bool tellsHeld = true; ///< false: directions 29 and 30 are not used
+    /// After a generation that alarms it no step is done any more, whatever is asked for.
+    std::optional<GuardRule> guard{};
 };
 
 /// Take back what a growth added after generation `keep`, for every label but those in `frozen`:
@@ -128,17 +147,20 @@ struct ShrinkTo {
     std::uint32_t keep = 0; ///< not above the counter at the opening
 };
 
-/// Take back what grew through some places.
+/// Take back what grew through some places. Which voxels leave and which are shut is told by the
+/// rules of GrowthCut.h. Where a member leaves whose direction is neither 29 nor 30 and the plane
+/// holds its label, the plane becomes 0. The generation is then the greatest that a member of the
+/// plane has; where nothing leaves, as it was.
 struct CutGrowth {
     enum class How : std::uint8_t {
         Here, ///< only the voxels named
         Subtree, ///< what grew through them, cut off at its narrowest passage
-        Neck, ///< likewise; a plug is put into the passage
+        Neck, ///< likewise, where there is a narrow passage; nothing else
     };
     std::uint8_t plane = 0;
     How how = How::Subtree;
     bool barrier = true; ///< the cut is shut
-    int connectivity = 26; ///< of fronts
+    int connectivity = 26; ///< of fronts: 6, 18 or 26
     std::uint32_t generation = 0; ///< the counter at present
     std::bitset<256> frozen{};
     std::vector<glm::ivec3> voxels{}; ///< inside the volume

@@ -422,6 +422,12 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
             .arg(shrink->steps ? counted(statistics.generations, "step")
                                : QStringLiteral("to the seeds"),
                 counted(statistics.voxelsChanged, "voxel"));
+    if (const auto* shrink = std::get_if<ShrinkAt>(&edit))
+        return QStringLiteral("Shrink %1, −%2")
+            .arg(shrink->onlyHere ? QStringLiteral("only here") : QStringLiteral("here"),
+                counted(statistics.voxelsChanged, "voxel"));
+    if (std::holds_alternative<PlugLeak>(edit))
+        return QStringLiteral("Plug leak, −%1").arg(counted(statistics.voxelsChanged, "voxel"));
     if (const auto* revert = std::get_if<RevertRows>(&edit))
         return revertName(*revert, statistics, changes, history);
     if (const auto* revise = std::get_if<ReviseStroke>(&edit))

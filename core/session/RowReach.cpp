@@ -118,6 +118,7 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         fields.layers.set();
         m_reach = fields;
     } else if (std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ShrinkSteps>(edit)
+        || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
         || std::holds_alternative<RemoveSegment>(edit)
         || std::holds_alternative<ChangeInterval>(edit)) {
         m_reach = Plane{document.growths.front().plane};

@@ -116,8 +116,16 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         m_firstGeneration = command->generation;
         return EngineEdit(*std::move(command));
     }
-    if (std::holds_alternative<ShrinkAt>(m_edit) || std::holds_alternative<PlugLeak>(m_edit)
-        || std::holds_alternative<GrowFromSeeds>(m_edit))
+    const auto* shrinkAt = std::get_if<ShrinkAt>(&m_edit);
+    const auto* plug = std::get_if<PlugLeak>(&m_edit);
+    if (shrinkAt || plug) {
+        Result<CutGrowth> command =
+            shrinkAt ? cutGrowth(*shrinkAt, document) : cutGrowth(*plug, document);
+        if (!command)
+            return tl::unexpected(command.error());
+        return EngineEdit(*std::move(command));
+    }
+    if (std::holds_alternative<GrowFromSeeds>(m_edit))
         return failure(ErrorCode::InvalidField, editName(m_edit), QStringLiteral("is not known"));
     if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
         Result<EraseLabel> erase = eraseLabel(*remove, document);
@@ -381,10 +389,11 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
     state.commit(edit, std::move(result.changes), result.statistics, generation);
 }
 
-/// The edit as replay must repeat it: a burst that the user watched says how far it came.
+/// The edit as replay must repeat it: a burst that the user watched says how far it came, and so
+/// does one that was stopped by its guard.
 Edit VoxelOperation::carriedOut(const EngineResult& result) const
 {
-    if (!isGrowth() || m_kind == Kind::Whole)
+    if (!isGrowth() || (m_kind == Kind::Whole && !result.alarm))
         return m_edit;
     Edit done = m_edit;
     std::optional<int>& steps = *stepsOf(done);

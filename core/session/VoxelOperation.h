@@ -37,7 +37,8 @@ public:
     }
     [[nodiscard]] bool movesGeneration() const
     {
-        return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit);
+        return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit)
+            || std::holds_alternative<ShrinkAt>(m_edit) || std::holds_alternative<PlugLeak>(m_edit);
     }
     /// Open without a pen that is down: whatever comes next closes it.
     [[nodiscard]] bool standsOpen() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/EditTransaction.h"
 
+#include "gpu/edit/CutGrown.h"
 #include "gpu/edit/LayerWriter.h"
 #include "gpu/edit/ScissorsKernel.h"
 
@@ -8,16 +9,21 @@ namespace gpu {
 
 namespace {
 
-core::Result<void> check(const core::SeedPlacement& edit, const core::BrickGrid& grid)
+core::Result<void> checkVoxels(const std::vector<glm::ivec3>& voxels, const core::BrickGrid& grid)
 {
-    if (edit.label == 0)
-        return refusal("label", "0 is no segment");
-    for (const glm::ivec3& voxel : edit.voxels) {
+    for (const glm::ivec3& voxel : voxels) {
         if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
             || glm::any(glm::greaterThanEqual(voxel, grid.volumeSize)))
             return refusal("voxels", "outside the volume");
     }
     return {};
+}
+
+core::Result<void> check(const core::SeedPlacement& edit, const core::BrickGrid& grid)
+{
+    if (edit.label == 0)
+        return refusal("label", "0 is no segment");
+    return checkVoxels(edit.voxels, grid);
 }
 
 core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)
@@ -36,9 +42,11 @@ core::Result<void> check(const core::ShrinkGrowth& edit, const core::BrickGrid&)
     return {};
 }
 
-core::Result<void> check(const core::CutGrowth&, const core::BrickGrid&)
+core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid)
 {
-    return refusal("edit", "is not known");
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refusal("connectivity", "is not 6, 18 or 26");
+    return checkVoxels(edit.voxels, grid);
 }
 
 core::Result<void> check(const core::SpreadLabels&, const core::BrickGrid&)
@@ -210,6 +218,10 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_wholeKeys = foldLayer(fields, before, *fold);
     } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&edit)) {
         transaction->m_shrink.emplace(programs.growth.shrink, fields, before, *shrink);
+    } else if (const auto* grown = std::get_if<core::CutGrowth>(&edit)) {
+        CutOutcome outcome = cutGrown(fields, before, *grown);
+        transaction->m_wholeKeys = std::move(outcome.keys);
+        transaction->m_cutTo = outcome.generation;
     }
     return transaction;
 }
@@ -304,7 +316,7 @@ void EditTransaction::advance(int rings)
     const int wanted = m_stepsLeft < 0 ? rings : std::min(rings, m_stepsLeft);
     const int done = m_growth->advance(wanted);
     if (done < std::min(wanted, GrowthKernel::ringsPerBatch))
-        m_stepsLeft = 0; // at closure, or at the last generation a word can hold
+        m_stepsLeft = 0; // at closure, alarmed, or at the last generation a word can hold
     else if (m_stepsLeft > 0)
         m_stepsLeft -= done;
 }
@@ -347,11 +359,16 @@ void EditTransaction::commit(core::EngineResult& result)
         m_growth->releaseUnused();
         result.generation = m_growth->generation();
         result.atClosure = m_growth->atClosure();
+        result.alarm = m_growth->alarm();
         result.statistics.generations = int(m_growth->frontSizes().size());
     }
     if (m_shrink) {
         result.generation = m_shrink->generation();
         result.statistics.generations = int(m_shrink->openedAt() - m_shrink->generation());
+    }
+    if (const auto* cut = std::get_if<core::CutGrowth>(&m_edit)) {
+        result.generation = m_cutTo;
+        result.statistics.generations = int(cut->generation - m_cutTo);
     }
 }
 
@@ -364,6 +381,8 @@ void EditTransaction::rollBack(core::EngineResult& result)
     }
     if (m_shrink)
         result.generation = m_shrink->openedAt();
+    if (const auto* cut = std::get_if<core::CutGrowth>(&m_edit))
+        result.generation = cut->generation;
 }
 
 core::GrowthProgress EditTransaction::progress() const
@@ -375,7 +394,8 @@ core::GrowthProgress EditTransaction::progress() const
         .atClosure = m_growth->atClosure(),
         .generation = m_growth->generation(),
         .members = m_growth->members(),
-        .frontSizes = m_growth->frontSizes()};
+        .frontSizes = m_growth->frontSizes(),
+        .alarm = m_growth->alarm()};
 }
 
 } // namespace gpu

@@ -78,6 +78,7 @@ private:
     core::EngineEdit m_edit;
     std::vector<std::uint32_t> m_seedBricks;
     std::vector<core::BrickKey> m_wholeKeys; ///< of an edit that is done once it has begun
+    std::uint32_t m_cutTo = 0; ///< generation
     std::vector<std::uint32_t> m_scissoredBricks;
     std::optional<GrowthKernel> m_growth;
     std::optional<ShrinkKernel> m_shrink;

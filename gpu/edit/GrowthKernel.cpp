@@ -116,6 +116,8 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     for (Program* each :
         {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &programs.label})
         setUniforms(*each);
+    if (burst.guard)
+        m_guard.emplace(fields.grid(), *burst.guard);
 }
 
 void GrowthKernel::setUniforms(Program& each) const
@@ -192,6 +194,7 @@ void GrowthKernel::admitSeeds(const std::vector<std::uint32_t>& held)
     ++m_generation;
     m_frontSizes.push_back(admitted);
     m_members = admitted;
+    watch(frontInWords());
 }
 
 GrowthKernel::State GrowthKernel::runOver(
@@ -275,6 +278,54 @@ void GrowthKernel::runRings(int count)
 
 int GrowthKernel::advance(int rings)
 {
+    if (!m_guard)
+        return advanceBatch(rings);
+    int done = 0;
+    while (done < std::min(rings, ringsPerBatch) && !m_alarm && advanceBatch(1) == 1)
+        ++done;
+    return done;
+}
+
+std::vector<core::LeakGuard::Voxel> GrowthKernel::listedFront() const
+{
+    std::vector<std::uint32_t> entries(m_frontCount);
+    if (entries.empty())
+        return entries;
+    m_queues.read(std::span<std::uint32_t>(entries),
+        std::size_t(m_frontQueue) * m_queueCapacity * sizeof(std::uint32_t));
+    const BrickField& words = m_fields.seedWords(m_burst.plane);
+    for (std::uint32_t& entry : entries)
+        entry = words.ownerOf(entry >> 12) << 12 | (entry & 4095u);
+    return entries;
+}
+
+std::vector<core::LeakGuard::Voxel> GrowthKernel::frontInWords()
+{
+    std::vector<core::LeakGuard::Voxel> front;
+    if (!m_guard)
+        return front;
+    const auto images = m_fields.copier().images(
+        m_fields.textures(core::Field::SeedWords, m_burst.plane), m_lastTouched);
+    for (std::size_t brick = 0; brick < images.size(); ++brick) {
+        const std::vector<std::uint8_t>& bytes = images[brick];
+        for (std::size_t i = 0; i < bytes.size(); i += 4) {
+            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
+                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
+            if (core::seedWord::isMember(word) && core::seedWord::generation(word) == m_generation)
+                front.push_back(m_lastTouched[brick] << 12 | std::uint32_t(i / 4));
+        }
+    }
+    return front;
+}
+
+void GrowthKernel::watch(const std::vector<core::LeakGuard::Voxel>& added)
+{
+    if (m_guard)
+        m_alarm = m_guard->look(m_generation, added);
+}
+
+int GrowthKernel::advanceBatch(int rings)
+{
     const std::uint32_t left = core::seedWord::maxGeneration - m_generation;
     const int wanted = std::min<int>({rings, ringsPerBatch, int(std::min(left, 16u))});
     if (m_atClosure || wanted == 0)
@@ -295,10 +346,13 @@ int GrowthKernel::advance(int rings)
         m_frontCount = state.counts[std::size_t(wanted)];
         if (done > 0 && state.counts[std::size_t(done)] > m_queueCapacity) {
             // The ring that overflowed is complete in the words; only its list is not.
+            watch(frontInWords());
             setQueues(4 * m_queueCapacity);
             findFront();
-            return done + advance(wanted - done);
+            return done + advanceBatch(wanted - done);
         }
+        if (m_guard && done > 0)
+            watch(listedFront());
     }
     m_atClosure = done < wanted;
     return done;
@@ -321,6 +375,7 @@ GrowthKernel::State GrowthKernel::takeBatch()
             m_frontBricks.push_back(touched.back());
     }
     m_allTouched.insert(touched.begin(), touched.end());
+    m_lastTouched = touched;
     if (!touched.empty())
         m_fields.noteChanged(core::Field::Labels, touched);
     return state;

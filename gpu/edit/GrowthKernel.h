@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/engine/EngineCommands.h"
+#include "core/growth/LeakGuard.h"
 #include "gpu/edit/BeforeImages.h"
 #include "gpu/edit/GrowCriterion.h"
 #include "gpu/edit/VoxelFields.h"
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -78,13 +80,15 @@ public:
     /// Takes back what has to leave, admits pending seeds and finds the front. Call it once, first.
     void open();
     /// Up to @p rings (at most ringsPerBatch) generations. Returns how many added something; fewer
-    /// than asked means closure.
+    /// than asked means closure, or an alarm. A guarded growth goes ring by ring, and every front
+    /// is read back.
     int advance(int rings);
 
     [[nodiscard]] std::uint32_t generation() const { return m_generation; }
     [[nodiscard]] bool atClosure() const { return m_atClosure; }
     [[nodiscard]] const std::vector<std::uint32_t>& frontSizes() const { return m_frontSizes; }
     [[nodiscard]] std::int64_t members() const { return m_members; }
+    [[nodiscard]] const std::optional<core::LeakAlarm>& alarm() const { return m_alarm; }
     /// Bricks that held a front since the opening: nothing was claimed elsewhere.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
     /// Gives back the pages of bricks that were prepared and not reached, but for those listed
@@ -117,6 +121,12 @@ private:
     State takeBatch();
     void setQueues(std::uint32_t capacity);
     void runRings(int count);
+    int advanceBatch(int rings);
+    /// What the last generation added, for the guard: as its queue lists it, or, where that is not
+    /// whole, as the words of the bricks reached tell.
+    [[nodiscard]] std::vector<core::LeakGuard::Voxel> listedFront() const;
+    [[nodiscard]] std::vector<core::LeakGuard::Voxel> frontInWords();
+    void watch(const std::vector<core::LeakGuard::Voxel>& added);
 
     GrowthPrograms& m_programs;
     GrowthPrograms::Rings* m_rings;
@@ -139,6 +149,9 @@ private:
     std::vector<bool> m_prepared; ///< bricks that are captured and have a page
     std::set<std::uint32_t> m_allTouched;
     std::set<std::uint32_t> m_newPages;
+    std::vector<std::uint32_t> m_lastTouched; ///< bricks of the last batch
+    std::optional<core::LeakGuard> m_guard;
+    std::optional<core::LeakAlarm> m_alarm;
 };
 
 } // namespace gpu

@@ -91,6 +91,8 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
                 .keep = 0,
                 .keepSeeds = false,
                 .frozen = m_burst.frozen});
+    if (m_burst.guard)
+        m_watch.emplace(m_words.size, *m_burst.guard);
     std::vector<glm::ivec3> olderMembers;
     std::vector<glm::ivec3> admitted;
     forEachVoxel(m_words.size, [&](const glm::ivec3& voxel) {
@@ -221,13 +223,15 @@ void Growth::finishGeneration(std::vector<glm::ivec3> added)
     m_frontSizes.push_back(std::uint32_t(added.size()));
     for (const glm::ivec3& voxel : added)
         m_labels.at(voxel) = std::uint8_t(seedWord::label(m_words.at(voxel)));
+    if (m_watch)
+        m_alarm = m_watch->look(m_generation, added);
     m_front = std::move(added);
 }
 
 void Growth::advance(int steps)
 {
     for (int done = 0; steps < 0 || done < steps; ++done) {
-        if (m_atClosure || m_generation >= seedWord::maxGeneration)
+        if (m_atClosure || m_alarm || m_generation >= seedWord::maxGeneration)
             return;
         m_atClosure = !step();
     }

@@ -3,6 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/DenseFields.h"
+#include "tests/reference/FrontWatch.h"
 #include "tests/reference/GrowCriterion.h"
 
 #include <optional>
@@ -34,6 +35,7 @@ public:
     [[nodiscard]] std::uint32_t generation() const { return m_generation; }
     [[nodiscard]] bool atClosure() const { return m_atClosure; }
     [[nodiscard]] const std::vector<std::uint32_t>& frontSizes() const { return m_frontSizes; }
+    [[nodiscard]] const std::optional<core::LeakAlarm>& alarm() const { return m_alarm; }
 
 private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
@@ -56,6 +58,8 @@ private:
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;
     std::vector<std::uint32_t> m_frontSizes;
+    std::optional<FrontWatch> m_watch;
+    std::optional<core::LeakAlarm> m_alarm;
 };
 
 } // namespace reference

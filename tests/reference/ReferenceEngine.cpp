@@ -2,6 +2,7 @@
 #include "tests/reference/ReferenceEngine.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/reference/GrowthCut.h"
 #include "tests/reference/LayerWrites.h"
 #include "tests/reference/Radiation.h"
 
@@ -93,6 +94,7 @@ core::GrowthProgress ReferenceEngine::growthProgress() const
     progress.atClosure = growth->atClosure();
     progress.generation = growth->generation();
     progress.frontSizes = growth->frontSizes();
+    progress.alarm = growth->alarm();
     for (const std::uint32_t size : progress.frontSizes)
         progress.members += size;
     return progress;
@@ -124,9 +126,15 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShrinkGrowth& e
     return Shrunk{edit, shrinkGrowth(m_fields, edit)};
 }
 
-core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CutGrowth&)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CutGrowth& edit)
 {
-    return refuse("edit", "is not known");
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refuse("connectivity", "is not 6, 18 or 26");
+    for (const glm::ivec3& voxel : edit.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+    }
+    return CutBack{edit.generation, cutGrowth(m_fields, edit)};
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier& edit)
@@ -332,25 +340,33 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
     core::EngineResult result;
     Growth* growth = std::get_if<Growth>(&m_open->work);
     const Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
+    const CutBack* cut = std::get_if<CutBack>(&m_open->work);
     if (command.ending == core::Ending::Rollback) {
         if (growth)
             result.generation = growth->openedAt();
         if (shrunk)
             result.generation = shrunk->edit.generation;
+        if (cut)
+            result.generation = cut->from;
         m_fields = std::move(m_open->before);
     } else {
         if (growth) {
             result.generation = growth->generation();
             result.atClosure = growth->atClosure();
+            result.alarm = growth->alarm();
         }
         if (shrunk)
             result.generation = shrunk->to;
+        if (cut)
+            result.generation = cut->to;
         result.changes = DenseFields::changes(m_open->before, m_fields);
         result.statistics = statisticsOf(result.changes);
         if (growth)
             result.statistics.generations = int(growth->frontSizes().size());
         if (shrunk)
             result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
+        if (cut)
+            result.statistics.generations = int(cut->from - cut->to);
     }
     m_open.reset();
     return result;

@@ -40,7 +40,12 @@ private:
         core::ShrinkGrowth edit;
         std::uint32_t to = 0;
     };
-    using Work = std::variant<Done, Shrunk, Growth, Drill, Capsules, Peel, Laser>;
+    /// Of a cut the generation before and now.
+    struct CutBack {
+        std::uint32_t from = 0;
+        std::uint32_t to = 0;
+    };
+    using Work = std::variant<Done, Shrunk, CutBack, Growth, Drill, Capsules, Peel, Laser>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;

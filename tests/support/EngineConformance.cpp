@@ -116,7 +116,12 @@ private:
         if (const auto* begin = std::get_if<core::BeginEdit>(&command)) {
             const auto* growth = std::get_if<core::GrowBurst>(&begin->edit);
             const auto* shrink = std::get_if<core::ShrinkGrowth>(&begin->edit);
+            const auto* cut = std::get_if<core::CutGrowth>(&begin->edit);
             m_opening = {};
+            if (cut) {
+                m_opening.growthPlane = cut->plane;
+                m_opening.generationBefore = cut->generation;
+            }
             if (shrink) {
                 m_opening.growthPlane = shrink->plane;
                 m_opening.generationBefore = shrink->generation;
@@ -171,6 +176,15 @@ private:
                 {core::Field::SeedWords, shrink.plane, 0}}});
             submit(core::CountGenerations{shrink.plane});
         }
+        carryOut(core::EngineCommand(core::EndEdit{step.ending}));
+    }
+
+    void carryOut(const Cut& step)
+    {
+        settle();
+        core::CutGrowth cut = step.cut;
+        cut.generation = m_generations[cut.plane];
+        carryOut(core::EngineCommand(core::BeginEdit{std::move(cut)}));
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
     }
 
@@ -304,12 +318,13 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
                              .arg(b.error->arguments.join(QStringLiteral(": ")));
     if (a.error && a.error->code != b.error->code)
         return QStringLiteral("another error code");
-    const std::array<QString, 9> texts{differenceOfBricks(a.changes, b.changes),
+    const std::array<QString, 10> texts{differenceOfBricks(a.changes, b.changes),
         number("voxelsChanged", a.statistics.voxelsChanged, b.statistics.voxelsChanged),
         number("bricks", a.statistics.bricks, b.statistics.bricks),
         number("generations", a.statistics.generations, b.statistics.generations),
         number("generation", a.generation, b.generation),
         number("atClosure", int(a.atClosure), int(b.atClosure)),
+        a.alarm == b.alarm ? QString() : QStringLiteral("another alarm"),
         number("probes", a.probes.size(), b.probes.size()),
         number("picks", a.picks.size(), b.picks.size()),
         a.seeds == b.seeds ? QString() : QStringLiteral("other sums around the seeds")};
@@ -344,7 +359,7 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
 bool equal(const core::GrowthProgress& a, const core::GrowthProgress& b)
 {
     return a.atClosure == b.atClosure && a.generation == b.generation && a.members == b.members
-        && a.frontSizes == b.frontSizes;
+        && a.frontSizes == b.frontSizes && a.alarm == b.alarm;
 }
 
 } // namespace

@@ -28,6 +28,11 @@ struct Shrink {
     std::vector<std::uint32_t> then{}; ///< generations that it goes to before it ends, modulo
     core::Ending ending = core::Ending::Commit;
 };
+/// A whole edit that takes back what grew through some places.
+struct Cut {
+    core::CutGrowth cut; ///< `generation` is filled in
+    core::Ending ending = core::Ending::Commit;
+};
 /// Swap back the last committed edit that is not yet undone; nothing if there is none.
 struct Undo { };
 /// Swap in again what was undone last; nothing if there is none.
@@ -35,7 +40,7 @@ struct Redo { };
 /// Wait, and note how the growth stands.
 struct Settle { };
 
-using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Shrink, Undo, Redo, Settle>;
+using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Shrink, Cut, Undo, Redo, Settle>;
 
 struct EngineCase {
     QByteArray name;

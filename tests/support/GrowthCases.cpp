@@ -110,11 +110,46 @@ glm::ivec3 randomSize(Random& random)
     }
 }
 
+/// Two rooms, x < 16 and x > 18, and between them a wall with square holes: `side` voxels wide, the
+/// first in the middle.
+Codes rooms(const glm::ivec3& size, int side, int holes)
+{
+    Codes codes = constantVolume(size, tissueCode);
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            bool open = false;
+            for (int hole = 0; hole < holes; ++hole) {
+                const glm::ivec2 low = hole == 0 ? glm::ivec2(size.y / 2, size.z / 2) - side / 2
+                                                 : glm::ivec2(1, 4 * hole - 3);
+                open = open || (y >= low.x && y < low.x + side && z >= low.y && z < low.y + side);
+            }
+            for (int x = 16; x < 19; ++x)
+                codes.at({x, y, z}) = open ? tissueCode : std::uint16_t(0);
+        }
+    }
+    return codes;
+}
+
+core::CutGrowth randomCut(Random& random, const glm::ivec3& size)
+{
+    using How = core::CutGrowth::How;
+    core::CutGrowth cut{.plane = std::uint8_t(random() % 5 ? 0 : 1),
+        .how = std::array<How, 4>{How::Subtree, How::Subtree, How::Neck, How::Here}[random() % 4],
+        .barrier = random() % 4 != 0,
+        .connectivity = std::array<int, 4>{26, 26, 18, 6}[random() % 4]};
+    for (int i = random() % 3 ? 1 : randomInt(random, 0, 30); i > 0; --i)
+        cut.voxels.push_back(randomVoxel(random, size));
+    if (random() % 6 == 0)
+        cut.frozen.set(std::size_t(randomInt(random, 1, 4)));
+    return cut;
+}
+
 EngineCase randomGrowth(int number)
 {
     Random random(std::uint32_t(1000 + number));
     Random locks(std::uint32_t(9000 + number));
     Random newer(std::uint32_t(17000 + number)); // older cases stay as they are
+    Random cuts(std::uint32_t(25000 + number));
     const glm::ivec3 size = randomSize(random);
     EngineCase made{"random growth " + QByteArray::number(number), randomCodes(size, random), {}};
     if (random() % 2)
@@ -153,6 +188,10 @@ EngineCase randomGrowth(int number)
             if (locks() % 4 == 0)
                 burst.frozen.set(std::size_t(randomInt(locks, 1, 4)));
             burst.connectivity = std::array<int, 4>{6, 6, 18, 26}[newer() % 4];
+            if (cuts() % 3 == 0)
+                burst.guard = core::GuardRule{.factor256 = randomInt(cuts, 256, 700),
+                    .excess = randomInt(cuts, 0, 20),
+                    .window = randomInt(cuts, 1, 8)};
             burst.tellsHeld = newer() % 4 != 0;
             std::vector<int> portions;
             for (int i = randomInt(random, 0, 3); i > 0; --i)
@@ -177,6 +216,14 @@ EngineCase randomGrowth(int number)
                 if (newer() % 4 == 0)
                     made.steps.push_back(Undo{});
                 if (newer() % 4 == 0)
+                    made.steps.push_back(Redo{});
+            }
+            if (cuts() % 2) {
+                made.steps.push_back(Cut{randomCut(cuts, size),
+                    cuts() % 5 ? core::Ending::Commit : core::Ending::Rollback});
+                if (cuts() % 4 == 0)
+                    made.steps.push_back(Undo{});
+                if (cuts() % 4 == 0)
                     made.steps.push_back(Redo{});
             }
             break;
@@ -289,6 +336,40 @@ std::vector<EngineCase> growthCases(int randomCount)
     lockedShrink.steps.push_back(keeping);
     appendGrowth(lockedShrink.steps, wholeRange, {3});
     cases.push_back(lockedShrink);
+
+    for (const int connectivity : {6, 18, 26}) {
+        for (int kind = 0; kind < 6; ++kind) {
+            const glm::ivec3 hall(36, 14, 17);
+            EngineCase leak{"leak " + QByteArray::number(kind) + ", "
+                    + QByteArray::number(connectivity) + " neighbours",
+                rooms(hall, 1 + kind % 3, 1 + kind / 3), {}};
+            GrowBurst burst = tissue;
+            burst.connectivity = connectivity;
+            if (kind == 3)
+                burst.guard = core::GuardRule{.factor256 = 512, .excess = 8, .window = 12};
+            if (kind == 4)
+                leak.steps.push_back(command(core::SwapBricks{
+                    bricksOf(paintedLabels(hall, random), core::Field::Labels, 0)}));
+            appendWhole(leak.steps, SeedPlacement{.label = 1, .voxels = {{2, 3, 4}, {9, 9, 9}}});
+            if (kind == 5)
+                appendWhole(leak.steps, SeedPlacement{.label = 2, .voxels = {{30, 2, 2}}});
+            appendGrowth(leak.steps, burst, {kind == 1 ? 26 : closure});
+            using How = core::CutGrowth::How;
+            const How how = kind == 2 ? How::Neck : How::Subtree;
+            leak.steps.push_back(Cut{{.how = how, .voxels = {{24, 8, 8}, {26, 3, 8}}}});
+            appendGrowth(leak.steps, burst, {closure});
+            leak.steps.push_back(Cut{{.how = How::Here, .voxels = {{9, 9, 9}, {4, 4, 4}}}});
+            leak.steps.push_back(Undo{});
+            leak.steps.push_back(Undo{});
+            leak.steps.push_back(Undo{});
+            leak.steps.push_back(Cut{{.how = how, .barrier = false, .voxels = {{24, 8, 8}}}});
+            leak.steps.push_back(
+                Cut{{.how = How::Neck, .voxels = {{4, 4, 4}}}, core::Ending::Rollback});
+            appendGrowth(leak.steps, wholeRange, {3});
+            leak.steps.push_back(Shrink{.shrink = {}, .generations = 2});
+            cases.push_back(leak);
+        }
+    }
 
     for (const bool overwrite : {false, true}) {
         EngineCase painted{overwrite ? "painted labels, overwritable" : "painted labels",

@@ -457,6 +457,26 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"shrinking beside a locked one", volume,
         {first, seeds, some, second, others, all, lock}, core::ShrinkSteps{.steps = 1}});
     cases.push_back({"shrinking of nothing", volume, {first, seeds}, three});
+    const core::ShrinkAt here{
+        .pointsLps = std::get<core::SeedStroke>(others).pointsLps, .onlyHere = false};
+    core::ShrinkAt onlyHere = here;
+    onlyHere.onlyHere = true;
+    core::ShrinkAt openCut = here;
+    openCut.barrier = false;
+    const core::PlugLeak plug{.pointLps = here.pointsLps.front()};
+    core::GrowSteps guarded = over;
+    guarded.guardFactor = 1.5;
+    guarded.guardVoxels = 4;
+    guarded.guardGenerations = 6;
+    cases.push_back({"shrinking here", volume, {first, seeds, over}, here});
+    cases.push_back({"shrinking only here", volume, {first, seeds, over}, onlyHere});
+    cases.push_back({"shrinking here, cut left open", volume, {first, seeds, over}, openCut});
+    cases.push_back({"shrinking beside a locked one, here", volume,
+        {first, seeds, some, second, others, all, lock}, here});
+    cases.push_back({"plugging", volume, {first, seeds, over}, plug});
+    cases.push_back({"growth after a cut", volume, {first, seeds, over, here}, over});
+    cases.push_back({"growth with a guard", volume, {first, seeds}, guarded});
+    cases.push_back({"growth with a guard, again", volume, {first, seeds, guarded}, guarded});
     cases.push_back({"growth after shrinking", volume, {first, seeds, all, three}, over});
     cases.push_back({"undo only a shrinking", volume, {first, seeds, all, three, drill},
         core::RevertRows{{4}}});

@@ -73,6 +73,16 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
         "rings to add after the seeds, or until nothing is left to add");
     visit.field("tellsHeld", Presence::Optional, edit.tellsHeld, editFields::Flag{},
         "whether shrinking leaves what the segment held before; false in sessions of old");
+    visit.maybe("guardFactor", edit.guardFactor, editFields::Number{"", 1.0, 1000.0, 256.0},
+        "the growth stops where a front that came out of a narrow place is so many times as wide "
+        "as that",
+        "no leak guard");
+    visit.when(edit.guardFactor.has_value(), [&] {
+        visit.field("guardVoxels", Presence::Optional, edit.guardVoxels,
+            editFields::WholeNumber{0, 1000000}, "and so many voxels wider");
+        visit.field("guardGenerations", Presence::Optional, edit.guardGenerations,
+            editFields::WholeNumber{1, 1000}, "how far back a narrow place lies at most");
+    });
 }
 
 template <> inline constexpr const char* editName<ChangeInterval> = "interval";

@@ -29,6 +29,46 @@ class GrowthEditsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void cutsNameVoxelsAndWhatIsLocked()
+    {
+        Document document = smallDocument();
+        document.segments[1].locked = true;
+        ShrinkAt shrink{.pointsLps = {{100 - 0.5 * 3, -50 + 0.5 * 4, 30 - 2.0 * 5}}};
+        Result<CutGrowth> cut = cutGrowth(shrink, document);
+        QVERIFY(cut);
+        QVERIFY(cut->how == CutGrowth::How::Subtree && cut->barrier);
+        QCOMPARE(cut->voxels.size(), std::size_t(1));
+        QVERIFY(cut->voxels.front() == glm::ivec3(3, 4, 5));
+        QVERIFY(cut->frozen.count() == 1 && cut->frozen[document.segments[1].label]);
+        shrink.onlyHere = true;
+        shrink.barrier = false;
+        cut = cutGrowth(shrink, document);
+        QVERIFY(cut && cut->how == CutGrowth::How::Here && !cut->barrier);
+        const PlugLeak plug{.pointLps = shrink.pointsLps.front()};
+        cut = cutGrowth(plug, document);
+        QVERIFY(cut && cut->how == CutGrowth::How::Neck && cut->barrier);
+
+        shrink.pointsLps.push_back({1000, 0, 0});
+        cut = cutGrowth(shrink, document);
+        QVERIFY(!cut && cut.error().code == ErrorCode::InvalidField);
+        QCOMPARE(cut.error().arguments.front(), QStringLiteral("shrinkAt.pointsLps"));
+        for (Segment& segment : document.segments)
+            segment.locked = true;
+        cut = cutGrowth(plug, document);
+        QVERIFY(!cut && cut.error().code == ErrorCode::SegmentLocked);
+    }
+    void guardsAreWholeNumbers()
+    {
+        GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0}, .guardFactor = 1.5};
+        grow.guardVoxels = 7;
+        const Result<GrowBurst> burst = growBurst(grow, smallDocument());
+        QVERIFY(burst && burst->guard);
+        QCOMPARE(burst->guard->factor256, 384);
+        QCOMPARE(burst->guard->excess, 7);
+        QCOMPARE(burst->guard->window, 20);
+        grow.guardFactor.reset();
+        QVERIFY(!growBurst(grow, smallDocument())->guard);
+    }
     void seedsLandOnTheNearestVoxelOnce()
     {
         const Document document = smallDocument();

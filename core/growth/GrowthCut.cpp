@@ -1,0 +1,546 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/growth/GrowthCut.h"
+
+#include "core/growth/NarrowestCut.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace core {
+
+namespace {
+
+using Voxel = WordBricks::Voxel;
+using Voxels = std::vector<Voxel>;
+
+constexpr std::uint32_t faces = 6;
+constexpr std::uint32_t facesAndEdges = 18;
+
+/// Neighbours among which the parents of a member lie (rule 2).
+std::uint32_t parentReach(std::uint32_t word)
+{
+    const std::uint32_t direction = seedWord::direction(word);
+    return direction < faces        ? faces
+        : direction < facesAndEdges ? facesAndEdges
+                                    : seedWord::directions;
+}
+
+bool isRoot(std::uint32_t word)
+{
+    return seedWord::isSeed(word) || seedWord::generation(word) == 0;
+}
+
+/// What the words hold, whichever the label.
+struct Survey {
+    std::uint32_t greatest = 0; ///< generation
+    std::uint32_t reach = faces; ///< the farthest parentReach()
+};
+
+/// Voxels by generation, each put in while a generation is worked at that lies on its near side.
+class Generations {
+public:
+    explicit Generations(std::uint32_t greatest)
+        : m_voxels(std::size_t(greatest) + 1)
+    {
+    }
+    Voxels& operator[](std::uint32_t generation) { return m_voxels[generation]; }
+    [[nodiscard]] std::size_t width(std::uint32_t generation) const
+    {
+        return m_voxels[generation].size();
+    }
+    [[nodiscard]] std::uint32_t count() const { return std::uint32_t(m_voxels.size()); }
+
+private:
+    std::vector<Voxels> m_voxels;
+};
+
+/// One label's cut; the rules are those of GrowthCut.h.
+class LabelCut {
+public:
+    LabelCut(const WordBricks& words, const CutGrowth& command, std::uint32_t label,
+        const Survey& survey, std::vector<std::uint8_t>& marks)
+        : m_words(words)
+        , m_command(command)
+        , m_label(label)
+        , m_survey(survey)
+        , m_marks(marks)
+    {
+    }
+
+    /// Marks what leaves. @return it
+    Voxels run(const Voxels& sketch)
+    {
+        if (m_command.how == CutGrowth::How::Here) {
+            for (const Voxel voxel : sketch)
+                m_marks[voxel] |= leaves;
+            return sketch;
+        }
+        Generations way = wayTo(sketch);
+        const std::optional<Neck> neck = findNeck(way, sketch);
+        if (!neck)
+            return m_command.how == CutGrowth::How::Neck
+                ? Voxels{}
+                : leaving(sketch, m_survey.greatest, leaves, looked);
+        return leaving(cutAt(*neck, way[neck->generation]), m_survey.greatest, leaves, looked);
+    }
+
+    static constexpr std::uint8_t leaves = 1; ///< marks what leaves
+
+private:
+    // Further marks:
+    static constexpr std::uint8_t looked = 2; ///< for what leaves
+    static constexpr std::uint8_t onWay = 4;
+    static constexpr std::uint8_t beyond = 8;
+    static constexpr std::uint8_t wouldLeave = 16; ///< if the neck were cut as it is
+    static constexpr std::uint8_t wouldLooked = 32;
+
+    struct Neck {
+        std::uint32_t generation = 0;
+        std::size_t wide = 0; ///< the numerator of q
+        std::uint32_t wideFrom = 0; ///< the lowest later generation that is as wide
+    };
+
+    [[nodiscard]] bool isMember(std::uint32_t word) const
+    {
+        return (word & seedWord::notMember) == 0 && seedWord::label(word) == m_label;
+    }
+    [[nodiscard]] bool has(Voxel voxel, std::uint8_t mark) const
+    {
+        return (m_marks[voxel] & mark) != 0;
+    }
+
+    /// Adds to voxels of one generation all that their fronts hold.
+    void completeFronts(Voxels& front, std::uint8_t mark)
+    {
+        for (std::size_t i = 0; i < front.size(); ++i) {
+            const std::uint32_t claimed = m_words[front[i]] >> 5; // generation and label
+            m_words.forNeighbours(front[i], 0, std::uint32_t(m_command.connectivity),
+                [&](Voxel neighbour, std::uint32_t word, std::uint32_t) {
+                    if (word >> 5 == claimed && !has(neighbour, mark)) {
+                        m_marks[neighbour] |= mark;
+                        front.push_back(neighbour);
+                    }
+                });
+        }
+    }
+
+    template <class Visit> void forParents(Voxel voxel, const Visit& visit) const
+    {
+        const std::uint32_t own = m_words[voxel];
+        if (isRoot(own))
+            return;
+        m_words.forNeighbours(
+            voxel, 0, parentReach(own), [&](Voxel neighbour, std::uint32_t word, std::uint32_t) {
+                if (isMember(word) && seedWord::generation(word) < seedWord::generation(own))
+                    visit(neighbour);
+            });
+    }
+    template <class Visit> void forChildren(Voxel voxel, const Visit& visit) const
+    {
+        const std::uint32_t own = seedWord::generation(m_words[voxel]);
+        m_words.forNeighbours(voxel, 0, m_survey.reach,
+            [&](Voxel neighbour, std::uint32_t word, std::uint32_t direction) {
+                if (isMember(word) && seedWord::generation(word) > own && !isRoot(word)
+                    && direction < parentReach(word))
+                    visit(neighbour);
+            });
+    }
+
+    /// Rule 4.
+    Generations wayTo(const Voxels& sketch)
+    {
+        Generations way(m_survey.greatest);
+        const auto add = [&](Voxel voxel) {
+            if (has(voxel, onWay))
+                return;
+            m_marks[voxel] |= onWay;
+            way[seedWord::generation(m_words[voxel])].push_back(voxel);
+        };
+        for (const Voxel voxel : sketch)
+            add(voxel);
+        for (std::uint32_t n = way.count(); n-- > 0;) {
+            completeFronts(way[n], onWay);
+            for (const Voxel voxel : way[n])
+                forParents(voxel, add);
+        }
+        return way;
+    }
+
+    /// Rules 5 and 6. What lies beyond is followed as far as it can tell something.
+    std::optional<Neck> findNeck(Generations& way, const Voxels& sketch)
+    {
+        std::size_t widest = 0;
+        std::uint32_t last = 0;
+        for (std::uint32_t n = 0; n < way.count(); ++n) {
+            widest = std::max(widest, way.width(n));
+            last = way.width(n) > 0 ? n : last;
+        }
+        Generations later(m_survey.greatest);
+        const auto add = [&](Voxel voxel) {
+            if (has(voxel, beyond))
+                return;
+            m_marks[voxel] |= beyond;
+            later[seedWord::generation(m_words[voxel])].push_back(voxel);
+        };
+        std::map<std::uint32_t, Voxels> fronts;
+        for (const Voxel voxel : sketch) {
+            m_marks[voxel] |= beyond;
+            fronts[seedWord::generation(m_words[voxel])].push_back(voxel);
+        }
+        for (auto& [n, front] : fronts) {
+            completeFronts(front, beyond);
+            later[n].insert(later[n].end(), front.begin(), front.end());
+        }
+        std::vector<std::size_t> width(way.count(), 0); // the greater of w and b
+        for (std::uint32_t n = 0; n < way.count(); ++n) {
+            for (const Voxel voxel : later[n])
+                forChildren(voxel, add);
+            width[n] = std::max(way.width(n), later.width(n));
+            if (n > last && width[n] >= widest)
+                break;
+        }
+        return neckOf(way, width);
+    }
+
+    static std::optional<Neck> neckOf(const Generations& way, const std::vector<std::size_t>& width)
+    {
+        std::vector<std::size_t> after(width.size() + 1, 0); // greatest width from here on
+        for (std::size_t n = width.size(); n-- > 0;)
+            after[n] = std::max(after[n + 1], width[n]);
+        std::optional<Neck> neck;
+        std::size_t before = 0;
+        std::size_t narrow = 1;
+        for (std::uint32_t n = 0; n < way.count(); ++n) {
+            const std::size_t own = way.width(n);
+            const std::size_t wide = std::min(before, after[n + 1]);
+            before = std::max(before, own);
+            if (own == 0 || 2 * wide < 3 * own || (neck && wide * narrow <= neck->wide * own))
+                continue;
+            neck = Neck{.generation = n, .wide = wide, .wideFrom = n + 1};
+            narrow = own;
+        }
+        while (neck && width[neck->wideFrom] < neck->wide)
+            ++neck->wideFrom;
+        return neck;
+    }
+
+    /// Rule 7.
+    Voxels cutAt(const Neck& neck, const Voxels& front)
+    {
+        if (front.size() > widestPassage)
+            return front;
+        const std::vector<glm::ivec3> places = surroundings(front);
+        std::uint32_t latest = 0;
+        for (const Voxel voxel : m_surroundings)
+            latest = std::max(latest, seedWord::generation(m_words[voxel]));
+        (void)leaving(front, latest, wouldLeave, wouldLooked);
+        PassageGraph graph;
+        graph.source.resize(places.size());
+        graph.sink.resize(places.size());
+        bool sources = false;
+        bool sinks = false;
+        for (std::size_t node = 0; node < places.size(); ++node) {
+            const Voxel voxel = m_surroundings[node];
+            const std::uint32_t word = m_words[voxel];
+            const bool far = m_steps[node] == m_farthest;
+            const bool within = has(voxel, wouldLeave);
+            graph.source[node] = !within && (far || isRoot(word));
+            graph.sink[node] = within && (far || seedWord::generation(word) >= neck.wideFrom);
+            sources = sources || graph.source[node];
+            sinks = sinks || graph.sink[node];
+            m_words.forNeighbours(voxel, 0, seedWord::directions,
+                [&](Voxel neighbour, std::uint32_t other, std::uint32_t) {
+                    if (!isMember(other))
+                        return;
+                    const std::uint32_t next = nodeAt(m_words.positionOf(neighbour));
+                    if (next != noNode)
+                        graph.next.push_back(next);
+                });
+            graph.first.push_back(std::uint32_t(graph.next.size()));
+        }
+        if (!sources || !sinks)
+            return front;
+        Voxels cut;
+        for (const std::uint32_t node : narrowestCut(graph))
+            cut.push_back(m_surroundings[node]);
+        return cut;
+    }
+
+    static constexpr std::uint32_t noNode = 0xFFFFFFFFu;
+
+    [[nodiscard]] std::uint32_t nodeAt(const glm::ivec3& place) const
+    {
+        const glm::ivec3 at = place - m_box.minimum;
+        const glm::ivec3 size = m_box.maximum - m_box.minimum;
+        if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, size)))
+            return noNode;
+        return m_nodes[std::size_t(at.x + size.x * (at.y + size.y * at.z))];
+    }
+
+    /// Finds the members within some steps of a front, in order of steps.
+    std::vector<glm::ivec3> surroundings(const Voxels& front)
+    {
+        m_box = {};
+        for (const Voxel voxel : front) {
+            const glm::ivec3 place = m_words.positionOf(voxel);
+            m_box = m_box.united({place, place + 1});
+        }
+        const glm::ivec3 side = m_box.maximum - m_box.minimum;
+        m_farthest = std::min(2 + std::max({side.x, side.y, side.z}), farthestPassage);
+        m_box = {m_box.minimum - m_farthest, m_box.maximum + m_farthest};
+        const glm::ivec3 size = m_box.maximum - m_box.minimum;
+        m_nodes.assign(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), noNode);
+        std::vector<glm::ivec3> places;
+        const auto add = [&](Voxel voxel, int steps) {
+            const glm::ivec3 place = m_words.positionOf(voxel);
+            const glm::ivec3 at = place - m_box.minimum;
+            std::uint32_t& node = m_nodes[std::size_t(at.x + size.x * (at.y + size.y * at.z))];
+            if (node != noNode)
+                return;
+            node = std::uint32_t(places.size());
+            places.push_back(place);
+            m_surroundings.push_back(voxel);
+            m_steps.push_back(steps);
+        };
+        for (const Voxel voxel : front)
+            add(voxel, 0);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (m_steps[i] == m_farthest)
+                break;
+            m_words.forNeighbours(m_surroundings[i], 0, seedWord::directions,
+                [&, steps = m_steps[i] + 1](Voxel neighbour, std::uint32_t word, std::uint32_t) {
+                    if (isMember(word))
+                        add(neighbour, steps);
+                });
+        }
+        return places;
+    }
+
+    /// Rule 9, up to a generation.
+    /// @param gone marks what leaves
+    /// @param seen marks what was looked at
+    Voxels leaving(const Voxels& cut, std::uint32_t latest, std::uint8_t gone, std::uint8_t seen)
+    {
+        Voxels all;
+        std::map<std::uint32_t, Voxels> waiting; // children of what leaves, by generation
+        const auto leave = [&](Voxel voxel) {
+            m_marks[voxel] |= gone;
+            all.push_back(voxel);
+            forChildren(voxel, [&](Voxel child) {
+                if (has(child, seen))
+                    return;
+                m_marks[child] |= seen;
+                waiting[seedWord::generation(m_words[child])].push_back(child);
+            });
+        };
+        for (const Voxel voxel : cut) {
+            if (seedWord::generation(m_words[voxel]) != 0)
+                m_marks[voxel] |= std::uint8_t(gone | seen);
+        }
+        for (const Voxel voxel : cut) {
+            if (has(voxel, gone))
+                leave(voxel);
+        }
+        while (!waiting.empty() && waiting.begin()->first <= latest) {
+            const Voxels next = std::move(waiting.begin()->second);
+            waiting.erase(waiting.begin());
+            for (const Voxel voxel : next) {
+                bool stays = false;
+                forParents(voxel, [&](Voxel parent) { stays = stays || !has(parent, gone); });
+                if (!stays)
+                    leave(voxel);
+            }
+        }
+        return all;
+    }
+
+    const WordBricks& m_words;
+    const CutGrowth& m_command;
+    std::uint32_t m_label;
+    Survey m_survey;
+    std::vector<std::uint8_t>& m_marks; ///< of each voxel
+
+    // The surroundings of the neck:
+    VoxelBox m_box;
+    int m_farthest = 0;
+    std::vector<std::uint32_t> m_nodes; ///< of each voxel of the box
+    Voxels m_surroundings; ///< of each node
+    std::vector<int> m_steps;
+};
+
+/// The bricks that are written, as they will be.
+class Writing {
+public:
+    explicit Writing(const WordBricks& words)
+        : m_words(words)
+        , m_bricks(words.count() / BrickGrid::voxelsPerBrick)
+    {
+        for (std::size_t place = 0; place < m_bricks.size(); ++place)
+            m_places[words.brickOf(Voxel(place << 12))] = place;
+    }
+
+    /// A voxel of a brick that is there becomes unvisited.
+    /// @param label that leaves the plane; 0: none
+    void leave(Voxel voxel, std::uint32_t label)
+    {
+        CutBrick& brick = begun(voxel >> 12);
+        brick.words[voxel & 4095u] = seedWord::unvisited;
+        brick.leaving[voxel & 4095u] = std::uint8_t(label);
+    }
+    void shut(const glm::ivec3& place)
+    {
+        const auto number = std::uint32_t(m_words.grid().brickOf(place));
+        const auto known = m_places.find(number);
+        CutBrick& brick = known != m_places.end() ? begun(known->second) : m_further[number];
+        if (brick.words.empty())
+            fill(brick, number);
+        brick.words[std::size_t(BrickGrid::offsetInBrick(place))] = seedWord::barrier;
+    }
+    [[nodiscard]] std::uint32_t wordAt(const glm::ivec3& place) const
+    {
+        const auto number = std::uint32_t(m_words.grid().brickOf(place));
+        const auto offset = std::size_t(BrickGrid::offsetInBrick(place));
+        if (const auto known = m_places.find(number); known != m_places.end()) {
+            const CutBrick& brick = m_bricks[known->second];
+            return brick.words.empty() ? m_words[Voxel(known->second << 12 | offset)]
+                                       : brick.words[offset];
+        }
+        const auto further = m_further.find(number);
+        return further == m_further.end() ? seedWord::unvisited : further->second.words[offset];
+    }
+    [[nodiscard]] std::vector<CutBrick> take()
+    {
+        std::vector<CutBrick> taken;
+        for (CutBrick& brick : m_bricks) {
+            if (!brick.words.empty())
+                taken.push_back(std::move(brick));
+        }
+        for (auto& [number, brick] : m_further)
+            taken.push_back(std::move(brick));
+        std::sort(taken.begin(), taken.end(),
+            [](const CutBrick& a, const CutBrick& b) { return a.brick < b.brick; });
+        return taken;
+    }
+
+private:
+    static void fill(CutBrick& brick, std::uint32_t number)
+    {
+        brick.brick = number;
+        brick.words.assign(BrickGrid::voxelsPerBrick, seedWord::unvisited);
+        brick.leaving.assign(BrickGrid::voxelsPerBrick, 0);
+    }
+    CutBrick& begun(std::size_t place)
+    {
+        CutBrick& brick = m_bricks[place];
+        if (!brick.words.empty())
+            return brick;
+        const auto first = Voxel(place << 12);
+        fill(brick, m_words.brickOf(first));
+        for (std::uint32_t i = 0; i < BrickGrid::voxelsPerBrick; ++i)
+            brick.words[i] = m_words[first + i];
+        return brick;
+    }
+
+    const WordBricks& m_words;
+    std::map<std::uint32_t, std::size_t> m_places; ///< of each brick that is there
+    std::vector<CutBrick> m_bricks; ///< of those; without words: not written
+    std::map<std::uint32_t, CutBrick> m_further;
+};
+
+template <class Visit>
+void forPlacesAround(const BrickGrid& grid, const glm::ivec3& place, const Visit& visit)
+{
+    for (const std::array<int, 3>& offset : seedWord::offsets) {
+        const glm::ivec3 next = place + glm::ivec3(offset[0], offset[1], offset[2]);
+        if (glm::all(glm::greaterThanEqual(next, glm::ivec3(0)))
+            && glm::all(glm::lessThan(next, grid.volumeSize)))
+            visit(next);
+    }
+}
+
+Survey survey(const WordBricks& words)
+{
+    Survey found;
+    for (std::size_t voxel = 0; voxel < words.count(); ++voxel) {
+        const std::uint32_t word = words[Voxel(voxel)];
+        if (!seedWord::isMember(word))
+            continue;
+        found.greatest = std::max(found.greatest, seedWord::generation(word));
+        if (!seedWord::isSeed(word))
+            found.reach = std::max(found.reach, parentReach(word));
+    }
+    return found;
+}
+
+/// Rule 10, for the voxels of one label that leave.
+void write(Writing& writing, const WordBricks& words, const std::vector<std::uint8_t>& marks,
+    const Voxels& leaving, std::uint32_t label, bool barrier)
+{
+    std::vector<glm::ivec3> shut;
+    for (const Voxel voxel : leaving) {
+        const std::uint32_t direction = seedWord::direction(words[voxel]);
+        const bool held =
+            direction == seedWord::heldDirection || direction == seedWord::heldSeedDirection;
+        writing.leave(voxel, held ? 0 : label);
+        bool bounds = false;
+        words.forNeighbours(voxel, 0, barrier ? seedWord::directions : 0,
+            [&](Voxel neighbour, std::uint32_t word, std::uint32_t) {
+                bounds = bounds
+                    || (seedWord::isMember(word) && seedWord::label(word) == label
+                        && (marks[neighbour] & LabelCut::leaves) == 0);
+            });
+        if (bounds)
+            shut.push_back(words.positionOf(voxel));
+    }
+    for (const glm::ivec3& place : shut)
+        writing.shut(place);
+    for (const glm::ivec3& place : shut) {
+        forPlacesAround(words.grid(), place, [&](const glm::ivec3& next) {
+            const std::uint32_t word = writing.wordAt(next);
+            if (!seedWord::isMember(word) && !seedWord::isPendingSeed(word)
+                && word != seedWord::barrier)
+                writing.shut(next);
+        });
+    }
+}
+
+} // namespace
+
+GrowthCutOutcome cutGrowth(const WordBricks& words, const CutGrowth& command)
+{
+    GrowthCutOutcome outcome{.bricks = {}, .generation = command.generation};
+    std::map<std::uint32_t, Voxels> sketches; // by label
+    for (const glm::ivec3& place : command.voxels) {
+        const Voxel voxel = words.find(place);
+        if (voxel == WordBricks::none)
+            continue;
+        const std::uint32_t word = words[voxel];
+        if (seedWord::isMember(word) && seedWord::generation(word) != 0
+            && !command.frozen[seedWord::label(word)])
+            sketches[seedWord::label(word)].push_back(voxel);
+    }
+    const Survey found = survey(words);
+    std::vector<std::uint8_t> marks(words.count(), 0);
+    std::map<std::uint32_t, Voxels> leaving;
+    for (auto& [label, sketch] : sketches) {
+        std::sort(sketch.begin(), sketch.end());
+        sketch.erase(std::unique(sketch.begin(), sketch.end()), sketch.end());
+        leaving[label] = LabelCut(words, command, label, found, marks).run(sketch);
+    }
+    Writing writing(words);
+    for (const auto& [label, voxels] : leaving)
+        write(writing, words, marks, voxels, label, command.barrier);
+    outcome.bricks = writing.take();
+    if (outcome.bricks.empty())
+        return outcome;
+    outcome.generation = 0;
+    for (std::size_t voxel = 0; voxel < words.count(); ++voxel) {
+        const std::uint32_t word = words[Voxel(voxel)];
+        if (seedWord::isMember(word) && (marks[voxel] & LabelCut::leaves) == 0)
+            outcome.generation = std::max(outcome.generation, seedWord::generation(word));
+    }
+    return outcome;
+}
+
+} // namespace core

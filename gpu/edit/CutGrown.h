@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/VoxelFields.h"
+
+#include <vector>
+
+namespace gpu {
+
+struct CutOutcome {
+    std::vector<core::BrickKey> keys; ///< that were written
+    std::uint32_t generation = 0; ///< the counter now
+};
+
+/// Takes back what grew through some places (core/growth/GrowthCut.h). Fronts and passages are no
+/// work for kernels: the seed words are read back, the processor decides, and the bricks that
+/// change are captured and written. Engine thread only.
+CutOutcome cutGrown(VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
+
+} // namespace gpu

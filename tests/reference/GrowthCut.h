@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/GrowthCommands.h"
+#include "tests/reference/DenseFields.h"
+
+namespace reference {
+
+/// Takes back what grew through some places, by the rules in core/growth/GrowthCut.h, each written
+/// down as it stands there. @return the generation then
+std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command);
+
+} // namespace reference
