@@ -77,12 +77,15 @@ public:
             return sketch;
         }
         Generations way = wayTo(sketch);
-        const std::optional<Neck> neck = findNeck(way, sketch);
-        if (!neck)
-            return m_command.how == CutGrowth::How::Neck
-                ? Voxels{}
-                : leaving(sketch, m_survey.greatest, leaves, looked);
-        return leaving(cutAt(*neck, way[neck->generation]), m_survey.greatest, leaves, looked);
+        std::optional<Voxels> narrowest;
+        for (const Neck& neck : findNecks(way, sketch)) {
+            Voxels cut = cutAt(neck, way[neck.generation]);
+            if (!narrowest || cut.size() < narrowest->size())
+                narrowest = std::move(cut);
+        }
+        if (!narrowest && m_command.how == CutGrowth::How::Neck)
+            return {};
+        return leaving(narrowest.value_or(sketch), m_survey.greatest, leaves, looked);
     }
 
     static constexpr std::uint8_t leaves = 1; ///< marks what leaves
@@ -168,7 +171,7 @@ private:
     }
 
     /// Rules 5 and 6. What lies beyond is followed as far as it can tell something.
-    std::optional<Neck> findNeck(Generations& way, const Voxels& sketch)
+    std::vector<Neck> findNecks(Generations& way, const Voxels& sketch)
     {
         std::size_t widest = 0;
         std::uint32_t last = 0;
@@ -200,29 +203,53 @@ private:
             if (n > last && width[n] >= widest)
                 break;
         }
-        return neckOf(way, width);
+        return necksOf(way, width);
     }
 
-    static std::optional<Neck> neckOf(const Generations& way, const std::vector<std::size_t>& width)
+    static std::vector<Neck> necksOf(const Generations& way, const std::vector<std::size_t>& width)
     {
         std::vector<std::size_t> after(width.size() + 1, 0); // greatest width from here on
         for (std::size_t n = width.size(); n-- > 0;)
             after[n] = std::max(after[n + 1], width[n]);
-        std::optional<Neck> neck;
+        std::vector<Neck> all;
+        std::size_t best = 0; // of them
         std::size_t before = 0;
-        std::size_t narrow = 1;
         for (std::uint32_t n = 0; n < way.count(); ++n) {
             const std::size_t own = way.width(n);
             const std::size_t wide = std::min(before, after[n + 1]);
             before = std::max(before, own);
-            if (own == 0 || 2 * wide < 3 * own || (neck && wide * narrow <= neck->wide * own))
+            if (own == 0 || 2 * wide < 3 * own)
                 continue;
-            neck = Neck{.generation = n, .wide = wide, .wideFrom = n + 1};
-            narrow = own;
+            all.push_back({.generation = n, .wide = wide, .wideFrom = n + 1});
+            if (wide * way.width(all[best].generation) > all[best].wide * own)
+                best = all.size() - 1;
         }
-        while (neck && width[neck->wideFrom] < neck->wide)
-            ++neck->wideFrom;
-        return neck;
+        std::vector<Neck> necks;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            Neck& neck = all[i];
+            const std::size_t own = way.width(neck.generation);
+            const std::size_t bestOwn = way.width(all[best].generation);
+            const bool good = 2 * neck.wide * bestOwn >= all[best].wide * own;
+            if (i != best && !(good && isNarrowest(way, neck.generation)))
+                continue;
+            while (width[neck.wideFrom] < neck.wide)
+                ++neck.wideFrom;
+            necks.push_back(neck);
+        }
+        return necks;
+    }
+
+    /// Among the generations around it on the way.
+    static bool isNarrowest(const Generations& way, std::uint32_t n)
+    {
+        constexpr std::uint32_t around = 4;
+        const std::size_t own = way.width(n);
+        for (std::uint32_t m = n - std::min(n, around); m < way.count() && m <= n + around; ++m) {
+            const std::size_t other = way.width(m);
+            if (other != 0 && (m < n ? other <= own : other < own))
+                return false;
+        }
+        return true;
     }
 
     /// Rule 7.
@@ -259,11 +286,16 @@ private:
                 });
             graph.first.push_back(std::uint32_t(graph.next.size()));
         }
+        for (const Voxel voxel : m_seen)
+            m_marks[voxel] &= std::uint8_t(~(wouldLeave | wouldLooked));
         if (!sources || !sinks)
             return front;
         Voxels cut;
-        for (const std::uint32_t node : narrowestCut(graph))
+        for (const std::uint32_t node : narrowestCut(graph)) {
             cut.push_back(m_surroundings[node]);
+            if (isRoot(m_words[cut.back()]))
+                return front;
+        }
         return cut;
     }
 
@@ -282,6 +314,8 @@ private:
     std::vector<glm::ivec3> surroundings(const Voxels& front)
     {
         m_box = {};
+        m_surroundings.clear();
+        m_steps.clear();
         for (const Voxel voxel : front) {
             const glm::ivec3 place = m_words.positionOf(voxel);
             m_box = m_box.united({place, place + 1});
@@ -331,9 +365,11 @@ private:
                 if (has(child, seen))
                     return;
                 m_marks[child] |= seen;
+                m_seen.push_back(child);
                 waiting[seedWord::generation(m_words[child])].push_back(child);
             });
         };
+        m_seen = cut;
         for (const Voxel voxel : cut) {
             if (seedWord::generation(m_words[voxel]) != 0)
                 m_marks[voxel] |= std::uint8_t(gone | seen);
@@ -367,6 +403,7 @@ private:
     std::vector<std::uint32_t> m_nodes; ///< of each voxel of the box
     Voxels m_surroundings; ///< of each node
     std::vector<int> m_steps;
+    Voxels m_seen; ///< marked by the last leaving()
 };
 
 /// The bricks that are written, as they will be.

@@ -20,11 +20,13 @@ namespace core {
 //    fronts that hold a parent of a voxel of the way. w(n) of its voxels are of generation n.
 // 5. Beyond lie the fronts that hold a voxel of the sketch and, again and again, the members that
 //    have a parent there. b(n) of these are of generation n.
-// 6. The neck is the generation n on the way (w(n) > 0) at which
-//        q(n) = min(greatest w(m), m < n; greatest of w(m) and b(m), m > n) / w(n)
-//    is greatest, of equals the lowest n; q must be at least 3/2, else there is no neck.
-//    N: the way's voxels of generation n.
-// 7. The cut, where there is a neck, is N, if that is more than `widestPassage` voxels; else it is
+// 6. For a generation n on the way (w(n) > 0) let
+//        q(n) = min(greatest w(m), m < n; greatest of w(m) and b(m), m > n) / w(n).
+//    Necks are the generations with q(n) ≥ 3/2 that have the greatest q of all, of equals the
+//    lowest, or at least half of that, w(m) > w(n) or 0 for m = n − 4 … n − 1 and w(m) ≥ w(n) or 0
+//    for m = n + 1 … n + 4. N: the way's voxels of such a generation.
+// 7. For each neck a cut is made, and that of the fewest voxels is taken, of equals that of the
+//    lowest n. It is N, if that is more than `widestPassage` voxels; else it is
 //    put where the passage is narrowest near N. Let D be what leaves by rule 9 if N is cut. Let the
 //    surroundings be the members that can be reached from N in at most r steps to neighbours, with
 //    r = 2 + the longest side of N's box in voxels, at most `farthestPassage`. Of these, sources
@@ -32,8 +34,8 @@ namespace core {
 //    away, or of a generation from the lowest m > n on at which w(m) or b(m) is as great as the
 //    numerator of q(n). The cut is the smallest set of voxels of the surroundings without which no
 //    way over neighbours leads from a source to a sink (both may be in it); of such sets the one
-//    nearest to the sources: what is reached from them is the least. Without a source or a sink it
-//    is N.
+//    nearest to the sources: what is reached from them is the least. Where there is
+//    no source or no sink, or a root is in it, the cut is N.
 // 8. Where there is no neck the cut is the sketch; with How::Neck nothing leaves then.
 // 9. Of the cut all members leave whose generation is not 0, and then every member that has parents
 //    when all of them leave. With How::Here only the sketch leaves.

@@ -5,8 +5,10 @@
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <queue>
 #include <set>
 
@@ -114,9 +116,9 @@ public:
             w[n] = width(way, n);
             either[n] = std::max(w[n], width(beyond, n));
         }
-        std::uint32_t neck = 0;
-        std::int64_t wide = 0;
-        std::int64_t narrow = 0;
+        // Rule 6: the numerator of q for every generation where it is 3/2 or more.
+        std::map<std::uint32_t, std::int64_t> wide;
+        std::uint32_t best = 0;
         for (const auto& [n, own] : w) {
             if (own == 0)
                 continue;
@@ -127,23 +129,38 @@ public:
             for (const auto& [m, other] : either)
                 after = m > n ? std::max(after, other) : after;
             const std::int64_t least = std::min(before, after);
-            if (2 * least < 3 * own || (narrow > 0 && least * narrow <= wide * own))
+            if (2 * least < 3 * own)
                 continue;
-            neck = n;
-            wide = least;
-            narrow = own;
+            wide[n] = least;
+            if (best == 0 || least * w[best] > wide[best] * own)
+                best = n;
         }
-        if (narrow == 0)
+        std::optional<Set> narrowest;
+        for (const auto& [n, numerator] : wide) {
+            bool isNeck = 2 * numerator * w[best] >= wide[best] * w[n];
+            for (const auto& [m, other] : w) {
+                const std::int64_t apart = std::int64_t(m) - std::int64_t(n);
+                if (other == 0 || apart == 0 || std::abs(apart) > 4)
+                    continue;
+                isNeck = isNeck && (apart < 0 ? other > w[n] : other >= w[n]);
+            }
+            if (!isNeck && n != best)
+                continue;
+            std::uint32_t wideFrom = n + 1;
+            while (either.count(wideFrom) == 0 || either[wideFrom] < numerator)
+                ++wideFrom;
+            Set front;
+            for (const std::size_t voxel : way) {
+                if (generation(voxel) == n)
+                    front.insert(voxel);
+            }
+            Set cut = narrowestNear(front, wideFrom);
+            if (!narrowest || cut.size() < narrowest->size())
+                narrowest = std::move(cut);
+        }
+        if (!narrowest)
             return m_command.how == core::CutGrowth::How::Neck ? Set{} : closed(sketch);
-        std::uint32_t wideFrom = neck + 1;
-        while (either.count(wideFrom) == 0 || either[wideFrom] < wide)
-            ++wideFrom;
-        Set front;
-        for (const std::size_t voxel : way) {
-            if (generation(voxel) == neck)
-                front.insert(voxel);
-        }
-        return closed(narrowestNear(front, wideFrom));
+        return closed(*narrowest);
     }
 
 private:
@@ -310,6 +327,8 @@ private:
             if (reached.count(2 * voxel) != 0 && reached.count(2 * voxel + 1) == 0)
                 cut.insert(voxel);
         }
+        if (std::any_of(cut.begin(), cut.end(), [&](std::size_t voxel) { return isRoot(voxel); }))
+            return front;
         return cut;
     }
 
