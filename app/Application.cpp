@@ -35,6 +35,7 @@
 #include "ui/tools/RulerTool.h"
 #include "ui/tools/ScissorsTool.h"
 #include "ui/tools/SeedTool.h"
+#include "ui/tools/ShrinkTool.h"
 #include "ui/tools/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
@@ -84,6 +85,7 @@ void Application::makeWindow()
     auto* piece = new ui::PieceTool(*m_workspace, &window);
     ui::addPieceActions(window);
     auto* seed = new ui::SeedTool(*m_workspace, &window);
+    auto* shrink = new ui::ShrinkTool(*m_workspace, &window);
     auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* barrier = new ui::BarrierTool(*m_workspace, &window);
     auto* ruler = new ui::RulerTool(*m_workspace, &window);
@@ -103,6 +105,7 @@ void Application::makeWindow()
             QStringLiteral("pieces.lid"), QStringLiteral("pieces.home")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
+    window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
@@ -121,8 +124,8 @@ void Application::makeWindow()
     addExport();
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
-    const std::vector<ui::Tool*> tools{
-        drill, laser, peel, scissors, carve, clip, piece, seed, paint, barrier, ruler, undoHere};
+    const std::vector<ui::Tool*> tools{drill, laser, peel, scissors, carve, clip, piece, seed,
+        shrink, paint, barrier, ruler, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

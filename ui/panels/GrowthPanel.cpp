@@ -12,6 +12,7 @@
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/GenerationSection.h"
 #include "ui/panels/GrowCriteriaSection.h"
+#include "ui/panels/LeakSection.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QCheckBox>
@@ -153,6 +154,8 @@ void GrowthPanel::build()
     m_advice->setObjectName(QStringLiteral("growAdvice"));
     m_advice->setFont(theme::smallFont());
     m_advice->setWordWrap(true);
+    m_leak = new LeakSection(m_workspace, this);
+    connect(m_leak, &LeakSection::goOnAsked, this, &GrowthPanel::playOrPause);
     m_progress = new QLabel(this);
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());
@@ -190,6 +193,7 @@ void GrowthPanel::build()
     layout->addLayout(back);
     layout->addLayout(again);
     layout->addWidget(m_advice);
+    layout->addWidget(m_leak);
     layout->addLayout(pace);
     layout->addWidget(m_progress);
     layout->addWidget(m_generations);
@@ -229,6 +233,7 @@ core::GrowSteps GrowthPanel::growEdit() const
 {
     core::GrowSteps edit;
     edit.criteria = criteriaOf(m_workspace.growSettings());
+    m_leak->guard(edit);
     return edit;
 }
 
@@ -302,6 +307,7 @@ bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
         return false;
     }
     m_running = true;
+    m_leak->showAlarm({});
     core::GrowAdvance advance;
     advance.generationsPerSecond = generationsPerSecond;
     session->extendGrowth(advance);
@@ -380,6 +386,13 @@ void GrowthPanel::poll()
         return;
     }
     const core::GrowthProgress progress = session->engine().growthProgress();
+    if (progress.open && progress.alarm) {
+        const std::optional<core::LeakAlarm> alarm = progress.alarm;
+        finish();
+        m_leak->showAlarm(alarm);
+        m_workspace.say(tr("The growth has stopped: it may have begun to leak"));
+        return;
+    }
     if (progress.open && progress.atClosure) {
         finish();
         m_workspace.say(tr("The growth is complete: nothing is left within the interval"));

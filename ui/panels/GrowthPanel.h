@@ -21,6 +21,7 @@ namespace ui {
 class GenerationSection;
 class GrowCriteriaSection;
 class HistogramRange;
+class LeakSection;
 class LiveInterval;
 class SeedBand;
 class Workspace;
@@ -83,6 +84,7 @@ private:
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;
+    LeakSection* m_leak = nullptr;
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;
     QTimer m_watch; ///< only shows; decides nothing about voxels

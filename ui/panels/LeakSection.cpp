@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/LeakSection.h"
+
+#include "ui/CountText.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr double factor = 2.0; ///< of the narrow place; tests/gpu/edit/LeakPhantomsGlTest
+
+} // namespace
+
+LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_guard(new QCheckBox(tr("stop at leaks"), this))
+    , m_offer(new QWidget(this))
+    , m_text(new QLabel(m_offer))
+{
+    m_guard->setObjectName(QStringLiteral("growGuard"));
+    m_guard->setToolTip(
+        tr("Growth stops where a front that came out of a narrow place gets wide quickly"));
+    m_text->setObjectName(QStringLiteral("leakText"));
+    m_text->setFont(theme::smallFont());
+    m_text->setWordWrap(true);
+    m_text->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(theme::smallPadding);
+    const auto add = [&](const char* name, const QString& text, const QString& tip,
+                         void (LeakSection::*slot)()) {
+        auto* button = new QPushButton(text, m_offer);
+        button->setObjectName(QLatin1String(name));
+        button->setProperty("role", QStringLiteral("narrow"));
+        button->setFixedHeight(theme::rowHeight);
+        button->setToolTip(tip);
+        buttons->addWidget(button, 1);
+        connect(button, &QPushButton::clicked, this, slot);
+    };
+    add("leakPlug", tr("Plug"),
+        tr("Shut the narrow place, take back what lies beyond, and grow on elsewhere"),
+        &LeakSection::plug);
+    add("leakReject", tr("Reject"), tr("Take back what has grown since the narrow place"),
+        &LeakSection::reject);
+    add("leakAccept", tr("Accept"), tr("It is no leak: grow on"), &LeakSection::accept);
+    auto* offer = new QVBoxLayout(m_offer);
+    offer->setContentsMargins(0, 0, 0, 0);
+    offer->setSpacing(theme::smallPadding);
+    offer->addWidget(m_text);
+    offer->addLayout(buttons);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(m_guard);
+    layout->addWidget(m_offer);
+    m_offer->hide();
+    connect(&workspace, &Workspace::sessionChanged, this, [this] { showAlarm({}); });
+    connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
+}
+
+void LeakSection::guard(core::GrowSteps& edit) const
+{
+    if (m_guard->isChecked())
+        edit.guardFactor = factor;
+}
+
+void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
+{
+    m_alarm = alarm;
+    m_stands = false;
+    m_offer->setVisible(alarm.has_value());
+    if (alarm)
+        m_text->setText(tr("A leak? At generation %1 a front of %2 voxels burst out of a narrow "
+                           "place. Growth has stopped.")
+                            .arg(countText(alarm->generation), countText(alarm->voxels)));
+}
+
+/// Undone, shrunk or grown on by other means, there is nothing to decide any more.
+void LeakSection::follow()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!m_alarm || !session)
+        return;
+    const core::Growth* growth = session->document().growth(0);
+    const bool there = growth && growth->generation == m_alarm->generation;
+    if (m_stands && !there)
+        showAlarm({});
+    else
+        m_stands = there;
+}
+
+void LeakSection::apply(const core::Edit& edit)
+{
+    if (const auto applied = m_workspace.session()->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void LeakSection::accept()
+{
+    showAlarm({});
+    Q_EMIT goOnAsked();
+}
+
+void LeakSection::reject()
+{
+    const core::LeakAlarm alarm = *m_alarm;
+    showAlarm({});
+    apply(core::ShrinkSteps{.steps = int(alarm.generation - alarm.narrow)});
+}
+
+void LeakSection::plug()
+{
+    const core::LeakAlarm alarm = *m_alarm;
+    showAlarm({});
+    apply(core::PlugLeak{
+        .pointLps = m_workspace.volume()->geometry.toWorld(glm::dvec3(alarm.voxel))});
+    Q_EMIT goOnAsked();
+}
+
+} // namespace ui

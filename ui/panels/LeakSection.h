@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/Edits.h"
+#include "core/engine/EngineCommands.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+
+namespace ui {
+
+class Workspace;
+
+/// The leak guard of the growth panel: whether growth stops where a front bursts out of a narrow
+/// place, and, when it did, what is to become of it.
+class LeakSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LeakSection(Workspace& workspace, QWidget* parent = nullptr);
+
+    /// Adds the guard to a growth, where it is on.
+    void guard(core::GrowSteps& edit) const;
+    /// Offers what can be done; none: nothing any more.
+    void showAlarm(const std::optional<core::LeakAlarm>& alarm);
+
+Q_SIGNALS:
+    void goOnAsked();
+
+private:
+    void follow();
+    void accept();
+    void reject();
+    void plug();
+    void apply(const core::Edit& edit);
+
+    Workspace& m_workspace;
+    QCheckBox* m_guard = nullptr;
+    QWidget* m_offer = nullptr;
+    QLabel* m_text = nullptr;
+    std::optional<core::LeakAlarm> m_alarm;
+    bool m_stands = false; ///< the growth has come to the alarm's generation
+};
+
+} // namespace ui
