@@ -72,6 +72,8 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
         return discardValue(cutGrowth(*shrink, document));
     if (const auto* plug = std::get_if<PlugLeak>(&edit))
         return discardValue(cutGrowth(*plug, document));
+    if (const auto* spread = std::get_if<GrowFromSeeds>(&edit))
+        return discardValue(spreadLabels(*spread, document));
     if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
         if (const Result<void> checked = checkLayer("drill.layer", drill->layer, document);
             !checked)

@@ -38,6 +38,10 @@ namespace core {
 [[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);
 [[nodiscard]] Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document);
 
+/// Errors: UnknownSegment, SegmentLocked, InvalidField (fewer than two segments, a box outside).
+[[nodiscard]] Result<SpreadLabels> spreadLabels(
+    const GrowFromSeeds& edit, const Document& document);
+
 /// Errors: UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document);
 

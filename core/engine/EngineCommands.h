@@ -4,6 +4,7 @@
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/SeedSpread.h"
 #include "core/growth/SeedStatistics.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
@@ -109,7 +110,8 @@ struct PeelDepth {
 };
 
 using EngineExtension =
-    std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth, ShrinkTo, GrowAnew>;
+    std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth, ShrinkTo, GrowAnew,
+        ForgetSpread>;
 
 // --- Commands
 // -------------------------------------------------------------------------------------
@@ -122,7 +124,8 @@ using EngineExtension =
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
 // a brush's frame, what is hidden or limits of growth that are not sound (isSound()); bounds that
 // are not (areSound()); a layer folded into itself; a table of opacities of another length than
-// 256. ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels and CountGenerations are served while a
+// 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two labels.
+// ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels and CountGenerations are served while a
 // transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.

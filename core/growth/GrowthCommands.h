@@ -13,6 +13,7 @@
 namespace core {
 
 // Growth as an engine sees it: integers only. Words are those of core/growth/SeedWord.h.
+// SpreadLabels, growing from seeds: core/growth/SeedSpread.h.
 
 /// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word
 /// is not a member's.
@@ -179,16 +180,6 @@ struct PaintBarrier {
     bool erase = false;
     std::bitset<256> frozen{};
     CapsuleFrame frame;
-};
-
-/// Give every voxel of a box to the label that is nearest by the least cost of a way.
-struct SpreadLabels {
-    std::uint8_t plane = 0;
-    glm::ivec3 boxFrom{0}; ///< inclusive
-    glm::ivec3 boxTo{0};
-    std::bitset<256> competing{};
-    std::bitset<256> frozen{};
-    glm::ivec3 lengthCost{0}; ///< of a step along x, y, z
 };
 
 } // namespace core

@@ -177,7 +177,8 @@ Result<void> EditSession::begin(const Edit& edit)
         || std::holds_alternative<PaintStroke>(rounded)
         || std::holds_alternative<BarrierStroke>(rounded)
         || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded)
-        || std::holds_alternative<LaserStroke>(rounded);
+        || std::holds_alternative<LaserStroke>(rounded)
+        || std::holds_alternative<GrowFromSeeds>(rounded);
     const bool isGrowth = std::holds_alternative<GrowSteps>(rounded)
         || std::holds_alternative<ResumeGrowth>(rounded)
         || std::holds_alternative<ChangeInterval>(rounded)
@@ -246,9 +247,24 @@ void EditSession::end(Ending ending)
         m_queue->end(*open, ending);
 }
 
+void EditSession::cancelPreview()
+{
+    VoxelOperation* open = m_queue->interactive();
+    if (!open || !open->isPreview())
+        return;
+    open->forgetPreview(m_queue->state());
+    m_queue->end(*open, Ending::Rollback);
+}
+
 bool EditSession::transactionOpen() const
 {
     return m_queue->interactive() != nullptr;
+}
+
+bool EditSession::previewOpen() const
+{
+    const VoxelOperation* open = m_queue->interactive();
+    return open && open->isPreview();
 }
 
 void EditSession::closeGrowth()

@@ -86,7 +86,8 @@ public:
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
     /// DrillStroke or LaserStroke without samples, PaintStroke, BarrierStroke or BrushStroke with
-    /// the first point, PeelCut, GrowSteps, ResumeGrowth, ChangeInterval or ShrinkSteps
+    /// the first point, PeelCut, GrowSteps, ResumeGrowth, ChangeInterval or ShrinkSteps; or
+    /// GrowFromSeeds, which shows what comes of it until end() decides.
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
     /// Of a PaintStroke, BarrierStroke or BrushStroke. @param lifted the path begins anew at the
@@ -103,9 +104,13 @@ public:
     void setInterval(double lower, double upper);
     void pauseGrowth();
     void end(Ending ending);
+    /// Takes a preview back, and with it what the engine would keep for the next one.
+    void cancelPreview();
     [[nodiscard]] bool transactionOpen() const;
-    /// A growth that runs is committed at its generation, an open peel at its depth; a stroke is
-    /// left alone. All that follows does it by itself.
+    /// What is open is a preview (GrowFromSeeds).
+    [[nodiscard]] bool previewOpen() const;
+    /// A growth that runs is committed at its generation, an open peel at its depth, a preview is
+    /// taken back; a stroke is left alone. All that follows does it by itself.
     void closeGrowth();
 
     Result<void> undo();

@@ -53,7 +53,7 @@ OperationQueue::~OperationQueue()
     m_answers.clear();
     m_closing = true;
     if (VoxelOperation* open = interactive())
-        open->end(m_state, open->standsOpen() ? Ending::Commit : Ending::Rollback);
+        open->end(m_state, open->usualEnding());
     static_cast<void>(settle());
     if (m_wakeUp)
         m_state.engine.setWakeUp({});
@@ -101,7 +101,7 @@ void OperationQueue::closeGrowth()
         return;
     if (open->isGrowth())
         open->extendGrowth(m_state, GrowPause{});
-    open->end(m_state, Ending::Commit);
+    open->end(m_state, open->usualEnding());
     advance();
 }
 

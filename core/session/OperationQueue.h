@@ -32,7 +32,8 @@ public:
     /// The stroke under the pen or the growth that runs; null: none.
     [[nodiscard]] VoxelOperation* interactive() const;
     void end(VoxelOperation& stroke, Ending ending);
-    /// A growth that runs is committed at its generation, an open peel at its depth.
+    /// A growth that runs is committed at its generation, an open peel at its depth; a preview is
+    /// taken back.
     void closeGrowth();
 
     void poll();

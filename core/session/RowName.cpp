@@ -428,6 +428,9 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
                 counted(statistics.voxelsChanged, "voxel"));
     if (std::holds_alternative<PlugLeak>(edit))
         return QStringLiteral("Plug leak, −%1").arg(counted(statistics.voxelsChanged, "voxel"));
+    if (std::holds_alternative<GrowFromSeeds>(edit))
+        return QStringLiteral("Grow %1from seeds, +%2")
+            .arg(whatGrew(changes, document), counted(statistics.voxelsChanged, "voxel"));
     if (const auto* revert = std::get_if<RevertRows>(&edit))
         return revertName(*revert, statistics, changes, history);
     if (const auto* revise = std::get_if<ReviseStroke>(&edit))

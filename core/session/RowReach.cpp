@@ -120,7 +120,8 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
     } else if (std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ShrinkSteps>(edit)
         || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
         || std::holds_alternative<RemoveSegment>(edit)
-        || std::holds_alternative<ChangeInterval>(edit)) {
+        || std::holds_alternative<ChangeInterval>(edit)
+        || std::holds_alternative<GrowFromSeeds>(edit)) {
         m_reach = Plane{document.growths.front().plane};
     } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
         std::vector<glm::dvec2> path;

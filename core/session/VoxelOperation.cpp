@@ -125,8 +125,12 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
             return tl::unexpected(command.error());
         return EngineEdit(*std::move(command));
     }
-    if (std::holds_alternative<GrowFromSeeds>(m_edit))
-        return failure(ErrorCode::InvalidField, editName(m_edit), QStringLiteral("is not known"));
+    if (const auto* fromSeeds = std::get_if<GrowFromSeeds>(&m_edit)) {
+        Result<SpreadLabels> spread = spreadLabels(*fromSeeds, document);
+        if (!spread)
+            return tl::unexpected(spread.error());
+        return EngineEdit(*std::move(spread));
+    }
     if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
         Result<EraseLabel> erase = eraseLabel(*remove, document);
         if (!erase)
@@ -319,6 +323,14 @@ void VoxelOperation::setInterval(SessionState& state, double lower, double upper
     submitWaiting(state);
 }
 
+void VoxelOperation::forgetPreview(SessionState& state)
+{
+    if (!isPreview() || !open())
+        return;
+    m_waiting.push_back(ForgetSpread{});
+    submitWaiting(state);
+}
+
 void VoxelOperation::end(SessionState& state, Ending ending)
 {
     if (!open())
@@ -356,6 +368,8 @@ void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
             state.fail(*result.error);
         m_failed = true;
         m_refused = m_refused || (result.ticket == *m_begun && !m_ended);
+        if (m_refused && isPreview())
+            m_ending = Ending::Rollback; // nobody's pen is down: it ends here
     }
 }
 

@@ -27,6 +27,7 @@ public:
     void extendGrowth(SessionState& state, EngineExtension extension);
     /// Of a ChangeInterval: it begins anew with these bounds; steps have to be asked for again.
     void setInterval(SessionState& state, double lower, double upper);
+    void forgetPreview(SessionState& state);
     void end(SessionState& state, Ending ending);
     [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool isGrowth() const
@@ -40,11 +41,18 @@ public:
         return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit)
             || std::holds_alternative<ShrinkAt>(m_edit) || std::holds_alternative<PlugLeak>(m_edit);
     }
+    /// Shown before it is decided on: whatever comes next takes it back.
+    [[nodiscard]] bool isPreview() const { return std::holds_alternative<GrowFromSeeds>(m_edit); }
     /// Open without a pen that is down: whatever comes next closes it.
     [[nodiscard]] bool standsOpen() const
     {
-        return isGrowth() || std::holds_alternative<PeelCut>(m_edit)
+        return isGrowth() || isPreview() || std::holds_alternative<PeelCut>(m_edit)
             || std::holds_alternative<ShrinkSteps>(m_edit);
+    }
+    /// How it ends by itself.
+    [[nodiscard]] Ending usualEnding() const
+    {
+        return standsOpen() && !isPreview() ? Ending::Commit : Ending::Rollback;
     }
 
     void start(SessionState& state) override;

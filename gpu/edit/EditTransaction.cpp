@@ -49,9 +49,11 @@ core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& gri
     return checkVoxels(edit.voxels, grid);
 }
 
-core::Result<void> check(const core::SpreadLabels&, const core::BrickGrid&)
+core::Result<void> check(const core::SpreadLabels& edit, const core::BrickGrid& grid)
 {
-    return refusal("edit", "is not known");
+    if (!core::isSound(edit, grid.volumeSize))
+        return refusal("spread", "is not sound");
+    return {};
 }
 
 core::Result<void> check(const core::MaskFrame& frame)
@@ -222,6 +224,11 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         CutOutcome outcome = cutGrown(fields, before, *grown);
         transaction->m_wholeKeys = std::move(outcome.keys);
         transaction->m_cutTo = outcome.generation;
+    } else if (const auto* spread = std::get_if<core::SpreadLabels>(&edit)) {
+        auto kernel = SpreadKernel::begin(programs.spread, fields, before, *spread);
+        if (!kernel)
+            return tl::unexpected(kernel.error());
+        transaction->m_spread = *std::move(kernel);
     }
     return transaction;
 }
@@ -257,6 +264,12 @@ core::Result<void> EditTransaction::extend(const core::EngineExtension& extensio
         if (shrink->keep > m_shrink->openedAt())
             return refusal("keep", "is more than there is");
         m_shrink->shrinkTo(shrink->keep, shrink->keep == 0);
+        return {};
+    }
+    if (std::holds_alternative<core::ForgetSpread>(extension)) {
+        if (!m_spread)
+            return refusal("extension", "the open edit does not grow from seeds");
+        m_spread->forget();
         return {};
     }
     if (!m_growth)
@@ -313,6 +326,8 @@ bool EditTransaction::join(core::EngineExtension& earlier, core::EngineExtension
 
 void EditTransaction::advance(int rings)
 {
+    if (m_spread)
+        return m_spread->advance(std::size_t(4 * rings * rings));
     const int wanted = m_stepsLeft < 0 ? rings : std::min(rings, m_stepsLeft);
     const int done = m_growth->advance(wanted);
     if (done < std::min(wanted, GrowthKernel::ringsPerBatch))
@@ -348,6 +363,8 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
         return m_capsule->touchedKeys();
     if (m_shrink)
         return m_shrink->touchedKeys();
+    if (m_spread)
+        return m_spread->touchedKeys();
     return keys;
 }
 
@@ -355,6 +372,8 @@ void EditTransaction::commit(core::EngineResult& result)
 {
     result.changes = m_before.changes(touchedKeys());
     result.statistics = statisticsOf(result.changes);
+    if (m_spread)
+        m_spread->close(true);
     if (m_growth) {
         m_growth->releaseUnused();
         result.generation = m_growth->generation();
@@ -375,6 +394,8 @@ void EditTransaction::commit(core::EngineResult& result)
 void EditTransaction::rollBack(core::EngineResult& result)
 {
     m_before.restore(touchedKeys());
+    if (m_spread)
+        m_spread->close(false);
     if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
         m_growth->releaseUnused();
         result.generation = grow->generation;
@@ -387,6 +408,8 @@ void EditTransaction::rollBack(core::EngineResult& result)
 
 core::GrowthProgress EditTransaction::progress() const
 {
+    if (m_spread)
+        return {.running = hasStepsLeft()};
     if (!m_growth)
         return {};
     return {.open = true,

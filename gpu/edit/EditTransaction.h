@@ -12,6 +12,7 @@
 #include "gpu/edit/LaserKernel.h"
 #include "gpu/edit/PeelKernel.h"
 #include "gpu/edit/ShrinkKernel.h"
+#include "gpu/edit/SpreadKernel.h"
 
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@ struct EditPrograms {
         , capsule(library)
         , label(library)
         , laser(library)
+        , spread(library)
     {
     }
 
@@ -36,6 +38,7 @@ struct EditPrograms {
     CapsulePrograms capsule;
     LabelPrograms label;
     LaserPrograms laser;
+    SpreadPrograms spread;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
@@ -51,10 +54,13 @@ public:
     /// the open stroke's path. @return whether it did
     [[nodiscard]] bool join(core::EngineExtension& earlier, core::EngineExtension& next) const;
 
-    /// Steps of a growth that were asked for and not yet done.
-    [[nodiscard]] bool hasStepsLeft() const { return m_stepsLeft != 0; }
+    /// Steps of a growth that were asked for and not yet done, or work of growing from seeds.
+    [[nodiscard]] bool hasStepsLeft() const
+    {
+        return m_spread ? !m_spread->done() : m_stepsLeft != 0;
+    }
     [[nodiscard]] double generationsPerSecond() const { return m_generationsPerSecond; }
-    /// Does up to @p rings of them.
+    /// Does up to @p rings of them, or so much of that work.
     void advance(int rings);
 
     /// Closes; fills changes, statistics, generation and atClosure of the result.
@@ -86,6 +92,7 @@ private:
     std::optional<LaserKernel> m_laser;
     std::optional<PeelKernel> m_peel;
     std::optional<CapsuleKernel> m_capsule;
+    std::unique_ptr<SpreadKernel> m_spread;
     int m_stepsLeft = 0; ///< negative: to closure
     double m_generationsPerSecond = 0.0;
 };

@@ -5,6 +5,7 @@
 #include "core/growth/LeakGuard.h"
 #include "gpu/edit/BeforeImages.h"
 #include "gpu/edit/GrowCriterion.h"
+#include "gpu/edit/ShrinkKernel.h"
 #include "gpu/edit/VoxelFields.h"
 
 #include <array>

@@ -244,6 +244,7 @@ std::size_t VoxelFields::bytes() const
     for (const auto& plane : m_furtherPlanes)
         total += plane.second.bytes();
     total += m_shared.pieces().bytes();
+    total += m_spread.bytes();
     return total;
 }
 

@@ -4,6 +4,7 @@
 #include "gpu/edit/BrickCopier.h"
 #include "gpu/edit/BrickField.h"
 #include "gpu/edit/RadiationKernel.h"
+#include "gpu/edit/SpreadField.h"
 #include "gpu/textures/VolumeTextures.h"
 
 #include <bitset>
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] BrickField& coverage(std::uint8_t layer);
     [[nodiscard]] BrickField& seedWords(std::uint8_t plane);
     [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
+    /// What growing from seeds works out, and keeps for the next time; no truth.
+    [[nodiscard]] SpreadField& spread() { return m_spread; }
     [[nodiscard]] FieldTextures textures(core::Field field, std::uint8_t plane);
     /// The paged field, or null for the dense label planes.
     [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
@@ -88,6 +91,7 @@ private:
     std::map<std::uint8_t, BrickField> m_coverage;
     std::map<std::uint8_t, BrickField> m_seedWords;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
+    SpreadField m_spread;
     std::bitset<256> m_mutedLayers;
     std::bitset<256> m_shownLabels;
     std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels

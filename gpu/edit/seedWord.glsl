@@ -2,7 +2,7 @@
 
 const uint unvisited = 0xFFFFFFFFu;
 const uint notMember = 0x80000000u;
-const uint barrierWord = 0u;
+const uint barrierWord = 0u; // barrier() is a function
 const uint seedDirection = 31u;
 const uint heldSeedDirection = 30u;
 const uint heldDirection = 29u;

@@ -5,6 +5,7 @@
 #include "tests/reference/GrowthCut.h"
 #include "tests/reference/LayerWrites.h"
 #include "tests/reference/Radiation.h"
+#include "tests/reference/Spread.h"
 
 #include <algorithm>
 
@@ -144,9 +145,13 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier& e
     return Capsules(m_codes, m_fields, edit);
 }
 
-core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SpreadLabels&)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SpreadLabels& edit)
 {
-    return refuse("edit", "is not known");
+    if (!core::isSound(edit, m_codes.size))
+        return refuse("spread", "is not sound");
+    if (const core::Result<void> spread = spreadLabels(m_codes, m_fields, edit); !spread)
+        return tl::unexpected(spread.error());
+    return Spread{};
 }
 
 namespace {
@@ -313,6 +318,11 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
         shrunk->edit.keepSeeds = to->keep == 0;
         m_fields = m_open->before;
         shrunk->to = shrinkGrowth(m_fields, shrunk->edit);
+        return std::nullopt;
+    }
+    if (std::holds_alternative<core::ForgetSpread>(command.extension)) {
+        if (!std::holds_alternative<Spread>(m_open->work))
+            return refuse("extension", "the open edit does not grow from seeds");
         return std::nullopt;
     }
     Growth* growth = std::get_if<Growth>(&m_open->work);

@@ -45,7 +45,9 @@ private:
         std::uint32_t from = 0;
         std::uint32_t to = 0;
     };
-    using Work = std::variant<Done, Shrunk, CutBack, Growth, Drill, Capsules, Peel, Laser>;
+    /// Likewise; it may be told not to remember what it never does.
+    struct Spread { };
+    using Work = std::variant<Done, Shrunk, CutBack, Spread, Growth, Drill, Capsules, Peel, Laser>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;

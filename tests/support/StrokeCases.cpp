@@ -108,6 +108,13 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
     } else if (const auto* resume = std::get_if<core::ResumeGrowth>(&edit)) {
         require(session.begin(*resume), "begin");
         session.extendGrowth({.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
+    } else if (std::holds_alternative<core::GrowFromSeeds>(edit)) {
+        require(session.begin(edit), "begin");
+        // Whatever else is done takes a preview back, and the next goes on from what it found.
+        session.closeGrowth();
+        session.poll();
+        require(session.begin(edit), "begin again");
+        session.poll();
     } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
         require(session.begin(*grow), "begin");
         const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
@@ -575,6 +582,37 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
     cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    core::PaintStroke other = paint;
+    other.segment = 2;
+    other.path.radiusMm = 2.0;
+    other.path.lifts.clear();
+    other.path.pointsLps = {geometry.toWorld({34.0, 4.0, 4.0})};
+    core::GrowFromSeeds fromSeeds;
+    core::GrowFromSeeds within;
+    within.box =
+        core::GrowBox{geometry.toWorld({3.0, 2.0, 5.0}), geometry.toWorld({90.0, 30.0, 12.0})};
+    within.connectivity = 26;
+    within.lengthCost = 0.5;
+    core::GrowFromSeeds between;
+    between.segments = {2, 3};
+    between.overwriteUnlocked = true;
+    const core::Edit third = segmentNamed("Third");
+    core::PaintStroke last = other;
+    last.segment = 3;
+    last.path.pointsLps = {geometry.toWorld({5.0, 28.0, 17.0})};
+    cases.push_back({"growing from seeds", volume, {first, second, paint, other}, fromSeeds});
+    cases.push_back({"growing from seeds that are sketched", volume, {first, second, seeds, others},
+        fromSeeds});
+    cases.push_back({"growing from seeds over what has grown", volume,
+        {first, second, third, seeds, some, other, last}, between});
+    cases.push_back({"growing from seeds in a box, beside a locked one", volume,
+        {first, second, third, paint, other, last, lock}, within});
+    cases.push_back({"growing from seeds again", volume,
+        {first, second, paint, other, fromSeeds, eraser}, fromSeeds});
+    cases.push_back({"undo only growing from seeds", volume,
+        {first, second, paint, other, fromSeeds, drill}, core::RevertRows{{5}}});
+    cases.push_back(
+        {"growth after growing from seeds", volume, {first, second, seeds, other, fromSeeds}, all});
     cases.push_back({"carve brush", volume, {drill}, brush});
     cases.push_back({"restore", volume, {drill, brush}, back});
     cases.push_back({"restore what is whole", volume, {}, back});

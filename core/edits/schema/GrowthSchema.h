@@ -162,15 +162,20 @@ template <> inline constexpr const char* editName<GrowFromSeeds> = "growFromSeed
 template <>
 inline constexpr const char* editMeaning<GrowFromSeeds> =
     "Gives every voxel of a box to the segment that is nearest by a way on which values change "
-    "little; seeds are the voxels that segments hold.";
+    "little; seeds are the voxels that segments hold, and those that are sketched.";
 template <class Visitor> void visitFields(Visitor& visit, GrowFromSeeds& edit)
 {
     visit.maybe("segments", edit.segments, editFields::SegmentList{}, "those that compete",
         "all that are not locked");
     visitBox(visit, edit.box, "two opposite corners: what lies between is given away",
         "around the seeds with a margin of a twentieth");
-    visit.field("lengthCost", Presence::Optional, edit.lengthCost, valuePerMillimetre,
-        "what a millimetre of a way costs");
+    visit.field("connectivity", Presence::Optional, edit.connectivity, editFields::Connectivity{},
+        "neighbours of a voxel: those that share a face, a face or an edge, or a corner too");
+    visit.maybe("lengthCost", edit.lengthCost, valuePerMillimetre,
+        "what a millimetre of a way costs, besides the difference of values along it",
+        "a thousandth of the volume's range of values");
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether voxels of segments that do not compete and are not locked are taken");
 }
 
 } // namespace core::editSchema

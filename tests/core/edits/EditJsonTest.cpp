@@ -111,6 +111,32 @@ private Q_SLOTS:
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 
+    void readsGrowingFromSeeds()
+    {
+        const Result<Edit> plain = editFromJson(parse("{'edit':'growFromSeeds'}"));
+        QVERIFY(plain);
+        const auto& all = std::get<GrowFromSeeds>(*plain);
+        QVERIFY(!all.segments && !all.box && !all.lengthCost && !all.overwriteUnlocked);
+        QCOMPARE(all.connectivity, 6);
+        const Result<Edit> full = editFromJson(
+            parse("{'edit':'growFromSeeds','segments':[1,3],'box':[[0,-1,2],[10.00001,20,30]],"
+                  "'connectivity':26,'lengthCost':0.5,'overwriteUnlocked':true}"));
+        QVERIFY(full);
+        const auto& some = std::get<GrowFromSeeds>(*full);
+        QCOMPARE(*some.segments, (std::vector<int>{1, 3}));
+        QCOMPARE(*some.lengthCost, 0.5);
+        QVERIFY(some.overwriteUnlocked);
+        for (const Edit& edit : {*plain, quantised(*full)})
+            QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
+        for (const char* wrong :
+            {"{'edit':'growFromSeeds','segments':[]}", "{'edit':'growFromSeeds','segments':[3,1]}",
+                "{'edit':'growFromSeeds','box':[[0,0,0]]}",
+                "{'edit':'growFromSeeds','connectivity':7}",
+                "{'edit':'growFromSeeds','lengthCost':-1}",
+                "{'edit':'growFromSeeds','seeds':true}"})
+            QVERIFY2(!editFromJson(parse(wrong)), wrong);
+    }
+
     void readsBrushes()
     {
         const Result<Edit> paint = editFromJson(
