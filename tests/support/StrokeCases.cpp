@@ -582,11 +582,11 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
     cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
-    core::PaintStroke other = paint;
-    other.segment = 2;
-    other.path.radiusMm = 2.0;
-    other.path.lifts.clear();
-    other.path.pointsLps = {geometry.toWorld({34.0, 4.0, 4.0})};
+    core::PaintStroke dab = paint;
+    dab.segment = 2;
+    dab.path.radiusMm = 2.0;
+    dab.path.lifts.clear();
+    dab.path.pointsLps = {geometry.toWorld({34.0, 4.0, 4.0})};
     core::GrowFromSeeds fromSeeds;
     core::GrowFromSeeds within;
     within.box =
@@ -597,22 +597,22 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     between.segments = {2, 3};
     between.overwriteUnlocked = true;
     const core::Edit third = segmentNamed("Third");
-    core::PaintStroke last = other;
+    core::PaintStroke last = dab;
     last.segment = 3;
     last.path.pointsLps = {geometry.toWorld({5.0, 28.0, 17.0})};
-    cases.push_back({"growing from seeds", volume, {first, second, paint, other}, fromSeeds});
+    cases.push_back({"growing from seeds", volume, {first, second, paint, dab}, fromSeeds});
     cases.push_back({"growing from seeds that are sketched", volume, {first, second, seeds, others},
         fromSeeds});
     cases.push_back({"growing from seeds over what has grown", volume,
-        {first, second, third, seeds, some, other, last}, between});
+        {first, second, third, seeds, some, dab, last}, between});
     cases.push_back({"growing from seeds in a box, beside a locked one", volume,
-        {first, second, third, paint, other, last, lock}, within});
+        {first, second, third, paint, dab, last, lock}, within});
     cases.push_back({"growing from seeds again", volume,
-        {first, second, paint, other, fromSeeds, eraser}, fromSeeds});
+        {first, second, paint, dab, fromSeeds, eraser}, fromSeeds});
     cases.push_back({"undo only growing from seeds", volume,
-        {first, second, paint, other, fromSeeds, drill}, core::RevertRows{{5}}});
+        {first, second, paint, dab, fromSeeds, drill}, core::RevertRows{{5}}});
     cases.push_back(
-        {"growth after growing from seeds", volume, {first, second, seeds, other, fromSeeds}, all});
+        {"growth after growing from seeds", volume, {first, second, seeds, dab, fromSeeds}, all});
     cases.push_back({"carve brush", volume, {drill}, brush});
     cases.push_back({"restore", volume, {drill, brush}, back});
     cases.push_back({"restore what is whole", volume, {}, back});

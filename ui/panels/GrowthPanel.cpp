@@ -13,6 +13,7 @@
 #include "ui/panels/GenerationSection.h"
 #include "ui/panels/GrowCriteriaSection.h"
 #include "ui/panels/LeakSection.h"
+#include "ui/panels/SpreadBar.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QCheckBox>
@@ -197,6 +198,7 @@ void GrowthPanel::build()
     layout->addLayout(pace);
     layout->addWidget(m_progress);
     layout->addWidget(m_generations);
+    layout->addWidget(new SpreadBar(m_workspace, this));
 }
 
 void GrowthPanel::makeSeedButton()
