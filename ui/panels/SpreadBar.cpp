@@ -75,6 +75,9 @@ void SpreadBar::build()
     m_text->setFont(theme::smallFont());
     m_text->setProperty("role", QStringLiteral("secondary"));
     m_text->setWordWrap(true);
+    m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    // So that what stands below does not jump with what it says.
+    m_text->setMinimumHeight(2 * m_text->fontMetrics().lineSpacing());
 
     auto* head = new QHBoxLayout;
     head->setSpacing(theme::smallPadding);
@@ -203,7 +206,7 @@ void SpreadBar::showState()
         m_text->setText(tr("Shown in all views. Sketch, paint or erase to correct it; Apply keeps "
                            "it."));
     else if (count >= 2)
-        m_text->setText(tr("%1 segments would share it out.").arg(count));
+        m_text->setText(tr("%1 segments compete for what lies between.").arg(count));
     else
         m_text->setText(
             tr("Sketch or paint in two segments or more: they share out what lies between."));
