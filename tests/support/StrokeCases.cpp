@@ -503,7 +503,9 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back(
         {"narrower and wider", volume, {first, seeds, all, interval(100, 600)}, interval(50, 300)});
     cases.push_back({"nothing is left", volume, {first, seeds, all}, interval(60000, 60001)});
-    cases.push_back({"seeds that wait come in", volume, {first, seeds, none}, interval(0, 900)});
+    core::ChangeInterval byItself = interval(0, 900);
+    byItself.asBefore = false;
+    cases.push_back({"seeds that wait come in", volume, {first, seeds}, byItself});
     cases.push_back(
         {"wider, two compete", volume, {first, seeds, second, others, some}, interval(0, 900)});
     cases.push_back({"wider beside a locked one", volume,
@@ -521,7 +523,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         document.volumes.front().geometry.toWorld({30.0, 30.0, 12.0})};
     core::BarrierStroke opened = shut;
     opened.erase = true;
-    opened.path.radiusMm = 3.0;
+    opened.path.radiusMm = 6.0;
     cases.push_back({"barrier", volume, {first, seeds}, shut});
     cases.push_back({"barrier on what has grown", volume, {first, seeds, over}, shut});
     cases.push_back({"growth beside a barrier", volume, {first, seeds, shut}, over});
