@@ -114,7 +114,7 @@ core::GrowBox growBoxFrom(const core::ClipRegion::Box& box, const core::VolumeGe
     return {.fromLps = geometry.toWorld(from), .toLps = geometry.toWorld(to)};
 }
 
-QJsonObject toJson(const GrowSettings& settings)
+QJsonObject growSettingsJson(const GrowSettings& settings)
 {
     QJsonObject json{{QStringLiteral("lower"), settings.lower},
         {QStringLiteral("upper"), settings.upper},
@@ -132,7 +132,7 @@ QJsonObject toJson(const GrowSettings& settings)
     return json;
 }
 
-void read(const QJsonObject& json, GrowSettings& settings)
+void readGrowSettings(const QJsonObject& json, GrowSettings& settings)
 {
     GrowSettings known = settings;
     read(json[QLatin1String("lower")], known.lower);

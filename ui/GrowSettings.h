@@ -51,8 +51,8 @@ void chooseLimits(GrowSettings& settings, const core::Volume& volume);
 [[nodiscard]] core::GrowBox growBoxFrom(
     const core::ClipRegion::Box& box, const core::VolumeGeometry& geometry);
 
-[[nodiscard]] QJsonObject toJson(const GrowSettings& settings);
+[[nodiscard]] QJsonObject growSettingsJson(const GrowSettings& settings);
 /// Fields that are missing or make no sense are passed over.
-void read(const QJsonObject& json, GrowSettings& settings);
+void readGrowSettings(const QJsonObject& json, GrowSettings& settings);
 
 } // namespace ui

@@ -93,7 +93,7 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
 QJsonObject toolSettings(const Workspace& workspace, const std::vector<Tool*>& tools)
 {
     QJsonObject settings{{QStringLiteral("drill"), toJson(workspace.drillSettings())},
-        {QStringLiteral("growth"), toJson(workspace.growSettings())}};
+        {QStringLiteral("growth"), growSettingsJson(workspace.growSettings())}};
     for (const auto& [name, brush] : brushes)
         settings[QLatin1String(name)] = toJson(workspace.brushSettings(brush));
     QJsonObject own;
@@ -117,7 +117,7 @@ void applyToolSettings(
         workspace.setBrushSettings(brush, settings);
     }
     Workspace::GrowSettings growth = workspace.growSettings();
-    read(state[QLatin1String("growth")].toObject(), growth);
+    readGrowSettings(state[QLatin1String("growth")].toObject(), growth);
     workspace.setGrowSettings(growth);
     const QJsonValue own = state[QLatin1String("tools")];
     for (Tool* tool : tools)
