@@ -11,6 +11,7 @@ namespace {
 using core::GrowAdvance;
 using core::GrowBurst;
 using core::GrowLimits;
+using core::GrowOpening;
 using core::SeedPlacement;
 
 constexpr int closure = GrowAdvance::toClosure;
@@ -102,6 +103,7 @@ core::SwapBricks randomCoverage(const glm::ivec3& size, std::uint8_t layer, Rand
 EngineCase randomCase(int number)
 {
     Random random(std::uint32_t(61000 + number));
+    Random openings(std::uint32_t(63000 + number));
     const glm::ivec3 size = randomSize(random);
     EngineCase made{"random limits " + QByteArray::number(number), randomCodes(size, random), {}};
     for (const int layer : {1, 2}) {
@@ -131,6 +133,8 @@ EngineCase randomCase(int number)
         }
         if (random() % 4 == 0)
             grow.frozen.set(std::size_t(randomInt(random, 1, 4)));
+        grow.opening = std::array<GrowOpening, 4>{GrowOpening::GoOn, GrowOpening::Narrow,
+            GrowOpening::Narrow, GrowOpening::Restart}[openings() % 4];
         made.steps.push_back(command(core::ProbeSeeds{0, grow.lowCode, grow.highCode}));
         made.steps.push_back(BeginGrowth{grow});
         if (random() % 2)
