@@ -10,7 +10,7 @@ namespace ui {
 
 QString ShrinkTool::name() const
 {
-    return tr("Shrink here");
+    return tr("Shrink");
 }
 
 QString ShrinkTool::iconName() const

@@ -153,7 +153,7 @@ private Q_SLOTS:
     void theBurstHasThem()
     {
         const Document document = initialDocument(smallVolume());
-        const Result<GrowBurst> burst = growBurst({.criteria = everything()}, document);
+        const Result<GrowBurst> burst = growBurst(GrowSteps{.criteria = everything()}, document);
         QVERIFY(burst);
         QVERIFY(isSound(burst->limits));
         QCOMPARE(burst->limits, limitsOf(everything()));

@@ -115,23 +115,23 @@ private Q_SLOTS:
         for (Segment& segment : document.segments)
             segment.locked = true;
         const Result<GrowBurst> refused =
-            growBurst({.criteria = {.lower = 0, .upper = 1}}, document);
+            growBurst(GrowSteps{.criteria = {.lower = 0, .upper = 1}}, document);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::SegmentLocked);
         document.segments.back().locked = false;
-        QVERIFY(growBurst({.criteria = {.lower = 0, .upper = 1}}, document));
+        QVERIFY(growBurst(GrowSteps{.criteria = {.lower = 0, .upper = 1}}, document));
     }
 
     void boundsAreInclusive()
     {
         const Document document = smallDocument();
         const Result<GrowBurst> burst =
-            growBurst({.criteria = {.lower = -1023.75, .upper = -1023.0}}, document);
+            growBurst(GrowSteps{.criteria = {.lower = -1023.75, .upper = -1023.0}}, document);
         QVERIFY(burst);
         QCOMPARE(burst->lowCode, 1);
         QCOMPARE(burst->highCode, 4);
         const Result<GrowBurst> between =
-            growBurst({.criteria = {.lower = -1023.7, .upper = -1023.1}}, document);
+            growBurst(GrowSteps{.criteria = {.lower = -1023.7, .upper = -1023.1}}, document);
         QCOMPARE(between->lowCode, 2);
         QCOMPARE(between->highCode, 3);
     }
@@ -141,9 +141,10 @@ private Q_SLOTS:
         Document document = smallDocument();
         document.segment(2)->locked = true;
         document.growths.front().generation = 17;
-        QVERIFY(growBurst({.criteria = {.lower = 0, .upper = 1}}, document)->overwritable.none());
-        const Result<GrowBurst> burst =
-            growBurst({.criteria = {.lower = 0, .upper = 1, .overwriteUnlocked = true}}, document);
+        QVERIFY(growBurst(GrowSteps{.criteria = {.lower = 0, .upper = 1}}, document)
+                    ->overwritable.none());
+        const Result<GrowBurst> burst = growBurst(
+            GrowSteps{.criteria = {.lower = 0, .upper = 1, .overwriteUnlocked = true}}, document);
         QVERIFY(burst->overwritable.test(1) && burst->overwritable.test(3));
         QVERIFY(!burst->overwritable.test(2) && !burst->overwritable.test(0));
         QCOMPARE(burst->generation, 17u);
@@ -152,11 +153,11 @@ private Q_SLOTS:
     void boundsMustNotCross()
     {
         const Result<GrowBurst> burst =
-            growBurst({.criteria = {.lower = 2, .upper = 1}}, smallDocument());
+            growBurst(GrowSteps{.criteria = {.lower = 2, .upper = 1}}, smallDocument());
         QVERIFY(!burst);
         QCOMPARE(burst.error().code, ErrorCode::InvalidField);
         QVERIFY(!growBurst(
-            {.criteria = {.lower = 0, .upper = 1, .connectivity = 14}}, smallDocument()));
+            GrowSteps{.criteria = {.lower = 0, .upper = 1, .connectivity = 14}}, smallDocument()));
     }
 
     void segmentsAreNumberedInOrder()
