@@ -11,6 +11,8 @@
 #include <optional>
 #include <queue>
 #include <set>
+#include <unordered_map>
+#include <vector>
 
 namespace reference {
 
@@ -48,37 +50,55 @@ class Network {
 public:
     void add(std::size_t from, std::size_t to, int capacity)
     {
-        m_left[from][to] += capacity;
-        m_left[to][from] += 0;
+        auto& there = m_edges[from];
+        auto& back = m_edges[to];
+        there.push_back({.to = to, .left = capacity, .back = back.size()});
+        back.push_back({.to = from, .left = 0, .back = there.size() - 1});
     }
     /// Lets one more unit through. False if there is no way.
     bool push(std::size_t source, std::size_t sink)
     {
-        std::map<std::size_t, std::size_t> from = reached(source);
-        if (from.count(sink) == 0)
+        const Ways ways = reached(source, sink);
+        if (ways.count(sink) == 0)
             return false;
-        for (std::size_t at = sink; at != source; at = from[at]) {
-            --m_left[from[at]][at];
-            ++m_left[at][from[at]];
+        for (std::size_t at = sink; at != source;) {
+            const Way way = ways.at(at);
+            Edge& edge = m_edges[way.from][way.edge];
+            --edge.left;
+            ++m_edges[at][edge.back].left;
+            at = way.from;
         }
         return true;
     }
-    /// What can be reached, and from where.
-    std::map<std::size_t, std::size_t> reached(std::size_t source)
+    /// By which edge of which place one comes to a place.
+    struct Way {
+        std::size_t from = 0;
+        std::size_t edge = 0;
+    };
+    using Ways = std::unordered_map<std::size_t, Way>;
+    /// What can be reached; no more is looked for once @p enough is.
+    Ways reached(std::size_t source, std::size_t enough)
     {
-        std::map<std::size_t, std::size_t> from{{source, source}};
+        Ways ways{{source, {}}};
         std::queue<std::size_t> queue({source});
-        for (; !queue.empty(); queue.pop()) {
-            for (const auto& [to, left] : m_left[queue.front()]) {
-                if (left > 0 && from.emplace(to, queue.front()).second)
-                    queue.push(to);
+        for (; !queue.empty() && ways.count(enough) == 0; queue.pop()) {
+            const std::vector<Edge>& edges = m_edges[queue.front()];
+            for (std::size_t i = 0; i < edges.size(); ++i) {
+                if (edges[i].left > 0
+                    && ways.emplace(edges[i].to, Way{.from = queue.front(), .edge = i}).second)
+                    queue.push(edges[i].to);
             }
         }
-        return from;
+        return ways;
     }
 
 private:
-    std::map<std::size_t, std::map<std::size_t, int>> m_left;
+    struct Edge {
+        std::size_t to = 0;
+        int left = 0;
+        std::size_t back = 0; ///< place of the opposite edge there
+    };
+    std::unordered_map<std::size_t, std::vector<Edge>> m_edges;
 };
 
 class LabelCut {
@@ -321,7 +341,7 @@ private:
         if (!sources || !sinks)
             return front;
         while (network.push(source, sink)) { }
-        const std::map<std::size_t, std::size_t> reached = network.reached(source);
+        const Network::Ways reached = network.reached(source, sink);
         Set cut;
         for (const auto& [voxel, step] : steps) {
             if (reached.count(2 * voxel) != 0 && reached.count(2 * voxel + 1) == 0)

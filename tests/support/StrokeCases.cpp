@@ -480,8 +480,9 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"shrinking here, cut left open", volume, {first, seeds, over}, openCut});
     cases.push_back({"shrinking beside a locked one, here", volume,
         {first, seeds, some, second, others, all, lock}, here});
-    cases.push_back({"plugging", volume, {first, seeds, over}, plug});
-    cases.push_back({"growth after a cut", volume, {first, seeds, over, here}, over});
+    cases.push_back({"plugging where nothing is narrow", volume, {first, seeds, over}, plug});
+    cases.push_back({"growth after an open cut", volume, {first, seeds, over, openCut}, over});
+    cases.push_back({"growth after a shut cut", volume, {first, seeds, over, here}, over});
     cases.push_back({"growth with a guard", volume, {first, seeds}, guarded});
     cases.push_back({"growth with a guard, again", volume, {first, seeds, guarded}, guarded});
     cases.push_back({"growth after shrinking", volume, {first, seeds, all, three}, over});
