@@ -139,8 +139,14 @@ private Q_SLOTS:
         }
         auto* bar = fixture.panel.findChild<ui::GenerationBar*>();
         QVERIFY(bar);
+        const auto counted = [&](std::size_t generations) {
+            return QTest::qWaitFor([&] {
+                fixture.settle();
+                return bar->sizes().size() == generations;
+            });
+        };
         // The first step admitted the seed and added a generation.
-        QTRY_COMPARE(bar->sizes().size(), std::size_t(6));
+        QVERIFY(counted(6));
         QCOMPARE(std::int64_t(std::accumulate(bar->sizes().begin(), bar->sizes().end(), 0u)),
             voxels.back());
         QCOMPARE(bar->shown(), 6);
@@ -157,13 +163,13 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels[1]);
         QCOMPARE(fixture.session().history().rows().size(), rows + 1);
-        QTRY_COMPARE(bar->sizes().size(), std::size_t(3));
+        QVERIFY(counted(3));
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), grown);
 
         // Escape takes the drag back.
-        QTRY_COMPARE(bar->sizes().size(), std::size_t(6));
+        QVERIFY(counted(6));
         QTest::mousePress(bar, Qt::LeftButton, {}, at(2));
         QTest::keyClick(bar, Qt::Key_Escape);
         fixture.settle();
