@@ -88,6 +88,22 @@ const Piece* Document::pieceOfLayer(int layer) const
     return found == pieces.end() ? nullptr : &*found;
 }
 
+std::bitset<256> Document::lockedLabels(int plane) const
+{
+    std::bitset<256> labels;
+    for (const Segment& segment : segments)
+        labels[segment.label] = segment.plane == plane && segment.locked;
+    return labels;
+}
+
+std::bitset<256> Document::unlockedLabels(int plane) const
+{
+    std::bitset<256> labels;
+    for (const Segment& segment : segments)
+        labels[segment.label] = segment.plane == plane && !segment.locked;
+    return labels;
+}
+
 int Document::lastLabelGiven() const
 {
     int last = greatestRemovedLabel;

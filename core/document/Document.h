@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QString>
 
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -90,6 +91,9 @@ struct Document {
     [[nodiscard]] Piece* piece(int id);
     /// The piece that this sculpt layer cut; null: none.
     [[nodiscard]] const Piece* pieceOfLayer(int layer) const;
+    /// The labels of a plane that no tool may change, and those that it may.
+    [[nodiscard]] std::bitset<256> lockedLabels(int plane) const;
+    [[nodiscard]] std::bitset<256> unlockedLabels(int plane) const;
     /// The last that was given to a segment, present or not; 0: none.
     [[nodiscard]] int lastLabelGiven() const;
     [[nodiscard]] int lastBookmarkGiven() const;

@@ -245,10 +245,8 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     paint.highCode = stroke.upper ? volume.encoding.highestCodeAtMost(*stroke.upper)
                                   : VoxelEncoding::codeCount - 1;
     paint.frame = *frame;
-    for (const Segment& other : document.segments) {
-        if (other.plane == segment->plane)
-            paint.overwritable[other.label] = stroke.overwriteUnlocked && !other.locked;
-    }
+    if (stroke.overwriteUnlocked)
+        paint.overwritable = document.unlockedLabels(segment->plane);
     return paint;
 }
 
@@ -261,10 +259,7 @@ Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& d
     PaintBarrier barrier;
     barrier.erase = stroke.erase;
     barrier.frame = *frame;
-    for (const Segment& segment : document.segments) {
-        if (segment.plane == barrier.plane)
-            barrier.frozen[segment.label] = segment.locked;
-    }
+    barrier.frozen = document.lockedLabels(barrier.plane);
     return barrier;
 }
 

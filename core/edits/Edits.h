@@ -201,7 +201,6 @@ struct GrowCriteria {
     std::optional<double> gradient{}; ///< magnitude at most, per millimetre
     std::optional<double> gradientDifference{}; ///< of magnitudes, from the voxel before
     std::optional<int> majority{}; ///< so many of the 27 voxels around and at it in the interval
-    std::optional<double> passageMm{}; ///< narrower ways are shut
     bool onlyVisible = false; ///< not what is carved
     std::optional<GrowBox> box{};
     bool overwriteUnlocked = false;
@@ -260,7 +259,8 @@ struct GrowFromSeeds {
     std::optional<std::vector<int>> segments{}; ///< labels that compete; none: all not locked
     std::optional<GrowBox> box{}; ///< none: around the seeds with a margin of a twentieth
     int connectivity = 6; ///< 6, 18 or 26
-    /// Modality units: what a millimetre of the way costs; none: a thousandth of the volume's range.
+    /// Modality units: what a millimetre of the way costs; none: a thousandth of the volume's
+    /// range.
     std::optional<double> lengthCost{};
     bool overwriteUnlocked = false; ///< segments that do not compete
 };

@@ -32,6 +32,12 @@ std::optional<glm::ivec3> voxelNearest(const glm::dvec3& point, const VolumeGeom
     return glm::ivec3(nearest);
 }
 
+/// Whether a plane holds segments, all of them locked.
+bool nothingMayChange(const Document& document, int plane)
+{
+    return document.lockedLabels(plane).any() && document.unlockedLabels(plane).none();
+}
+
 } // namespace
 
 Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document)
@@ -98,15 +104,10 @@ Result<GrowBurst> burstOf(
         .limits = *limits};
     if (const Growth* growth = document.growth(plane))
         burst.generation = growth->generation;
-    bool anyGrows = false;
-    for (const Segment& segment : document.segments) {
-        if (segment.plane != plane)
-            continue;
-        anyGrows = anyGrows || !segment.locked;
-        burst.frozen[segment.label] = segment.locked;
-        burst.overwritable[segment.label] = criteria.overwriteUnlocked && !segment.locked;
-    }
-    if (!anyGrows && burst.frozen.any())
+    if (criteria.overwriteUnlocked)
+        burst.overwritable = document.unlockedLabels(plane);
+    burst.frozen = document.lockedLabels(plane);
+    if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
     return burst;
 }
@@ -145,14 +146,8 @@ Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& doc
     const std::uint32_t steps = std::uint32_t(shrink.steps.value_or(int(seedWord::maxGeneration)));
     command.keepSeeds = steps >= command.generation;
     command.keep = command.keepSeeds ? 0 : command.generation - steps;
-    bool anyMay = false;
-    for (const Segment& segment : document.segments) {
-        if (segment.plane != plane)
-            continue;
-        anyMay = anyMay || !segment.locked;
-        command.frozen[segment.label] = segment.locked;
-    }
-    if (!anyMay && command.frozen.any())
+    command.frozen = document.lockedLabels(plane);
+    if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
     return command;
 }
@@ -177,14 +172,8 @@ Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How
     }
     if (const Growth* growth = document.growth(plane))
         command.generation = growth->generation;
-    bool anyMay = false;
-    for (const Segment& segment : document.segments) {
-        if (segment.plane != plane)
-            continue;
-        anyMay = anyMay || !segment.locked;
-        command.frozen[segment.label] = segment.locked;
-    }
-    if (!anyMay && command.frozen.any())
+    command.frozen = document.lockedLabels(plane);
+    if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
     return command;
 }

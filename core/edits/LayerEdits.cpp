@@ -49,10 +49,8 @@ Result<LabelTarget> labelTarget(
     } else {
         target.label = std::uint8_t(document.lastLabelGiven() + 1);
     }
-    for (const Segment& other : document.segments) {
-        if (other.plane == target.plane)
-            target.overwritable[other.label] = overwriteUnlocked && !other.locked;
-    }
+    if (overwriteUnlocked)
+        target.overwritable = document.unlockedLabels(target.plane);
     return target;
 }
 

@@ -66,13 +66,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
             spread.seeds.set(std::size_t(label));
         }
     }
-    for (const Segment& segment : document.segments) {
-        if (segment.plane != plane || segment.locked)
-            continue;
-        if (!edit.segments)
-            spread.seeds.set(segment.label);
-        spread.overwritable[segment.label] = edit.overwriteUnlocked && !spread.seeds[segment.label];
-    }
+    const std::bitset<256> unlocked = document.unlockedLabels(plane);
+    if (!edit.segments)
+        spread.seeds = unlocked;
+    if (edit.overwriteUnlocked)
+        spread.overwritable = unlocked & ~spread.seeds;
     if (spread.seeds.count() < 2)
         return wrong(
             "segments", QStringLiteral("at least two that are not locked are needed to compete"));

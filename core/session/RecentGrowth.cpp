@@ -65,8 +65,7 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
         change->asBefore = false;
     }
     if (!change->fromSeeds)
-        change->fromSeeds = change->criteria.sigmas || change->criteria.passageMm
-            || segmentsCompete(history, document);
+        change->fromSeeds = change->criteria.sigmas || segmentsCompete(history, document);
     return {};
 }
 

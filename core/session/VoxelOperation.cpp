@@ -74,6 +74,13 @@ std::vector<BrickImage> imagesBefore(const std::vector<BrickChange>& changes)
     return images;
 }
 
+template <class Command> Result<EngineEdit> asEngineEdit(Result<Command> command)
+{
+    if (!command)
+        return tl::unexpected(command.error());
+    return EngineEdit(*std::move(command));
+}
+
 } // namespace
 
 VoxelOperation::VoxelOperation(Edit edit, Kind kind, RowId again)
@@ -85,100 +92,42 @@ VoxelOperation::VoxelOperation(Edit edit, Kind kind, RowId again)
 
 Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
 {
-    if (const auto* seed = std::get_if<SeedStroke>(&m_edit)) {
-        Result<SeedPlacement> placement = seedPlacement(*seed, document);
-        if (!placement)
-            return tl::unexpected(placement.error());
-        return EngineEdit(*std::move(placement));
-    }
-    if (const auto* grow = std::get_if<GrowSteps>(&m_edit)) {
-        Result<GrowBurst> burst = growBurst(*grow, document);
-        if (!burst)
-            return tl::unexpected(burst.error());
-        return EngineEdit(*std::move(burst));
-    }
-    if (const auto* change = std::get_if<ChangeInterval>(&m_edit)) {
-        Result<GrowBurst> burst = growBurst(*change, document);
-        if (!burst)
-            return tl::unexpected(burst.error());
-        return EngineEdit(*std::move(burst));
-    }
-    if (const auto* barrier = std::get_if<BarrierStroke>(&m_edit)) {
-        Result<PaintBarrier> shut = paintBarrier(*barrier, document);
-        if (!shut)
-            return tl::unexpected(shut.error());
-        return EngineEdit(*std::move(shut));
-    }
+    if (const auto* seed = std::get_if<SeedStroke>(&m_edit))
+        return asEngineEdit(seedPlacement(*seed, document));
+    if (const auto* grow = std::get_if<GrowSteps>(&m_edit))
+        return asEngineEdit(growBurst(*grow, document));
+    if (const auto* change = std::get_if<ChangeInterval>(&m_edit))
+        return asEngineEdit(growBurst(*change, document));
+    if (const auto* barrier = std::get_if<BarrierStroke>(&m_edit))
+        return asEngineEdit(paintBarrier(*barrier, document));
     if (const auto* shrink = std::get_if<ShrinkSteps>(&m_edit)) {
         Result<ShrinkGrowth> command = shrinkGrowth(*shrink, document);
-        if (!command)
-            return tl::unexpected(command.error());
-        m_firstGeneration = command->generation;
-        return EngineEdit(*std::move(command));
+        if (command)
+            m_firstGeneration = command->generation;
+        return asEngineEdit(std::move(command));
     }
-    const auto* shrinkAt = std::get_if<ShrinkAt>(&m_edit);
-    const auto* plug = std::get_if<PlugLeak>(&m_edit);
-    if (shrinkAt || plug) {
-        Result<CutGrowth> command =
-            shrinkAt ? cutGrowth(*shrinkAt, document) : cutGrowth(*plug, document);
-        if (!command)
-            return tl::unexpected(command.error());
-        return EngineEdit(*std::move(command));
-    }
-    if (const auto* fromSeeds = std::get_if<GrowFromSeeds>(&m_edit)) {
-        Result<SpreadLabels> spread = spreadLabels(*fromSeeds, document);
-        if (!spread)
-            return tl::unexpected(spread.error());
-        return EngineEdit(*std::move(spread));
-    }
-    if (const auto* remove = std::get_if<RemoveSegment>(&m_edit)) {
-        Result<EraseLabel> erase = eraseLabel(*remove, document);
-        if (!erase)
-            return tl::unexpected(erase.error());
-        return EngineEdit(*erase);
-    }
-    if (const auto* paint = std::get_if<PaintStroke>(&m_edit)) {
-        Result<PaintLabel> label = paintLabel(*paint, document);
-        if (!label)
-            return tl::unexpected(label.error());
-        return EngineEdit(*std::move(label));
-    }
-    if (const auto* brush = std::get_if<BrushStroke>(&m_edit)) {
-        Result<CapsuleCut> cut = capsuleCut(*brush, document);
-        if (!cut)
-            return tl::unexpected(cut.error());
-        return EngineEdit(*std::move(cut));
-    }
-    if (const auto* peel = std::get_if<PeelCut>(&m_edit)) {
-        Result<MaskPeel> cut = maskPeel(*peel, document);
-        if (!cut)
-            return tl::unexpected(cut.error());
-        return EngineEdit(*std::move(cut));
-    }
-    if (const auto* scissors = std::get_if<ScissorsCut>(&m_edit)) {
-        Result<MaskScissors> cut = maskScissors(*scissors, document);
-        if (!cut)
-            return tl::unexpected(cut.error());
-        return EngineEdit(*std::move(cut));
-    }
-    if (const auto* carved = std::get_if<LayerToSegment>(&m_edit)) {
-        Result<LabelCarved> label = labelCarved(*carved, document);
-        if (!label)
-            return tl::unexpected(label.error());
-        return EngineEdit(*std::move(label));
-    }
-    if (const auto* seen = std::get_if<SegmentSeen>(&m_edit)) {
-        Result<LabelSeen> label = labelSeen(*seen, document);
-        if (!label)
-            return tl::unexpected(label.error());
-        return EngineEdit(*std::move(label));
-    }
-    if (const auto* segment = std::get_if<SegmentToLayer>(&m_edit)) {
-        Result<CoverLabel> cover = coverLabel(*segment, document);
-        if (!cover)
-            return tl::unexpected(cover.error());
-        return EngineEdit(*cover);
-    }
+    if (const auto* shrinkAt = std::get_if<ShrinkAt>(&m_edit))
+        return asEngineEdit(cutGrowth(*shrinkAt, document));
+    if (const auto* plug = std::get_if<PlugLeak>(&m_edit))
+        return asEngineEdit(cutGrowth(*plug, document));
+    if (const auto* fromSeeds = std::get_if<GrowFromSeeds>(&m_edit))
+        return asEngineEdit(spreadLabels(*fromSeeds, document));
+    if (const auto* remove = std::get_if<RemoveSegment>(&m_edit))
+        return asEngineEdit(eraseLabel(*remove, document));
+    if (const auto* paint = std::get_if<PaintStroke>(&m_edit))
+        return asEngineEdit(paintLabel(*paint, document));
+    if (const auto* brush = std::get_if<BrushStroke>(&m_edit))
+        return asEngineEdit(capsuleCut(*brush, document));
+    if (const auto* peel = std::get_if<PeelCut>(&m_edit))
+        return asEngineEdit(maskPeel(*peel, document));
+    if (const auto* scissors = std::get_if<ScissorsCut>(&m_edit))
+        return asEngineEdit(maskScissors(*scissors, document));
+    if (const auto* carved = std::get_if<LayerToSegment>(&m_edit))
+        return asEngineEdit(labelCarved(*carved, document));
+    if (const auto* seen = std::get_if<SegmentSeen>(&m_edit))
+        return asEngineEdit(labelSeen(*seen, document));
+    if (const auto* segment = std::get_if<SegmentToLayer>(&m_edit))
+        return asEngineEdit(coverLabel(*segment, document));
     const auto* removed = std::get_if<RemoveLayer>(&m_edit);
     const auto* merged = std::get_if<MergeLayers>(&m_edit);
     if (removed || merged) {
@@ -189,17 +138,15 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
     }
     if (const auto* laser = std::get_if<LaserStroke>(&m_edit)) {
         Result<LaserCut> cut = laserCut(*laser, document);
-        if (!cut)
-            return tl::unexpected(cut.error());
-        m_path.emplace(*laser, *cut);
-        return EngineEdit(*std::move(cut));
+        if (cut)
+            m_path.emplace(*laser, *cut);
+        return asEngineEdit(std::move(cut));
     }
     const auto& drill = std::get<DrillStroke>(m_edit);
     Result<DrillCut> cut = drillCut(drill, document);
-    if (!cut)
-        return tl::unexpected(cut.error());
-    m_path.emplace(drill, *cut);
-    return EngineEdit(*std::move(cut));
+    if (cut)
+        m_path.emplace(drill, *cut);
+    return asEngineEdit(std::move(cut));
 }
 
 bool VoxelOperation::foresee(Document& document) const

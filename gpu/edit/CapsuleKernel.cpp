@@ -5,7 +5,6 @@
 #include "gpu/edit/SparedVoxels.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <span>
 #include <utility>
@@ -38,16 +37,6 @@ template <class T> Buffer bufferOf(const char* label, const std::vector<T>& valu
     Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
     buffer.write(std::span<const T>(values));
     return buffer;
-}
-
-std::array<unsigned, 8> words(const std::bitset<256>& bits)
-{
-    std::array<unsigned, 8> result{};
-    for (std::size_t bit = 0; bit < bits.size(); ++bit) {
-        if (bits[bit])
-            result[bit / 32] |= 1u << (bit % 32);
-    }
-    return result;
 }
 
 /// Bricks that were given a page for the stroke and do not need it.
@@ -90,9 +79,8 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
 {
     setFrame(m_programs.paint);
     const bool none = paint.lowCode > paint.highCode || paint.highCode < 0;
-    const std::array<unsigned, 8> overwritable = words(paint.overwritable);
     m_programs.paint.set("label", unsigned(paint.label))
-        .set("overwritable", std::span<const unsigned>(overwritable))
+        .set("overwritable", paint.overwritable)
         .set("erase", paint.erase)
         .set("seeds", paint.seeds)
         .set("lowCode", none ? 65536u : unsigned(std::max(paint.lowCode, 0)))
@@ -108,8 +96,7 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     , m_frame(barrier.frame)
 {
     setFrame(m_programs.barrier);
-    const std::array<unsigned, 8> frozen = words(barrier.frozen);
-    m_programs.barrier.set("erase", barrier.erase).set("frozen", std::span<const unsigned>(frozen));
+    m_programs.barrier.set("erase", barrier.erase).set("frozen", barrier.frozen);
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,

@@ -19,16 +19,6 @@ Program program(const ShaderLibrary& library, const char* path, const ShaderDefi
 constexpr std::uint32_t holdsFront = 2; // growth.glsl
 constexpr std::uint32_t smallFront = 256; // voxels that one work group grows from
 
-std::array<unsigned, 8> words(const std::bitset<256>& bits)
-{
-    std::array<unsigned, 8> result{};
-    for (std::size_t bit = 0; bit < bits.size(); ++bit) {
-        if (bits[bit])
-            result[bit / 32] |= 1u << (bit % 32);
-    }
-    return result;
-}
-
 Buffer listBuffer(std::span<const std::uint32_t> list)
 {
     Buffer buffer({.label = "growth bricks", .bytes = std::max<std::size_t>(list.size_bytes(), 4)});
@@ -38,8 +28,8 @@ Buffer listBuffer(std::span<const std::uint32_t> list)
 
 } // namespace
 
-GrowthPrograms::Rings::Rings(const ShaderLibrary& shaders, int connectivity,
-    const core::GrowLimits& limits, bool back)
+GrowthPrograms::Rings::Rings(
+    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits, bool back)
 {
     ShaderDefines defines = definesOf(limits);
     if (!back)
@@ -122,12 +112,10 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
 
 void GrowthKernel::setUniforms(Program& each) const
 {
-    const std::array<unsigned, 8> overwritable = words(m_burst.overwritable);
-    const std::array<unsigned, 8> frozen = words(m_burst.frozen);
     each.set("volumeSize", m_fields.grid().volumeSize)
         .set("volumeBricks", m_fields.grid().bricks())
-        .set("overwritable", std::span<const unsigned>(overwritable))
-        .set("frozen", std::span<const unsigned>(frozen))
+        .set("overwritable", m_burst.overwritable)
+        .set("frozen", m_burst.frozen)
         .set("tellsHeld", m_burst.tellsHeld)
         .set("queueCapacity", m_queueCapacity);
     m_criterion.setUniforms(each);

@@ -2,7 +2,6 @@
 #include "gpu/edit/LabelKernel.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace gpu {
@@ -24,16 +23,6 @@ template <class T> Buffer bufferOf(const char* label, const std::vector<T>& valu
     Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
     buffer.write(std::span<const T>(values));
     return buffer;
-}
-
-std::array<unsigned, 8> words(const std::bitset<256>& bits)
-{
-    std::array<unsigned, 8> result{};
-    for (std::size_t bit = 0; bit < bits.size(); ++bit) {
-        if (bits[bit])
-            result[bit / 32] |= 1u << (bit % 32);
-    }
-    return result;
 }
 
 /// Runs a kernel whose textures are bound over bricks. @return what it says of each
@@ -69,11 +58,10 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
     const core::LabelTarget& target, const std::vector<std::uint32_t>& bricks,
     const Bind& bindSource)
 {
-    const std::array<unsigned, 8> overwritable = words(target.overwritable);
     kernel.set("volumeSize", fields.grid().volumeSize)
         .set("volumeBricks", fields.grid().bricks())
         .set("label", unsigned(target.label))
-        .set("overwritable", std::span<const unsigned>(overwritable));
+        .set("overwritable", target.overwritable);
     BrickField& seedWords = fields.seedWords(target.plane);
     const auto bind = [&] {
         bindSource();

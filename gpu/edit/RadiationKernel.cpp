@@ -90,14 +90,9 @@ void RadiationKernel::gatherLayers(
 void RadiationKernel::gatherLabels(
     const Texture3D& labels, const std::bitset<256>& shown, unsigned count)
 {
-    std::array<unsigned, 8> bits{};
-    for (std::size_t label = 1; label < shown.size(); ++label) {
-        if (shown[label])
-            bits[label / 32] |= 1u << (label % 32);
-    }
     labels.bindUnit(0);
     m_programs.gatherLabels.set("firstLayer", true);
-    m_programs.gatherLabels.set("shown", std::span<const unsigned>(bits));
+    m_programs.gatherLabels.set("shown", shown);
     m_programs.gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
 }
 

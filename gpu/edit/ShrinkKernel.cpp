@@ -4,7 +4,6 @@
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
-#include <array>
 
 namespace gpu {
 
@@ -56,13 +55,8 @@ ShrinkKernel::ShrinkKernel(ShrinkPrograms& programs, VoxelFields& fields, Before
     , m_command(command)
     , m_keep(command.generation)
 {
-    std::array<unsigned, 8> frozen{};
-    for (std::size_t label = 0; label < command.frozen.size(); ++label) {
-        if (command.frozen[label])
-            frozen[label / 32] |= 1u << (label % 32);
-    }
     for (Program* each : {&programs.look, &programs.shrink})
-        each->set("frozen", std::span<const unsigned>(frozen));
+        each->set("frozen", command.frozen);
     look();
     shrinkTo(command.keep, command.keepSeeds);
 }

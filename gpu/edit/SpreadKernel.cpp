@@ -32,16 +32,6 @@ Program program(
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
-std::array<unsigned, 8> words(const std::bitset<256>& bits)
-{
-    std::array<unsigned, 8> result{};
-    for (std::size_t bit = 0; bit < bits.size(); ++bit) {
-        if (bits[bit])
-            result[bit / 32] |= 1u << (bit % 32);
-    }
-    return result;
-}
-
 Buffer bufferOf(const char* label, const std::vector<std::uint32_t>& values)
 {
     Buffer buffer(
@@ -59,12 +49,10 @@ Buffer restingBuffer(const char* label, std::size_t bricks)
 
 void setSeeds(Program& program, VoxelFields& fields, const core::SpreadLabels& spread)
 {
-    const std::array<unsigned, 8> seeds = words(spread.seeds);
-    const std::array<unsigned, 8> overwritable = words(spread.overwritable);
     program.set("volumeSize", fields.grid().volumeSize)
         .set("volumeBricks", fields.grid().bricks())
-        .set("seeds", std::span<const unsigned>(seeds))
-        .set("overwritable", std::span<const unsigned>(overwritable));
+        .set("seeds", spread.seeds)
+        .set("overwritable", spread.overwritable);
     fields.labels(spread.plane).bindUnit(0);
     BrickField& seedWords = fields.seedWords(spread.plane);
     seedWords.pageTable().bindUnit(1);

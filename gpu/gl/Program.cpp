@@ -196,6 +196,14 @@ Program& Program::set(std::string_view name, std::span<const unsigned> values)
     return *this;
 }
 
+Program& Program::set(std::string_view name, const std::bitset<256>& labels)
+{
+    std::array<unsigned, 8> words{};
+    for (std::size_t label = 0; label < labels.size(); ++label)
+        words[label / 32] |= unsigned(labels[label]) << (label % 32);
+    return set(name, std::span<const unsigned>(words));
+}
+
 Program& Program::set(std::string_view name, std::span<const float> values)
 {
     glProgramUniform1fv(id(), location(name), GLsizei(values.size()), values.data());

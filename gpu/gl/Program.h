@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <bitset>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,6 +66,8 @@ public:
     Program& set(std::string_view name, std::span<const float> values);
     Program& set(std::string_view name, std::span<const glm::vec4> values);
     Program& set(std::string_view name, std::span<const glm::ivec4> values);
+    /// A set of labels as `uint name[8]`: label n is bit n % 32 of word n / 32.
+    Program& set(std::string_view name, const std::bitset<256>& labels);
 
     void use() const;
     /// Uses it and queues work groups; the caller places memory barriers.

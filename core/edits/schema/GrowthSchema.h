@@ -98,7 +98,7 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
     visit.when(!edit.asBefore, [&] { visitOtherCriteria(visit, edit.criteria); });
     visit.maybe("fromSeeds", edit.fromSeeds, editFields::Flag{},
         "whether it is taken back to the seeds and grown anew; told once it is carried out",
-        "where several segments grow, or sigmas or a passage are asked for");
+        "where several segments grow, or sigmas are asked for");
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
         "rings to add after the change, or until nothing is left to add");
 }
