@@ -5,6 +5,7 @@
 #include "core/edits/DrillPathSampler.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
+#include "core/growth/SeedWord.h"
 #include "core/session/StateHash.h"
 #include "tests/reference/ReferenceEngine.h"
 
@@ -70,6 +71,19 @@ std::map<BrickKey, std::vector<std::uint8_t>> withoutLabel(
     return bricks;
 }
 
+/// Whether it writes labels or seed words.
+bool changesLabels(const Edit& edit)
+{
+    return std::holds_alternative<SeedStroke>(edit) || std::holds_alternative<GrowSteps>(edit)
+        || std::holds_alternative<ChangeInterval>(edit) || std::holds_alternative<ShrinkSteps>(edit)
+        || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
+        || std::holds_alternative<BarrierStroke>(edit)
+        || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<PaintStroke>(edit)
+        || std::holds_alternative<RemoveSegment>(edit)
+        || std::holds_alternative<LayerToSegment>(edit)
+        || std::holds_alternative<SegmentSeen>(edit);
+}
+
 bool isOf(const BrickKey& key, bool coverage)
 {
     return (key.field == Field::Coverage) == coverage;
@@ -86,6 +100,28 @@ HistoryTruth::HistoryTruth(LoadedVolume study)
 const Document& HistoryTruth::documentAt(RowId row) const
 {
     return m_states.at(row).document;
+}
+
+std::vector<glm::ivec3> HistoryTruth::grownVoxels(RowId row) const
+{
+    const BrickGrid grid{m_study.volume.geometry.size};
+    std::vector<glm::ivec3> voxels;
+    for (const auto& [key, bytes] : m_states.at(row).bricks) {
+        if (key.field != Field::SeedWords)
+            continue;
+        const glm::ivec3 corner = grid.brickPosition(int(key.brick)) * BrickGrid::side;
+        for (std::size_t i = 0; i < bytes.size() / 4; ++i) {
+            const std::uint32_t word = std::uint32_t(bytes[4 * i])
+                | std::uint32_t(bytes[4 * i + 1]) << 8 | std::uint32_t(bytes[4 * i + 2]) << 16
+                | std::uint32_t(bytes[4 * i + 3]) << 24;
+            if (seedWord::isMember(word) && seedWord::generation(word) > 1)
+                voxels.push_back(corner
+                    + glm::ivec3(int(i) % BrickGrid::side,
+                        int(i) / BrickGrid::side % BrickGrid::side,
+                        int(i) / (BrickGrid::side * BrickGrid::side)));
+        }
+    }
+    return voxels;
 }
 
 std::vector<RowId> HistoryTruth::standingAt(RowId row) const
@@ -168,12 +204,7 @@ HistoryTruth::Bricks HistoryTruth::regrown(RowId row) const
     Bricks bricks;
     for (const RowId id : standing(row)) {
         const HistoryRow& done = m_rows.at(id);
-        if (std::holds_alternative<SeedStroke>(done.edit)
-            || std::holds_alternative<GrowSteps>(done.edit)
-            || std::holds_alternative<PaintStroke>(done.edit)
-            || std::holds_alternative<RemoveSegment>(done.edit)
-            || std::holds_alternative<LayerToSegment>(done.edit)
-            || std::holds_alternative<SegmentSeen>(done.edit)) {
+        if (changesLabels(done.edit)) {
             // What was carved then is what it was chosen by.
             for (const auto& [key, bytes] : m_states.at(done.parent).bricks) {
                 if (isOf(key, true))
@@ -203,12 +234,28 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *labelCarved(*carved, document), {}, nullptr);
     if (const auto* seen = std::get_if<SegmentSeen>(&edit))
         return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
+    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return after(before, *paintBarrier(*barrier, document),
+            {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);
+    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
+        return after(before, *shrinkGrowth(*shrink, document), {}, generation);
+    if (const auto* through = std::get_if<ShrinkAt>(&edit))
+        return after(before, *cutGrowth(*through, document), {}, generation);
+    if (const auto* plug = std::get_if<PlugLeak>(&edit))
+        return after(before, *cutGrowth(*plug, document), {}, generation);
+    if (const auto* spread = std::get_if<GrowFromSeeds>(&edit))
+        return after(before, *spreadLabels(*spread, document), {}, nullptr);
+    const auto advance = [](std::optional<int> steps) {
+        std::vector<EngineExtension> extensions;
+        if (steps != 0)
+            extensions.push_back(GrowAdvance{.steps = steps.value_or(GrowAdvance::toClosure)});
+        return extensions;
+    };
+    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+        return after(
+            before, *growBurst(*change, document), advance(change->steps), generation, &document);
     const auto& grow = std::get<GrowSteps>(edit);
-    const int steps = grow.steps.value_or(GrowAdvance::toClosure);
-    std::vector<EngineExtension> extensions;
-    if (steps != 0)
-        extensions.push_back(GrowAdvance{.steps = steps});
-    return after(before, *growBurst(grow, document), extensions, generation);
+    return after(before, *growBurst(grow, document), advance(grow.steps), generation, &document);
 }
 
 SculptEdit HistoryTruth::formAfter(const Edit& drawn, const ReviseStroke& revise)

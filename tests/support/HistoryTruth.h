@@ -30,6 +30,8 @@ public:
 
     /// For whoever thinks up what to do next.
     [[nodiscard]] const core::Document& documentAt(core::RowId row) const;
+    /// Voxels that growths have added.
+    [[nodiscard]] std::vector<glm::ivec3> grownVoxels(core::RowId row) const;
     /// Rows that changed voxels and count at a row, ascending.
     [[nodiscard]] std::vector<core::RowId> standingAt(core::RowId row) const;
 

@@ -168,19 +168,21 @@ private:
             return randomPiece(document);
         if (dice < 51)
             return randomSeeds(any(document.segments).label);
-        if (dice < 56)
+        if (dice < 55)
             return randomGrowth();
-        if (dice < 62)
-            return randomPaint(any(document.segments).label);
         if (dice < 68)
+            return randomSteering();
+        if (dice < 72)
+            return randomPaint(any(document.segments).label);
+        if (dice < 75)
             return randomBrush();
-        if (dice < 72 || rows.empty())
+        if (dice < 78 || rows.empty())
             return randomDrill();
-        if (dice < 74)
+        if (dice < 80)
             return randomLaser();
-        if (dice < 77)
+        if (dice < 82)
             return randomOutlined();
-        if (dice < 87)
+        if (dice < 89)
             return ReviseStroke(randomRevision(rows));
         return randomRevert(rows);
     }
@@ -316,7 +318,64 @@ private:
         if (chance(75))
             grow.steps = between(1, 4);
         grow.criteria.overwriteUnlocked = chance(30);
+        grow.criteria.onlyVisible = chance(15);
+        if (chance(20))
+            grow.criteria.connectivity = chance(50) ? 18 : 26;
+        if (chance(15))
+            grow.criteria.difference = between(20, 200);
+        if (chance(10))
+            grow.criteria.sigmas = between(10, 40) / 10.0;
+        if (chance(15))
+            grow.guardFactor = between(10, 40) / 10.0;
         return grow;
+    }
+    /// What is done to a growth that is there.
+    Edit randomSteering()
+    {
+        if (m_truth.grownVoxels(m_session->history().position()).empty())
+            return chance(50) ? Edit(randomSeeds(any(m_session->document().segments).label))
+                              : Edit(randomGrowth());
+        switch (between(0, 8)) {
+        case 0:
+            return chance(30) ? ShrinkSteps{} : ShrinkSteps{.steps = between(1, 4)};
+        case 1:
+            return ShrinkAt{
+                .pointsLps = grownPlaces(), .onlyHere = chance(30), .barrier = chance(70)};
+        case 2:
+        case 6:
+        case 7:
+            return PlugLeak{.pointLps = grownPlaces().back()};
+        case 3:
+            return BarrierStroke{.path = randomPath(), .erase = chance(30)};
+        case 4: {
+            ChangeInterval change;
+            change.criteria.lower = between(-1000, 400);
+            change.criteria.upper = between(100, 2000);
+            if (chance(40))
+                change.steps = between(0, 4);
+            return change;
+        }
+        case 5: {
+            ResumeGrowth resume;
+            if (chance(60))
+                resume.steps = between(1, 4);
+            return resume;
+        }
+        default:
+            return GrowFromSeeds{
+                .connectivity = chance(50) ? 6 : 26, .overwriteUnlocked = chance(30)};
+        }
+    }
+    /// Voxels that growths have added; any where there are none.
+    std::vector<glm::dvec3> grownPlaces()
+    {
+        std::vector<glm::ivec3> held = m_truth.grownVoxels(m_session->history().position());
+        const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
+        std::vector<glm::dvec3> places;
+        for (int i = between(1, 3); i > 0; --i)
+            places.push_back(
+                geometry.toWorld(glm::dvec3(held.empty() ? glm::ivec3(1) : any(held))));
+        return places;
     }
     DrillStroke randomDrill()
     {

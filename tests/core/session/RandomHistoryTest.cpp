@@ -34,17 +34,18 @@ private Q_SLOTS:
     }
     void cleanupTestCase()
     {
+        for (const auto& [kind, count] : m_done)
+            qInfo("%s: %d", qPrintable(kind), count);
         // No kind of command was left out.
         for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "removeSegment",
                  "addLayer", "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed",
-                 "grow", "drill", "paint", "brush", "peel", "scissors", "laser", "cutPiece",
-                 "pastePiece", "changePiece", "sendPiecesHome", "removePiece", "revert",
+                 "grow", "interval", "resume", "shrink", "shrinkAt", "plug", "barrier",
+                 "growFromSeeds", "drill", "paint", "brush", "peel", "scissors", "laser",
+                 "cutPiece", "pastePiece", "changePiece", "sendPiecesHome", "removePiece", "revert",
                  "reviseStroke", "addMeasurement", "removeMeasurement", "removeLayer",
                  "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "undo", "redo",
                  "goTo", "reopen", "given up"})
             QVERIFY2(m_done.count(QLatin1String(kind)) > 0, kind);
-        for (const auto& [kind, count] : m_done)
-            qInfo("%s: %d", qPrintable(kind), count);
     }
 
 private:
