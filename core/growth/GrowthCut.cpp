@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/GrowthCut.h"
 
+#include "core/growth/CutWriting.h"
+#include "core/growth/FrontSurroundings.h"
 #include "core/growth/NarrowestCut.h"
 
 #include <algorithm>
@@ -257,20 +259,21 @@ private:
     {
         if (front.size() > widestPassage)
             return front;
-        const std::vector<glm::ivec3> places = surroundings(front);
+        const FrontSurroundings around(
+            m_words, front, [this](std::uint32_t word) { return isMember(word); });
         std::uint32_t latest = 0;
-        for (const Voxel voxel : m_surroundings)
+        for (const Voxel voxel : around.voxels())
             latest = std::max(latest, seedWord::generation(m_words[voxel]));
         (void)leaving(front, latest, wouldLeave, wouldLooked);
         PassageGraph graph;
-        graph.source.resize(places.size());
-        graph.sink.resize(places.size());
+        graph.source.resize(around.voxels().size());
+        graph.sink.resize(around.voxels().size());
         bool sources = false;
         bool sinks = false;
-        for (std::size_t node = 0; node < places.size(); ++node) {
-            const Voxel voxel = m_surroundings[node];
+        for (std::size_t node = 0; node < around.voxels().size(); ++node) {
+            const Voxel voxel = around.voxels()[node];
             const std::uint32_t word = m_words[voxel];
-            const bool far = m_steps[node] == m_farthest;
+            const bool far = around.isFarthest(node);
             const bool within = has(voxel, wouldLeave);
             graph.source[node] = !within && (far || isRoot(word));
             graph.sink[node] = within && (far || seedWord::generation(word) >= neck.wideFrom);
@@ -280,8 +283,8 @@ private:
                 [&](Voxel neighbour, std::uint32_t other, std::uint32_t) {
                     if (!isMember(other))
                         return;
-                    const std::uint32_t next = nodeAt(m_words.positionOf(neighbour));
-                    if (next != noNode)
+                    const std::uint32_t next = around.nodeAt(m_words.positionOf(neighbour));
+                    if (next != FrontSurroundings::none)
                         graph.next.push_back(next);
                 });
             graph.first.push_back(std::uint32_t(graph.next.size()));
@@ -292,63 +295,11 @@ private:
             return front;
         Voxels cut;
         for (const std::uint32_t node : narrowestCut(graph)) {
-            cut.push_back(m_surroundings[node]);
+            cut.push_back(around.voxels()[node]);
             if (isRoot(m_words[cut.back()]))
                 return front;
         }
         return cut;
-    }
-
-    static constexpr std::uint32_t noNode = 0xFFFFFFFFu;
-
-    [[nodiscard]] std::uint32_t nodeAt(const glm::ivec3& place) const
-    {
-        const glm::ivec3 at = place - m_box.minimum;
-        const glm::ivec3 size = m_box.maximum - m_box.minimum;
-        if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, size)))
-            return noNode;
-        return m_nodes[std::size_t(at.x + size.x * (at.y + size.y * at.z))];
-    }
-
-    /// Finds the members within some steps of a front, in order of steps.
-    std::vector<glm::ivec3> surroundings(const Voxels& front)
-    {
-        m_box = {};
-        m_surroundings.clear();
-        m_steps.clear();
-        for (const Voxel voxel : front) {
-            const glm::ivec3 place = m_words.positionOf(voxel);
-            m_box = m_box.united({place, place + 1});
-        }
-        const glm::ivec3 side = m_box.maximum - m_box.minimum;
-        m_farthest = std::min(2 + std::max({side.x, side.y, side.z}), farthestPassage);
-        m_box = {m_box.minimum - m_farthest, m_box.maximum + m_farthest};
-        const glm::ivec3 size = m_box.maximum - m_box.minimum;
-        m_nodes.assign(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), noNode);
-        std::vector<glm::ivec3> places;
-        const auto add = [&](Voxel voxel, int steps) {
-            const glm::ivec3 place = m_words.positionOf(voxel);
-            const glm::ivec3 at = place - m_box.minimum;
-            std::uint32_t& node = m_nodes[std::size_t(at.x + size.x * (at.y + size.y * at.z))];
-            if (node != noNode)
-                return;
-            node = std::uint32_t(places.size());
-            places.push_back(place);
-            m_surroundings.push_back(voxel);
-            m_steps.push_back(steps);
-        };
-        for (const Voxel voxel : front)
-            add(voxel, 0);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (m_steps[i] == m_farthest)
-                break;
-            m_words.forNeighbours(m_surroundings[i], 0, seedWord::directions,
-                [&, steps = m_steps[i] + 1](Voxel neighbour, std::uint32_t word, std::uint32_t) {
-                    if (isMember(word))
-                        add(neighbour, steps);
-                });
-        }
-        return places;
     }
 
     /// Rule 9, up to a generation.
@@ -397,104 +348,8 @@ private:
     Survey m_survey;
     std::vector<std::uint8_t>& m_marks; ///< of each voxel
 
-    // The surroundings of the neck:
-    VoxelBox m_box;
-    int m_farthest = 0;
-    std::vector<std::uint32_t> m_nodes; ///< of each voxel of the box
-    Voxels m_surroundings; ///< of each node
-    std::vector<int> m_steps;
     Voxels m_seen; ///< marked by the last leaving()
 };
-
-/// The bricks that are written, as they will be.
-class Writing {
-public:
-    explicit Writing(const WordBricks& words)
-        : m_words(words)
-        , m_bricks(words.count() / BrickGrid::voxelsPerBrick)
-    {
-        for (std::size_t place = 0; place < m_bricks.size(); ++place)
-            m_places[words.brickOf(Voxel(place << 12))] = place;
-    }
-
-    /// A voxel of a brick that is there becomes unvisited.
-    /// @param label that leaves the plane; 0: none
-    void leave(Voxel voxel, std::uint32_t label)
-    {
-        CutBrick& brick = begun(voxel >> 12);
-        brick.words[voxel & 4095u] = seedWord::unvisited;
-        brick.leaving[voxel & 4095u] = std::uint8_t(label);
-    }
-    void shut(const glm::ivec3& place)
-    {
-        const auto number = std::uint32_t(m_words.grid().brickOf(place));
-        const auto known = m_places.find(number);
-        CutBrick& brick = known != m_places.end() ? begun(known->second) : m_further[number];
-        if (brick.words.empty())
-            fill(brick, number);
-        brick.words[std::size_t(BrickGrid::offsetInBrick(place))] = seedWord::barrier;
-    }
-    [[nodiscard]] std::uint32_t wordAt(const glm::ivec3& place) const
-    {
-        const auto number = std::uint32_t(m_words.grid().brickOf(place));
-        const auto offset = std::size_t(BrickGrid::offsetInBrick(place));
-        if (const auto known = m_places.find(number); known != m_places.end()) {
-            const CutBrick& brick = m_bricks[known->second];
-            return brick.words.empty() ? m_words[Voxel(known->second << 12 | offset)]
-                                       : brick.words[offset];
-        }
-        const auto further = m_further.find(number);
-        return further == m_further.end() ? seedWord::unvisited : further->second.words[offset];
-    }
-    [[nodiscard]] std::vector<CutBrick> take()
-    {
-        std::vector<CutBrick> taken;
-        for (CutBrick& brick : m_bricks) {
-            if (!brick.words.empty())
-                taken.push_back(std::move(brick));
-        }
-        for (auto& [number, brick] : m_further)
-            taken.push_back(std::move(brick));
-        std::sort(taken.begin(), taken.end(),
-            [](const CutBrick& a, const CutBrick& b) { return a.brick < b.brick; });
-        return taken;
-    }
-
-private:
-    static void fill(CutBrick& brick, std::uint32_t number)
-    {
-        brick.brick = number;
-        brick.words.assign(BrickGrid::voxelsPerBrick, seedWord::unvisited);
-        brick.leaving.assign(BrickGrid::voxelsPerBrick, 0);
-    }
-    CutBrick& begun(std::size_t place)
-    {
-        CutBrick& brick = m_bricks[place];
-        if (!brick.words.empty())
-            return brick;
-        const auto first = Voxel(place << 12);
-        fill(brick, m_words.brickOf(first));
-        for (std::uint32_t i = 0; i < BrickGrid::voxelsPerBrick; ++i)
-            brick.words[i] = m_words[first + i];
-        return brick;
-    }
-
-    const WordBricks& m_words;
-    std::map<std::uint32_t, std::size_t> m_places; ///< of each brick that is there
-    std::vector<CutBrick> m_bricks; ///< of those; without words: not written
-    std::map<std::uint32_t, CutBrick> m_further;
-};
-
-template <class Visit>
-void forPlacesAround(const BrickGrid& grid, const glm::ivec3& place, const Visit& visit)
-{
-    for (const std::array<int, 3>& offset : seedWord::offsets) {
-        const glm::ivec3 next = place + glm::ivec3(offset[0], offset[1], offset[2]);
-        if (glm::all(glm::greaterThanEqual(next, glm::ivec3(0)))
-            && glm::all(glm::lessThan(next, grid.volumeSize)))
-            visit(next);
-    }
-}
 
 Survey survey(const WordBricks& words)
 {
@@ -511,7 +366,7 @@ Survey survey(const WordBricks& words)
 }
 
 /// Rule 10, for the voxels of one label that leave.
-void write(Writing& writing, const WordBricks& words, const std::vector<std::uint8_t>& marks,
+void write(CutWriting& writing, const WordBricks& words, const std::vector<std::uint8_t>& marks,
     const Voxels& leaving, std::uint32_t label, bool barrier)
 {
     std::vector<glm::ivec3> shut;
@@ -532,14 +387,8 @@ void write(Writing& writing, const WordBricks& words, const std::vector<std::uin
     }
     for (const glm::ivec3& place : shut)
         writing.shut(place);
-    for (const glm::ivec3& place : shut) {
-        forPlacesAround(words.grid(), place, [&](const glm::ivec3& next) {
-            const std::uint32_t word = writing.wordAt(next);
-            if (!seedWord::isMember(word) && !seedWord::isPendingSeed(word)
-                && word != seedWord::barrier)
-                writing.shut(next);
-        });
-    }
+    for (const glm::ivec3& place : shut)
+        writing.shutEmptyAround(place);
 }
 
 } // namespace
@@ -565,7 +414,7 @@ GrowthCutOutcome cutGrowth(const WordBricks& words, const CutGrowth& command)
         sketch.erase(std::unique(sketch.begin(), sketch.end()), sketch.end());
         leaving[label] = LabelCut(words, command, label, found, marks).run(sketch);
     }
-    Writing writing(words);
+    CutWriting writing(words);
     for (const auto& [label, voxels] : leaving)
         write(writing, words, marks, voxels, label, command.barrier);
     outcome.bricks = writing.take();
