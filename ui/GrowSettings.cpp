@@ -18,6 +18,8 @@ namespace {
 using Limit = GrowSettings::Limit;
 using displayJson::read;
 
+constexpr QLatin1String guardName("guard");
+
 /// Every limit that has a value, by its name in JSON.
 template <class Settings> auto limitsOf(Settings& settings)
 {
@@ -35,6 +37,17 @@ std::optional<double> asked(const Limit& limit)
 QJsonArray toJson(const glm::dvec3& point)
 {
     return {point.x, point.y, point.z};
+}
+
+QJsonObject toJson(const Limit& limit)
+{
+    return {{QStringLiteral("on"), limit.on}, {QStringLiteral("value"), limit.value}};
+}
+
+void read(const QJsonValue& json, Limit& limit)
+{
+    read(json[QLatin1String("on")], limit.on);
+    read(json[QLatin1String("value")], limit.value, 0.0, 1e300);
 }
 
 bool read(const QJsonValue& json, glm::dvec3& point)
@@ -75,6 +88,11 @@ core::GrowCriteria criteriaOf(const GrowSettings& settings)
         criteria.box = settings.box;
     criteria.overwriteUnlocked = settings.overwriteUnlocked;
     return criteria;
+}
+
+core::GrowSteps growthOf(const GrowSettings& settings)
+{
+    return {.criteria = criteriaOf(settings), .guardFactor = asked(settings.guard)};
 }
 
 int limitsOn(const GrowSettings& settings)
@@ -124,8 +142,8 @@ QJsonObject growSettingsJson(const GrowSettings& settings)
         {QStringLiteral("onlyVisible"), settings.onlyVisible},
         {QStringLiteral("boxed"), settings.boxed}};
     for (const auto& [name, limit] : limitsOf(settings))
-        json[QLatin1String(name)] =
-            QJsonObject{{QStringLiteral("on"), limit->on}, {QStringLiteral("value"), limit->value}};
+        json[QLatin1String(name)] = toJson(*limit);
+    json[guardName] = toJson(settings.guard);
     if (settings.box)
         json[QStringLiteral("box")] =
             QJsonArray{toJson(settings.box->fromLps), toJson(settings.box->toLps)};
@@ -144,11 +162,10 @@ void readGrowSettings(const QJsonObject& json, GrowSettings& settings)
     read(json[QLatin1String("generationsPerSecond")], known.generationsPerSecond);
     read(json[QLatin1String("onlyVisible")], known.onlyVisible);
     read(json[QLatin1String("boxed")], known.boxed);
-    for (const auto& [name, limit] : limitsOf(known)) {
-        const QJsonValue kept = json[QLatin1String(name)];
-        read(kept[QLatin1String("on")], limit->on);
-        read(kept[QLatin1String("value")], limit->value, 0.0, 1e300);
-    }
+    for (const auto& [name, limit] : limitsOf(known))
+        read(json[QLatin1String(name)], *limit);
+    read(json[guardName], known.guard);
+    known.guard.value = std::clamp(known.guard.value, leastGuard, greatestGuard);
     known.sigmas.value = std::clamp(known.sigmas.value, 1.0 / 256.0, 100.0);
     known.majority.value = std::clamp(known.majority.value, 1.0, 27.0);
     const QJsonArray box = json[QLatin1String("box")].toArray();

@@ -29,6 +29,8 @@ struct GrowSettings {
     Limit gradient{}; ///< modality units a millimetre
     Limit gradientDifference{};
     Limit majority{.on = false, .value = 14};
+    /// Stops at leaks: the value is how many times as wide as a narrow place a front may get.
+    Limit guard{.on = false, .value = 2.0};
     bool onlyVisible = false;
     bool boxed = false;
     std::optional<core::GrowBox> box{}; ///< none was ever chosen
@@ -36,8 +38,10 @@ struct GrowSettings {
 };
 
 [[nodiscard]] core::GrowCriteria criteriaOf(const GrowSettings& settings);
+/// To closure, with the criteria and the guard.
+[[nodiscard]] core::GrowSteps growthOf(const GrowSettings& settings);
 
-/// How many limits are on.
+/// How many limits are on; the guard is none.
 [[nodiscard]] int limitsOn(const GrowSettings& settings);
 
 /// Gives values to limits that never had one: tenths of what a window shows of the volume.
@@ -50,6 +54,10 @@ void chooseLimits(GrowSettings& settings, const core::Volume& volume);
 /// The other way round: all voxels whose centres lie in it.
 [[nodiscard]] core::GrowBox growBoxFrom(
     const core::ClipRegion::Box& box, const core::VolumeGeometry& geometry);
+
+/// Between which the guard's value lies.
+inline constexpr double leastGuard = 1.2;
+inline constexpr double greatestGuard = 10.0;
 
 [[nodiscard]] QJsonObject growSettingsJson(const GrowSettings& settings);
 /// Fields that are missing or make no sense are passed over.

@@ -29,6 +29,17 @@ bool segmentsCompete(const History& history, const Document& document)
     return growing.count() > 1;
 }
 
+/// The growth before, with its guard.
+GrowSteps recentSteps(const History& history)
+{
+    const std::vector<RowId> rows = history.standing();
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+        if (const auto* grow = std::get_if<GrowSteps>(&history.row(*row).edit))
+            return *grow;
+    }
+    return {};
+}
+
 } // namespace
 
 std::optional<GrowCriteria> recentCriteria(const History& history)
@@ -56,7 +67,11 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
             return failure(ErrorCode::InvalidField, editName(edit),
                 QStringLiteral("nothing has grown before"));
         if (resume) {
-            edit = GrowSteps{.criteria = *criteria, .steps = resume->steps};
+            GrowSteps again = recentSteps(history);
+            again.criteria = *criteria;
+            again.steps = resume->steps;
+            again.tellsHeld = true;
+            edit = again;
             return {};
         }
         criteria->lower = change->criteria.lower;

@@ -8,11 +8,13 @@
 #include "ui/SeedBand.h"
 #include "ui/SeedStatistics.h"
 #include "ui/Theme.h"
+#include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/GenerationSection.h"
 #include "ui/panels/GrowCriteriaSection.h"
 #include "ui/panels/LeakSection.h"
+#include "ui/panels/SeedInterval.h"
 #include "ui/panels/SpreadBar.h"
 #include "ui/widgets/HistogramRange.h"
 
@@ -20,12 +22,8 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
-#include <QMenu>
-#include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -89,14 +87,14 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::sessionChanged, this, &GrowthPanel::showVolume);
     connect(&workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::showSettings);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
-        askSeedValues();
+        m_fromSeeds->ask();
         showState();
         Q_EMIT summaryChanged(summary());
     });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::History)
-                askSeedValues();
+                m_fromSeeds->ask();
             showState();
             Q_EMIT summaryChanged(summary());
         });
@@ -109,7 +107,16 @@ void GrowthPanel::build()
     m_criteria = new GrowCriteriaSection(m_workspace, *m_band, this);
     m_range = new HistogramRange(this);
     m_range->setObjectName(QStringLiteral("growthInterval"));
-    makeSeedButton();
+    m_fromSeeds = new SeedInterval(m_workspace, this);
+    connect(m_fromSeeds, &SeedInterval::valuesChanged, this, [this] {
+        m_range->setMarkers(m_fromSeeds->values());
+        showState();
+    });
+    connect(m_fromSeeds, &SeedInterval::intervalTaken, this, [this] {
+        m_range->zoomToRange();
+        followInterval();
+        settleInterval();
+    });
     m_range->setMiddleWidget(m_fromSeeds);
     m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
     m_step->setToolTip(tr("Grow by one generation"));
@@ -201,23 +208,6 @@ void GrowthPanel::build()
     layout->addWidget(new SpreadBar(m_workspace, this));
 }
 
-void GrowthPanel::makeSeedButton()
-{
-    m_fromSeeds = new QToolButton(this);
-    m_fromSeeds->setObjectName(QStringLiteral("intervalFromSeeds"));
-    m_fromSeeds->setFont(theme::smallFont());
-    m_fromSeeds->setText(tr("From seeds"));
-    m_fromSeeds->setToolTip(tr("Set the interval around the mean of the values under the seeds"));
-    m_fromSeeds->setPopupMode(QToolButton::InstantPopup);
-    m_fromSeeds->setStyleSheet(QStringLiteral(
-        "QToolButton { padding: 4px 2px; } QToolButton::menu-indicator { image: none; }"));
-    auto* menu = new QMenu(m_fromSeeds);
-    for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
-        menu->addAction(tr("mean ± %1 σ").arg(QLocale().toString(deviations)), this,
-            [this, deviations] { takeIntervalFromSeeds(deviations); });
-    m_fromSeeds->setMenu(menu);
-}
-
 QString GrowthPanel::title() const
 {
     return tr("Growth");
@@ -233,17 +223,14 @@ QString GrowthPanel::summary() const
 
 core::GrowSteps GrowthPanel::growEdit() const
 {
-    core::GrowSteps edit;
-    edit.criteria = criteriaOf(m_workspace.growSettings());
-    m_leak->guard(edit);
-    return edit;
+    return growthOf(m_workspace.growSettings());
 }
 
 void GrowthPanel::showVolume()
 {
     m_watch.stop();
     m_running = false;
-    m_seedValues.clear();
+    m_fromSeeds->forget();
     m_fronts.clear();
     const core::Volume* volume = m_workspace.volume();
     setEnabled(volume != nullptr);
@@ -261,7 +248,7 @@ void GrowthPanel::showVolume()
         }
     }
     showSettings();
-    askSeedValues();
+    m_fromSeeds->ask();
     showState();
     Q_EMIT summaryChanged(summary());
 }
@@ -403,54 +390,6 @@ void GrowthPanel::poll()
     showState();
 }
 
-void GrowthPanel::askSeedValues()
-{
-    core::EditSession* session = m_workspace.session();
-    const int label = m_workspace.activeSegment();
-    std::vector<glm::ivec3> voxels;
-    if (session)
-        voxels = seedVoxels(*session, label);
-    if (voxels.empty()) {
-        m_seedValues.clear();
-        m_range->setMarkers({});
-        return;
-    }
-    if (voxels.size() == m_seedValues.size() && label == m_seedLabel)
-        return;
-    core::ProbeVoxels question;
-    question.voxels = std::move(voxels);
-    session->ask(std::move(question),
-        [panel = QPointer<GrowthPanel>(this), label](const core::EngineResult& result) {
-            if (!panel || result.error || !panel->m_workspace.volume())
-                return;
-            panel->m_seedLabel = label;
-            panel->m_seedValues.clear();
-            const core::VoxelEncoding& encoding = panel->m_workspace.volume()->encoding;
-            for (const core::ProbedVoxel& probe : result.probes)
-                panel->m_seedValues.push_back(encoding.value(probe.code));
-            panel->m_range->setMarkers(panel->m_seedValues);
-            panel->showState();
-        });
-}
-
-void GrowthPanel::takeIntervalFromSeeds(double deviations)
-{
-    const core::Volume* volume = m_workspace.volume();
-    if (!volume || m_seedValues.empty())
-        return;
-    const SeedStatistics seeds = seedStatistics(m_seedValues);
-    // One seed, or seeds of one value, have no spread to go by: take a hundredth of the range.
-    const double spread = seeds.deviation > 0.0 ? deviations * seeds.deviation
-                                                : 0.01 * (volume->maximum - volume->minimum);
-    Workspace::GrowSettings settings = m_workspace.growSettings();
-    settings.lower = std::max(seeds.mean - spread, volume->minimum);
-    settings.upper = std::min(seeds.mean + spread, volume->maximum);
-    m_workspace.setGrowSettings(settings);
-    m_range->zoomToRange();
-    followInterval();
-    settleInterval();
-}
-
 void GrowthPanel::showState()
 {
     core::EditSession* session = m_workspace.session();
@@ -471,7 +410,6 @@ void GrowthPanel::showState()
     m_play->setIcon(QIcon(tintedIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play"),
         canGrow ? theme::window : theme::secondary, 16, devicePixelRatioF())));
     m_play->setText(m_running ? tr("Pause") : tr("Grow"));
-    m_fromSeeds->setEnabled(!m_seedValues.empty());
 
     if (seeds == 0) {
         m_advice->setText(tr("No seeds yet: take the Seed tool and sketch on what belongs to the "
@@ -481,7 +419,7 @@ void GrowthPanel::showState()
     } else if (allLocked) {
         m_advice->setText(tr("Every segment is locked: unlock the one that is to grow."));
     } else {
-        m_advice->setText(seedText(seeds));
+        m_advice->setText(m_fromSeeds->text(seeds));
     }
 
     const core::GrowthProgress progress =
@@ -517,19 +455,6 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
     const auto voxels = row->statistics.voxelsChanged;
     return (shrunk ? tr("Generation %1 · taken back %2 (%3)") : tr("Generation %1 · added %2 (%3)"))
         .arg(countText(generation), countText(voxels), millilitreText(voxels, voxelMm3));
-}
-
-QString GrowthPanel::seedText(int seeds) const
-{
-    QString text = seeds == 1 ? tr("1 seed voxel") : tr("%1 seed voxels").arg(seeds);
-    if (!m_seedValues.empty() && m_workspace.volume()) {
-        const SeedStatistics statistics = seedStatistics(m_seedValues);
-        text =
-            tr("%1 · %2 ± %3 %4")
-                .arg(text, QLocale().toString(statistics.mean, 'f', 1),
-                    QLocale().toString(statistics.deviation, 'f', 1), m_workspace.volume()->unit);
-    }
-    return text.trimmed();
 }
 
 } // namespace ui

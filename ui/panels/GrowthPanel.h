@@ -14,7 +14,6 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QToolButton;
 
 namespace ui {
 
@@ -24,6 +23,7 @@ class HistogramRange;
 class LeakSection;
 class LiveInterval;
 class SeedBand;
+class SeedInterval;
 class Workspace;
 
 /// Region growing (seed A §5): the interval, and transport buttons like a player's. A burst lasts
@@ -55,7 +55,6 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
-    [[nodiscard]] QString seedText(int seeds) const;
     [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
     void poll();
     bool begin(const core::Edit& growth, double generationsPerSecond);
@@ -63,15 +62,12 @@ private:
     void settleInterval();
     void shrink(std::optional<int> steps);
     void finish();
-    void askSeedValues();
-    void makeSeedButton();
-    void takeIntervalFromSeeds(double deviations);
 
     Workspace& m_workspace;
     SeedBand* m_band = nullptr;
     HistogramRange* m_range = nullptr;
     GrowCriteriaSection* m_criteria = nullptr;
-    QToolButton* m_fromSeeds = nullptr;
+    SeedInterval* m_fromSeeds = nullptr;
     QPushButton* m_step = nullptr;
     QPushButton* m_play = nullptr;
     QPushButton* m_toClosure = nullptr;
@@ -88,8 +84,6 @@ private:
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;
     QTimer m_watch; ///< only shows; decides nothing about voxels
-    std::vector<double> m_seedValues; ///< of m_seedLabel, modality units
-    int m_seedLabel = 0;
     std::vector<std::uint32_t> m_fronts; ///< of the last burst that was watched
     bool m_running = false;
 };

@@ -6,29 +6,36 @@
 #include "ui/Workspace.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 namespace ui {
-
-namespace {
-
-constexpr double factor = 2.0; ///< of the narrow place; tests/gpu/edit/LeakPhantomsGlTest
-
-} // namespace
 
 LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_guard(new QCheckBox(tr("stop at leaks"), this))
+    , m_factor(new QDoubleSpinBox(this))
     , m_offer(new QWidget(this))
     , m_text(new QLabel(m_offer))
 {
     m_guard->setObjectName(QStringLiteral("growGuard"));
     m_guard->setToolTip(
         tr("Growth stops where a front that came out of a narrow place gets wide quickly"));
+    m_factor->setObjectName(QStringLiteral("growGuardFactor"));
+    m_factor->setToolTip(
+        tr("How many times as wide as the narrow place a front may get: less stops "
+           "sooner, and more often without need"));
+    m_factor->setFixedHeight(theme::controlHeight);
+    m_factor->setRange(leastGuard, greatestGuard);
+    m_factor->setDecimals(1);
+    m_factor->setSingleStep(0.1);
+    m_factor->setPrefix(tr("at "));
+    m_factor->setSuffix(tr(" × wider"));
     m_text->setObjectName(QStringLiteral("leakText"));
     m_text->setFont(theme::smallFont());
     m_text->setWordWrap(true);
@@ -59,17 +66,36 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(m_guard);
+    auto* guard = new QHBoxLayout;
+    guard->setSpacing(theme::smallPadding);
+    guard->addWidget(m_guard, 1);
+    guard->addWidget(m_factor);
+    layout->addLayout(guard);
     layout->addWidget(m_offer);
     m_offer->hide();
+    connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);
+    connect(m_factor, &QDoubleSpinBox::valueChanged, this, &LeakSection::takeSettings);
+    connect(&workspace, &Workspace::growSettingsChanged, this, &LeakSection::showSettings);
     connect(&workspace, &Workspace::sessionChanged, this, [this] { showAlarm({}); });
     connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
+    showSettings();
 }
 
-void LeakSection::guard(core::GrowSteps& edit) const
+void LeakSection::showSettings()
 {
-    if (m_guard->isChecked())
-        edit.guardFactor = factor;
+    const GrowSettings::Limit& guard = m_workspace.growSettings().guard;
+    const QSignalBlocker quietGuard(m_guard);
+    const QSignalBlocker quietFactor(m_factor);
+    m_guard->setChecked(guard.on);
+    m_factor->setValue(guard.value);
+    m_factor->setEnabled(guard.on);
+}
+
+void LeakSection::takeSettings()
+{
+    GrowSettings settings = m_workspace.growSettings();
+    settings.guard = {.on = m_guard->isChecked(), .value = m_factor->value()};
+    m_workspace.setGrowSettings(settings);
 }
 
 void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)

@@ -9,6 +9,7 @@
 #include <optional>
 
 class QCheckBox;
+class QDoubleSpinBox;
 class QLabel;
 
 namespace ui {
@@ -23,8 +24,6 @@ class LeakSection : public QWidget {
 public:
     explicit LeakSection(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Adds the guard to a growth, where it is on.
-    void guard(core::GrowSteps& edit) const;
     /// Offers what can be done; none: nothing any more.
     void showAlarm(const std::optional<core::LeakAlarm>& alarm);
 
@@ -32,6 +31,8 @@ Q_SIGNALS:
     void goOnAsked();
 
 private:
+    void showSettings();
+    void takeSettings();
     void follow();
     void accept();
     void reject();
@@ -40,6 +41,7 @@ private:
 
     Workspace& m_workspace;
     QCheckBox* m_guard = nullptr;
+    QDoubleSpinBox* m_factor = nullptr;
     QWidget* m_offer = nullptr;
     QLabel* m_text = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
