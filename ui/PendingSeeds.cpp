@@ -5,6 +5,7 @@
 
 #include <QPointer>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -16,12 +17,18 @@ struct Seeds {
     std::vector<gpu::SceneSeed> grown; ///< growths have come to them
 };
 
+glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
+{
+    return glm::ivec3(glm::floor(geometry.toIndex(lps) + 0.5));
+}
+
 Seeds seedsOf(const core::EditSession& session)
 {
     std::vector<gpu::SceneSeed> seeds;
     std::vector<std::pair<std::uint32_t, gpu::SceneSeed>> grown; ///< and since which generation
     std::uint32_t generation = 0;
     const core::History& history = session.history();
+    const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
     for (const core::RowId id : history.standing()) {
         const core::HistoryRow& row = history.row(id);
         if (std::holds_alternative<core::GrowSteps>(row.edit)
@@ -42,6 +49,17 @@ Seeds seedsOf(const core::EditSession& session)
                 std::erase_if(grown, goes);
             }
         } else if (const auto* stroke = std::get_if<core::SeedStroke>(&row.edit)) {
+            // A seed that a growth came to and left waiting can be taken away too; one that it
+            // accepted stays, and is asked after below.
+            const auto taken = [stroke, &geometry](const gpu::SceneSeed& seed) {
+                return seed.label == stroke->segment && stroke->takenLps
+                    && std::any_of(stroke->takenLps->begin(), stroke->takenLps->end(),
+                        [&](const glm::dvec3& place) {
+                            return voxelAt(place, geometry) == voxelAt(seed.lps, geometry);
+                        });
+            };
+            std::erase_if(seeds, taken);
+            std::erase_if(grown, [&taken](const auto& each) { return taken(each.second); });
             for (const glm::dvec3& point : stroke->pointsLps)
                 seeds.push_back({point, std::uint8_t(stroke->segment)});
         } else if (const auto* removed = std::get_if<core::RemoveSegment>(&row.edit)) {
@@ -102,7 +120,7 @@ void PendingSeeds::findHollow(std::vector<gpu::SceneSeed> grown)
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     core::ProbeVoxels question;
     for (const gpu::SceneSeed& seed : grown)
-        question.voxels.emplace_back(glm::floor(geometry.toIndex(seed.lps) + 0.5));
+        question.voxels.push_back(voxelAt(seed.lps, geometry));
     m_workspace.session()->ask(std::move(question),
         [seeds = QPointer<PendingSeeds>(this), asked, grown = std::move(grown)](
             const core::EngineResult& result) {

@@ -7,6 +7,15 @@
 
 namespace ui {
 
+namespace {
+
+glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
+{
+    return glm::ivec3(glm::round(geometry.toIndex(lps)));
+}
+
+} // namespace
+
 std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
 {
     std::vector<glm::ivec3> voxels;
@@ -16,8 +25,12 @@ std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
         const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit);
         if (!stroke || stroke->segment != label)
             continue;
+        if (stroke->takenLps) {
+            for (const glm::dvec3& point : *stroke->takenLps)
+                std::erase(voxels, voxelAt(point, geometry));
+        }
         for (const glm::dvec3& point : stroke->pointsLps) {
-            const glm::ivec3 voxel(glm::round(geometry.toIndex(point)));
+            const glm::ivec3 voxel = voxelAt(point, geometry);
             if (geometry.contains(voxel))
                 voxels.push_back(voxel);
         }
@@ -27,14 +40,10 @@ std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
 
 int sketchedSeeds(const core::EditSession& session)
 {
+    // Those of a segment that was deleted went with it.
     std::size_t count = 0;
-    const core::History& history = session.history();
-    for (const core::RowId id : history.standing()) {
-        const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit);
-        // Those of a segment that was deleted went with it.
-        if (stroke && session.document().segment(stroke->segment))
-            count += stroke->pointsLps.size();
-    }
+    for (const core::Segment& segment : session.document().segments)
+        count += seedVoxels(session, segment.label).size();
     return int(count);
 }
 

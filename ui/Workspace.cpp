@@ -8,6 +8,7 @@
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
+#include "ui/Theme.h"
 #include "ui/tools/Tool.h"
 
 #include <chrono>
@@ -62,6 +63,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         applyHistoryMemory();
     }
     m_cautionAccepted = false;
+    m_warnAfter.reset();
     m_pointedLps.reset();
     m_activeSegment = 0;
     m_activeLayer = 0;
@@ -182,8 +184,22 @@ void Workspace::setClip(const core::ClipRegion& clip)
 
 gpu::SegmentDisplay Workspace::segmentDisplay() const
 {
-    return m_session ? ui::segmentDisplay(m_session->document(), m_viewOptions.showSegments)
-                     : gpu::SegmentDisplay();
+    if (!m_session)
+        return {};
+    gpu::SegmentDisplay display =
+        ui::segmentDisplay(m_session->document(), m_viewOptions.showSegments);
+    display.warningRgb = theme::caution.rgb() & 0xFFFFFFu;
+    if (m_warnAfter)
+        display.warnAfterGeneration = *m_warnAfter;
+    return display;
+}
+
+void Workspace::setWarnAfter(std::optional<std::uint32_t> generation)
+{
+    if (generation == m_warnAfter)
+        return;
+    m_warnAfter = generation;
+    Q_EMIT viewOptionsChanged();
 }
 
 void Workspace::setDrillSettings(const DrillSettings& settings)

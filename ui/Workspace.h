@@ -120,6 +120,8 @@ public:
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
+    /// What growth added after a generation is drawn in the warning colour; none: nothing is.
+    void setWarnAfter(std::optional<std::uint32_t> generation);
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
     [[nodiscard]] const BrushSettings& brushSettings(Brush brush) const;
@@ -173,7 +175,7 @@ Q_SIGNALS:
     void drillSettingsChanged();
     void brushSettingsChanged();
     void growSettingsChanged();
-    void viewOptionsChanged();
+    void viewOptionsChanged(); ///< or what warns
     void cautionAcceptedChanged();
     void pointedLpsChanged();
     void activeToolChanged();
@@ -204,6 +206,7 @@ private:
     GrowSettings m_grow;
     ViewOptions m_viewOptions;
     bool m_cautionAccepted = false;
+    std::optional<std::uint32_t> m_warnAfter;
     std::optional<glm::dvec3> m_pointedLps;
     Tool* m_tool = nullptr;
     QTimer m_retry; ///< runs while steps wait for the disk

@@ -179,6 +179,9 @@ struct RemovePiece {
 struct SeedStroke {
     int segment = 0;
     std::vector<glm::dvec3> pointsLps{};
+    /// Seeds that are taken away first, where no growth has accepted them; with as many points,
+    /// they are moved.
+    std::optional<std::vector<glm::dvec3>> takenLps{};
 };
 
 /// A box with sides along the volume's axes, by two opposite corners: it holds the voxels between

@@ -14,9 +14,9 @@ namespace core {
 // used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.
 
 /// The voxels nearest to a stroke's points, each once, slices first. Errors: SeedOutsideVolume
-/// (names the point).
-[[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(
-    const SeedStroke& stroke, const VolumeGeometry& geometry);
+/// (names the point and the field).
+[[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(const std::vector<glm::dvec3>& pointsLps,
+    const VolumeGeometry& geometry, const char* field = "pointsLps");
 
 /// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume.
 [[nodiscard]] Result<SeedPlacement> seedPlacement(

@@ -49,21 +49,29 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
     if (segment->locked)
         return failure(ErrorCode::SegmentLocked, segment->name);
 
-    Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke, document.volumes.front().geometry);
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke.pointsLps, geometry, "pointsLps");
     if (!voxels)
         return tl::unexpected(voxels.error());
-    return SeedPlacement{
-        .plane = segment->plane, .label = segment->label, .voxels = *std::move(voxels)};
+    Result<std::vector<glm::ivec3>> taken =
+        seedVoxels(stroke.takenLps.value_or(std::vector<glm::dvec3>()), geometry, "takenLps");
+    if (!taken)
+        return tl::unexpected(taken.error());
+    return SeedPlacement{.plane = segment->plane,
+        .label = segment->label,
+        .voxels = *std::move(voxels),
+        .taken = *std::move(taken)};
 }
 
-Result<std::vector<glm::ivec3>> seedVoxels(const SeedStroke& stroke, const VolumeGeometry& geometry)
+Result<std::vector<glm::ivec3>> seedVoxels(
+    const std::vector<glm::dvec3>& pointsLps, const VolumeGeometry& geometry, const char* field)
 {
     std::vector<glm::ivec3> voxels;
-    for (const glm::dvec3& point : stroke.pointsLps) {
+    for (const glm::dvec3& point : pointsLps) {
         const std::optional<glm::ivec3> nearest = voxelNearest(point, geometry);
         if (!nearest)
             return failure(ErrorCode::SeedOutsideVolume, pointText(point),
-                QStringLiteral("in field 'seed.pointsLps'"));
+                QStringLiteral("in field 'seed.%1'").arg(QLatin1String(field)));
         voxels.push_back(*nearest);
     }
     const auto slicesFirst = [](const glm::ivec3& a, const glm::ivec3& b) {

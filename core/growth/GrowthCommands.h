@@ -15,12 +15,14 @@ namespace core {
 // Growth as an engine sees it: integers only. Words are those of core/growth/SeedWord.h.
 // SpreadLabels, growing from seeds: core/growth/SeedSpread.h.
 
-/// Mark voxels as pending seeds of a segment: word = min(word, pendingSeed(label)) where the word
-/// is not a member's.
+/// First take pending seeds of a segment away: where the word is pendingSeed(label) it becomes
+/// unvisited. Then mark voxels as its pending seeds: word = min(word, pendingSeed(label)) where the
+/// word is not a member's.
 struct SeedPlacement {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
+    std::vector<glm::ivec3> taken{}; ///< likewise
 };
 
 /// What growth asks for beyond its interval and the label plane; all that is given must hold.

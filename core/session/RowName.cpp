@@ -152,6 +152,19 @@ QString removeName(const RemoveSegment& edit, const EditStatistics& statistics,
         .arg(quoted(segmentName(edit.segment, document)), lost);
 }
 
+QString seedName(
+    const SeedStroke& stroke, const std::vector<BrickChange>& changes, const Document& document)
+{
+    const QString segment = segmentName(stroke.segment, document);
+    if (stroke.takenLps && stroke.pointsLps.size() == stroke.takenLps->size())
+        return QStringLiteral("Move %1 of '%2'")
+            .arg(counted(std::int64_t(stroke.pointsLps.size()), "seed"), segment);
+    const QString voxels = counted(seedWordsChanged(changes), "voxel");
+    if (stroke.pointsLps.empty())
+        return QStringLiteral("Take seeds of '%1' away, %2").arg(segment, voxels);
+    return QStringLiteral("Seed stroke for '%1', %2").arg(segment, voxels);
+}
+
 QString layerName(int id, const Document& document)
 {
     const SculptLayer* layer = document.layer(id);
@@ -403,10 +416,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return name;
     if (const QString name = pieceRowName(edit, document); !name.isEmpty())
         return name;
-    if (std::holds_alternative<SeedStroke>(edit))
-        return QStringLiteral("Seed stroke for '%1', %2")
-            .arg(segmentName(std::get<SeedStroke>(edit).segment, document),
-                counted(seedWordsChanged(changes), "voxel"));
+    if (const auto* seed = std::get_if<SeedStroke>(&edit))
+        return seedName(*seed, changes, document);
     if (std::holds_alternative<GrowSteps>(edit))
         return QStringLiteral("Grow %1%2, +%3")
             .arg(whatGrew(changes, document), counted(statistics.generations, "step"),

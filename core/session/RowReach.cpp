@@ -108,7 +108,10 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         Bricks bricks;
         const Segment* segment = document.segment(seed->segment);
         const std::uint8_t plane = segment ? segment->plane : std::uint8_t(0);
-        if (const auto voxels = seedVoxels(*seed, document.volumes.front().geometry)) {
+        std::vector<glm::dvec3> points = seed->pointsLps;
+        if (seed->takenLps)
+            points.insert(points.end(), seed->takenLps->begin(), seed->takenLps->end());
+        if (const auto voxels = seedVoxels(points, document.volumes.front().geometry)) {
             for (const glm::ivec3& voxel : *voxels)
                 bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(grid.brickOf(voxel))});
         }

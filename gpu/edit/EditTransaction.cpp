@@ -23,7 +23,8 @@ core::Result<void> check(const core::SeedPlacement& edit, const core::BrickGrid&
 {
     if (edit.label == 0)
         return refusal("label", "0 is no segment");
-    return checkVoxels(edit.voxels, grid);
+    const core::Result<void> taken = checkVoxels(edit.taken, grid);
+    return taken ? checkVoxels(edit.voxels, grid) : taken;
 }
 
 core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)

@@ -65,11 +65,10 @@ GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity, const core::GrowL
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement)
 {
-    std::vector<glm::ivec4> voxels;
     std::set<std::uint32_t> brickSet;
-    for (const glm::ivec3& voxel : placement.voxels) {
-        voxels.emplace_back(voxel, 0);
-        brickSet.insert(std::uint32_t(fields.grid().brickOf(voxel)));
+    for (const std::vector<glm::ivec3>* voxels : {&placement.taken, &placement.voxels}) {
+        for (const glm::ivec3& voxel : *voxels)
+            brickSet.insert(std::uint32_t(fields.grid().brickOf(voxel)));
     }
     const std::vector<std::uint32_t> bricks(brickSet.begin(), brickSet.end());
     if (bricks.empty())
@@ -78,15 +77,23 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
     BrickField& words = fields.seedWords(placement.plane);
     words.ensure(bricks);
 
-    Buffer list({.label = "seed voxels", .bytes = voxels.size() * sizeof(glm::ivec4)});
-    list.write(std::span<const glm::ivec4>(voxels));
     words.pageTable().bindUnit(1);
     words.atlas().bindImage(0, GL_READ_WRITE);
-    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    programs.placeSeeds.set("voxelCount", unsigned(voxels.size()))
-        .set("label", unsigned(placement.label));
-    programs.placeSeeds.dispatch({unsigned(voxels.size() + 63) / 64, 1, 1});
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    programs.placeSeeds.set("label", unsigned(placement.label));
+    for (const std::vector<glm::ivec3>* voxels : {&placement.taken, &placement.voxels}) {
+        if (voxels->empty())
+            continue;
+        std::vector<glm::ivec4> padded;
+        for (const glm::ivec3& voxel : *voxels)
+            padded.emplace_back(voxel, 0);
+        Buffer list({.label = "seed voxels", .bytes = padded.size() * sizeof(glm::ivec4)});
+        list.write(std::span<const glm::ivec4>(padded));
+        list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        programs.placeSeeds.set("voxelCount", unsigned(padded.size()))
+            .set("take", voxels == &placement.taken);
+        programs.placeSeeds.dispatch({unsigned(padded.size() + 63) / 64, 1, 1});
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    }
     return bricks;
 }
 

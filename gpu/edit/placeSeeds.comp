@@ -1,4 +1,4 @@
-// Marks voxels as pending seeds of a label.
+// Marks voxels as pending seeds of a label, or takes those away.
 
 layout(local_size_x = 64) in;
 
@@ -11,6 +11,7 @@ layout(binding = 0, std430) readonly buffer Voxels { ivec4 voxels[]; };
 
 uniform uint voxelCount;
 uniform uint label;
+uniform bool take;
 
 void main()
 {
@@ -18,6 +19,10 @@ void main()
         return;
     ivec3 voxel = voxels[gl_GlobalInvocationID.x].xyz;
     ivec3 texel = atlasTexel(texelFetch(pageTable, voxel >> 4, 0).r, voxel);
+    if (take) {
+        imageAtomicCompSwap(words, texel, pendingSeedWord(label), unvisited);
+        return;
+    }
     // A member's word is less than any pending seed's, so the minimum leaves members alone.
     imageAtomicMin(words, texel, pendingSeedWord(label));
 }

@@ -22,6 +22,9 @@ namespace gpu {
 struct SegmentDisplay {
     std::array<std::uint32_t, 256> rgb{}; ///< 0xRRGGBB
     std::array<bool, 256> visible{};
+    /// Members of later generations of the growth are drawn in `warningRgb`; by default none is.
+    std::uint32_t warnAfterGeneration = 0xFFFFFFFFu;
+    std::uint32_t warningRgb = 0xF0B04A;
     float fillOpacity = 0.35f; ///< of slices
     float outlineWidthPixels = 2.0f; ///< of slices
     bool operator==(const SegmentDisplay&) const = default;
@@ -61,8 +64,8 @@ struct TransferFunction {
 /// in the transfer function's colours, or grey as in a slice.
 enum class CutFaces : std::uint8_t { Material, GreyValues };
 
-/// A part of the volume in a pose of its own (core::Piece), drawn among the rest in one cast; or what
-/// a layer hides only in part, at its place.
+/// A part of the volume in a pose of its own (core::Piece), drawn among the rest in one cast; or
+/// what a layer hides only in part, at its place.
 struct ScenePiece {
     int id = 0; ///< of the document's piece; 0: none, and no tool meets it
     int layer = 0; ///< sculpt layer whose coverage it is; 0: a segment's voxels

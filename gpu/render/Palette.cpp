@@ -13,12 +13,14 @@ Palette::Palette()
 
 void Palette::set(const SegmentDisplay& segments)
 {
-    if (segments.rgb == m_current.rgb && segments.visible == m_current.visible)
-        return;
+    const bool same = segments.rgb == m_current.rgb && segments.visible == m_current.visible
+        && segments.warningRgb == m_current.warningRgb;
     m_current = segments;
+    if (same)
+        return;
     std::vector<std::uint8_t> texels;
     for (std::size_t label = 0; label < segments.rgb.size(); ++label) {
-        const std::uint32_t rgb = segments.rgb[label];
+        const std::uint32_t rgb = label > 0 ? segments.rgb[label] : segments.warningRgb;
         texels.push_back(std::uint8_t(rgb >> 16));
         texels.push_back(std::uint8_t(rgb >> 8));
         texels.push_back(std::uint8_t(rgb));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/RaycastPass.h"
 
+#include "gpu/edit/BrickField.h"
 #include "gpu/render/ViewFrame.h"
 #include "gpu/render/WindowMapping.h"
 #include "gpu/textures/VolumeTextures.h"
@@ -87,25 +88,25 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}}});
+                    {"SEEDS", 0}, {"WARNED", 0}}});
     }
 }
 
-Program& RaycastPass::seldomProgram(const VolumeScene& scene, bool pieces, bool seeds)
+Program& RaycastPass::seldomProgram(const VolumeScene& scene, bool pieces, bool seeds, bool warned)
 {
     const auto mode = std::size_t(scene.mode);
     const bool clipped = scene.clip.any();
     const bool home = pieces && m_pieces.anyAtHome();
     const std::size_t variant = std::size_t(clipped) + 2 * std::size_t(pieces)
-        + 4 * std::size_t(seeds) + 8 * std::size_t(home);
-    Program& program = m_seldomPrograms[16 * mode + variant];
+        + 4 * std::size_t(seeds) + 8 * std::size_t(home) + 16 * std::size_t(warned);
+    Program& program = m_seldomPrograms[seldomVariants * mode + variant];
     if (!program)
         program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
                     {"CLIPPED", int(clipped)}, {"PIECES", int(pieces)}, {"SEEDS", int(seeds)},
-                    {"HOME", int(home)}}});
+                    {"HOME", int(home)}, {"WARNED", int(warned)}}});
     return program;
 }
 
@@ -118,10 +119,12 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kin
         : index;
 }
 
-Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene)
+Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene, bool warned)
 {
     if (kind == RayBlocks::Kind::Pieces)
-        return seldomProgram(scene, true, false);
+        return seldomProgram(scene, true, false, warned);
+    if (kind == RayBlocks::Kind::Sculpted && warned)
+        return seldomProgram(scene, false, false, true);
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
@@ -148,6 +151,8 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
     const Tile seeded = seeds ? common(tile, m_seeds.blocksIn(scene, target)) : Tile{};
+    BrickField* words = palette.warns() ? volume.seedWords() : nullptr;
+    const bool warned = words != nullptr;
     const bool sculpted = pieces || volume.cells().isSculpted();
     std::array<std::vector<Tile>, RayBlocks::kinds> parts;
     for (const Tile& rest : around(tile, seeded)) {
@@ -161,6 +166,11 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     }
     const auto drawParts = [&](Program& program, const std::vector<Tile>& tiles) {
         prepare(program, volume, scene, palette, target);
+        if (words) {
+            words->atlas().bindUnit(14);
+            words->pageTable().bindUnit(15);
+            program.set("warnAfter", palette.warnAfterGeneration());
+        }
         for (const Tile& part : tiles) {
             glScissor(part.minimum.x, part.minimum.y, part.size.x, part.size.y);
             noVertices.drawFullScreenTriangle();
@@ -170,13 +180,13 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     for (std::size_t kind = 0; kind < parts.size(); ++kind) {
         if (parts[kind].empty())
             continue;
-        Program& program = programFor(RayBlocks::Kind(kind), scene);
+        Program& program = programFor(RayBlocks::Kind(kind), scene, warned);
         if (RayBlocks::Kind(kind) == RayBlocks::Kind::Pieces)
             m_pieces.bind(program, volume);
         drawParts(program, parts[kind]);
     }
     if (seeded.size.x > 0) {
-        Program& program = seldomProgram(scene, pieces, true);
+        Program& program = seldomProgram(scene, pieces, true, warned);
         if (pieces)
             m_pieces.bind(program, volume);
         m_seeds.bind(program);
@@ -193,7 +203,7 @@ void RaycastPass::warmUp(VolumeTextures& volume, const VolumeScene& scene, const
     for (const RayBlocks::Kind kind : {RayBlocks::Kind::Carved, RayBlocks::Kind::Sculpted}) {
         if (m_warm[variantOf(scene, kind)])
             continue;
-        prepare(programFor(kind, scene), volume, scene, palette, target);
+        prepare(programFor(kind, scene, false), volume, scene, palette, target);
         noVertices.drawFullScreenTriangle();
     }
     glDisable(GL_SCISSOR_TEST);

@@ -49,9 +49,10 @@ private:
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
-    [[nodiscard]] Program& programFor(RayBlocks::Kind kind, const VolumeScene& scene);
+    [[nodiscard]] Program& programFor(RayBlocks::Kind kind, const VolumeScene& scene, bool warned);
     /// What is seldom needed, as a program of its own: compiled when it first is.
-    [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, bool pieces, bool seeds);
+    [[nodiscard]] Program& seldomProgram(
+        const VolumeScene& scene, bool pieces, bool seeds, bool warned);
     [[nodiscard]] std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const;
     /// Of this picture; looked for anew only when something changed.
     [[nodiscard]] const RayBlocks& blocksOf(
@@ -64,7 +65,8 @@ private:
     SeedDots m_seeds;
     /// With pieces, seeds or both, clipped or not, some pieces at home or none; made when
     /// first needed.
-    std::array<Program, 16 * renderModes> m_seldomPrograms;
+    static constexpr std::size_t seldomVariants = 32;
+    std::array<Program, seldomVariants * renderModes> m_seldomPrograms;
     TransferLookup m_transfer;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three

@@ -9,12 +9,12 @@ namespace gpu {
 
 SlicePass::SlicePass(const ShaderLibrary& library)
 {
-    for (int variant = 0; variant < 8; ++variant) {
+    for (int variant = 0; variant < variants; ++variant) {
         m_programs[std::size_t(variant)] = Program(library,
             {.label = "slice",
                 .fragmentPath = "render/slice.frag",
                 .defines = {{"LABELED", variant & 1}, {"CARVED", variant >> 1 & 1},
-                    {"BARRIERS", variant >> 2}}});
+                    {"BARRIERS", variant >> 2 & 1}, {"WARNED", variant >> 3}}});
     }
 }
 
@@ -33,10 +33,12 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     volume.radiation().bindUnit(1);
     volume.labels().bindUnit(3);
     palette.texture().bindUnit(7);
+    BrickField* words = volume.seedWords();
     Program& program = m_programs[(volume.touched(VolumeField::Labels) ? 1u : 0u)
         + (volume.touched(VolumeField::Radiation) ? 2u : 0u)
-        + (volume.touched(VolumeField::Barriers) && volume.seedWords() ? 4u : 0u)];
-    if (BrickField* words = volume.seedWords()) {
+        + (words && volume.touched(VolumeField::Barriers) ? 4u : 0u)
+        + (words && palette.warns() ? 8u : 0u)];
+    if (words) {
         words->atlas().bindUnit(14);
         words->pageTable().bindUnit(15);
     }
@@ -49,6 +51,7 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         .set("interpolated", scene.interpolated)
         .set("showCarved", scene.showCarved)
         .set("carvedAsHole", scene.carvedAsHole)
+        .set("warnAfter", segments.warnAfterGeneration)
         .set("fillOpacity", segments.fillOpacity)
         .set("outlineWidth", segments.outlineWidthPixels);
     program.use();

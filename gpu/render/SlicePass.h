@@ -13,8 +13,8 @@ namespace gpu {
 class VolumeTextures;
 
 /// Draws any plane through the volume: window/level (DICOM LINEAR), fill and outline of segments,
-/// outline of what is carved away, stripes where growth is shut out. Outside the volume it is
-/// black.
+/// outline of what is carved away, stripes where growth is shut out, a colour for what warns.
+/// Outside the volume it is black.
 class SlicePass {
 public:
     /// Throws ShaderError.
@@ -26,8 +26,10 @@ public:
         const Palette& palette, const PassTarget& target);
 
 private:
-    /// Labels or none, plus twice carved or not, plus four times barriers or none.
-    std::array<Program, 8> m_programs;
+    /// Labels or none, plus twice carved or not, plus four times barriers or none, plus eight times
+    /// members that warn or none.
+    static constexpr int variants = 16;
+    std::array<Program, variants> m_programs;
 };
 
 } // namespace gpu

@@ -251,6 +251,10 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
             + c * texture(field, at + voxel * c).r + d * texture(field, at + voxel * d).r);
 }
 
+#if WARNED
+#include "render/memberWords.glsl"
+#endif
+
 /// Colour of the shown segments around a point, weighted like interpolation weighs them.
 vec3 segmentColour(vec3 at)
 {
@@ -267,7 +271,13 @@ vec3 segmentColour(vec3 at)
         // Nothing shown may be within reach of a thin part: then any weight will do.
         sum += vec4(entry.rgb, 1.0) * (entry.a * (share.x * share.y * share.z + 1e-4));
     }
-    return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
+    const vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
+#if WARNED
+    const ivec3 nearestVoxel = clamp(ivec3(floor(place + 0.5)), ivec3(0), last);
+    return warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
+#else
+    return own;
+#endif
 }
 
 /// Normal of the flat face that a ray enters by, world, towards the viewer: the end of the scan, or

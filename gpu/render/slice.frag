@@ -1,16 +1,13 @@
-// One pixel of a slice view. LABELED, CARVED, BARRIERS: whether there is anything of the kind to look
-// for.
+// One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED: whether there is anything of the kind
+// to look for.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 7) uniform sampler2D palette;   // rgb, shown
-#if BARRIERS
-#include "edit/bricks.glsl"
-#include "edit/seedWord.glsl"
-layout(binding = 14) uniform usampler3D seedWords; // atlas
-layout(binding = 15) uniform usampler3D seedPages; // page table
+#if BARRIERS || WARNED
+#include "render/memberWords.glsl"
 #endif
 
 /* Uniforms */
@@ -48,8 +45,7 @@ ivec3 nearestVoxel(vec3 index)
 #if BARRIERS
 bool isShut(ivec3 voxel)
 {
-    const uint entry = texelFetch(seedPages, voxel >> 4, 0).r;
-    return entry != 0u && texelFetch(seedWords, atlasTexel(max(entry, 1u), voxel), 0).r == barrierWord;
+    return wordAt(voxel) == barrierWord;
 }
 #endif
 
@@ -84,7 +80,12 @@ void main()
         const vec3 there = indexAt(pixel + around(i) * outlineWidth);
         edge = edge || texelFetch(labels, nearestVoxel(there), 0).r != label;
     }
-    result = mix(result, entry.rgb, entry.a * (edge ? 1.0 : fillOpacity));
+#if WARNED
+    const vec3 own = warns(voxel) ? texelFetch(palette, ivec2(0), 0).rgb : entry.rgb;
+#else
+    const vec3 own = entry.rgb;
+#endif
+    result = mix(result, own, entry.a * (edge ? 1.0 : fillOpacity));
 #endif
 #if CARVED
     float least = 1.0;

@@ -26,6 +26,11 @@ template <class Visit> void forEachVoxel(const glm::ivec3& size, Visit visit)
 void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement)
 {
     auto& words = fields.seedWords(placement.plane);
+    for (const glm::ivec3& voxel : placement.taken) {
+        std::uint32_t& word = words.at(voxel);
+        if (word == seedWord::pendingSeed(placement.label))
+            word = seedWord::unvisited;
+    }
     for (const glm::ivec3& voxel : placement.voxels) {
         std::uint32_t& word = words.at(voxel);
         if (!seedWord::isMember(word))

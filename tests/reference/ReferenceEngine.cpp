@@ -105,9 +105,11 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SeedPlacement& 
 {
     if (edit.label == 0)
         return refuse("label", "0 is no segment");
-    for (const glm::ivec3& voxel : edit.voxels) {
-        if (!m_codes.contains(voxel))
-            return refuse("voxels", "outside the volume");
+    for (const std::vector<glm::ivec3>* voxels : {&edit.taken, &edit.voxels}) {
+        for (const glm::ivec3& voxel : *voxels) {
+            if (!m_codes.contains(voxel))
+                return refuse("voxels", "outside the volume");
+        }
     }
     placeSeeds(m_fields, edit);
     return Done{};

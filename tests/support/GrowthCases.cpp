@@ -155,6 +155,7 @@ EngineCase randomGrowth(int number)
     if (random() % 2)
         made.steps.push_back(command(
             core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+    std::vector<glm::ivec3> placed;
     for (int edit = randomInt(random, 3, 9); edit > 0; --edit) {
         switch (random() % 8) {
         case 0:
@@ -164,6 +165,12 @@ EngineCase randomGrowth(int number)
                 .label = std::uint8_t(randomInt(random, 1, 4))};
             for (int i = randomInt(random, 0, 5); i > 0; --i)
                 seeds.voxels.push_back(randomVoxel(random, size));
+            // Some that are there, perhaps of this label and waiting still; some that never were.
+            for (int i = placed.empty() ? 0 : randomInt(random, -3, 3); i > 0; --i)
+                seeds.taken.push_back(random() % 4
+                        ? placed[std::size_t(randomInt(random, 0, int(placed.size()) - 1))]
+                        : randomVoxel(random, size));
+            placed.insert(placed.end(), seeds.voxels.begin(), seeds.voxels.end());
             appendWhole(made.steps, seeds, {},
                 random() % 6 ? core::Ending::Commit : core::Ending::Rollback);
             break;

@@ -308,6 +308,11 @@ private:
                 between(0, geometry.size.z - 1));
             stroke.pointsLps.push_back(geometry.toWorld(voxel));
         }
+        if (chance(30) && !m_sketched.empty())
+            stroke.takenLps = {any(m_sketched), any(m_sketched)};
+        if (stroke.takenLps && chance(30))
+            stroke.pointsLps.clear();
+        m_sketched.insert(m_sketched.end(), stroke.pointsLps.begin(), stroke.pointsLps.end());
         return stroke;
     }
     GrowSteps randomGrowth()
@@ -526,6 +531,7 @@ private:
     QTemporaryDir m_folder;
     HistoryTruth m_truth;
     std::size_t m_known = 0; ///< rows
+    std::vector<glm::dvec3> m_sketched; ///< places of seeds, done or undone
     RandomHistory m_result;
     std::unique_ptr<EditSession> m_session;
 };

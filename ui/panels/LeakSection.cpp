@@ -103,6 +103,7 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
     m_alarm = alarm;
     m_stands = false;
     m_offer->setVisible(alarm.has_value());
+    m_workspace.setWarnAfter(alarm ? std::optional(alarm->narrow) : std::nullopt);
     if (alarm)
         m_text->setText(tr("A leak? At generation %1 a front of %2 voxels burst out of a narrow "
                            "place. Growth has stopped.")

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/frame/Scene.h"
+
+#include <vector>
+
 class QPainter;
 
 namespace ui {
@@ -12,5 +16,9 @@ struct ViewContext;
 /// lie in it, and rings for those that do not qualify. (The 3D view has them in its picture,
 /// gpu::SceneSeed.)
 void paintSeedMarks(QPainter& painter, const ViewContext& slice, const Workspace& workspace);
+
+/// The seeds that a view shows and that no growth has accepted: of a slice those that lie in it.
+[[nodiscard]] std::vector<gpu::SceneSeed> seedsShownIn(
+    const ViewContext& view, const Workspace& workspace);
 
 } // namespace ui

@@ -7,9 +7,37 @@
 #include "ui/tools/SeedMarks.h"
 #include "ui/tools/SeedOptions.h"
 
+#include "ui/Theme.h"
+#include "ui/tools/SeenVoxels.h"
+
 #include <QPainter>
+#include <QPointer>
+
+#include <algorithm>
+#include <limits>
+#include <map>
 
 namespace ui {
+
+namespace {
+
+constexpr double reachPixels = 7.0; ///< logical, from the pointer to a seed's dot
+
+double pixelsToPath(const glm::dvec2& point, const std::vector<glm::dvec2>& path)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const glm::dvec2& from = path[i == 0 ? 0 : i - 1];
+        const glm::dvec2 along = path[i] - from;
+        const double squared = glm::dot(along, along);
+        const double t =
+            squared > 0.0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, glm::distance(point, from + t * along));
+    }
+    return nearest;
+}
+
+} // namespace
 
 SeedTool::SeedTool(Workspace& workspace, QObject* parent)
     : SketchTool(workspace, parent)
@@ -44,8 +72,110 @@ QString SeedTool::target() const
     const core::EditSession* session = workspace().session();
     if (!session)
         return {};
+    if (takesAway())
+        return tr("takes seeds away");
+    if (moves())
+        return tr("moves a seed");
     const core::Segment* segment = session->document().segment(workspace().activeSegment());
     return segment ? tr("seeds for %1").arg(segment->name) : tr("seeds for a new segment");
+}
+
+QString SeedTool::keys() const
+{
+    return tr("Ctrl: takes seeds away · Shift: moves one · %1").arg(SketchTool::keys());
+}
+
+bool SeedTool::takesAway() const
+{
+    return drawing() && (withEraser() || modifiers().testFlag(Qt::ControlModifier));
+}
+
+bool SeedTool::moves() const
+{
+    return drawing() && !takesAway() && modifiers().testFlag(Qt::ShiftModifier);
+}
+
+bool SeedTool::finishOtherwise(const std::vector<glm::dvec2>& pixels, const ViewContext& view)
+{
+    if (takesAway())
+        takeAway(pixels, view);
+    else if (moves())
+        move(pixels.front(), pixels.back(), view);
+    else
+        return false;
+    return true;
+}
+
+void SeedTool::takeAway(const std::vector<glm::dvec2>& pixels, const ViewContext& view)
+{
+    std::map<int, std::vector<glm::dvec3>> taken; // by segment
+    for (const gpu::SceneSeed& seed : seedsShownIn(view, workspace())) {
+        const QPointF at = view.toPixel(seed.lps);
+        if (pixelsToPath({at.x(), at.y()}, pixels) <= reachPixels)
+            taken[seed.label].push_back(seed.lps);
+    }
+    if (taken.empty())
+        workspace().say(tr("No seed was taken away: none that waits for a growth lies there"));
+    for (const auto& [label, places] : taken)
+        apply({.segment = label, .pointsLps = {}, .takenLps = places},
+            places.size() == 1 ? tr("One seed was taken away")
+                               : tr("%1 seeds were taken away").arg(places.size()));
+}
+
+void SeedTool::move(const glm::dvec2& from, const glm::dvec2& to, const ViewContext& view)
+{
+    const std::vector<gpu::SceneSeed> seeds = seedsShownIn(view, workspace());
+    const auto distance = [&](const gpu::SceneSeed& seed) {
+        const QPointF at = view.toPixel(seed.lps);
+        return glm::distance(glm::dvec2(at.x(), at.y()), from);
+    };
+    const auto nearest = std::min_element(seeds.begin(), seeds.end(),
+        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    if (nearest == seeds.end() || distance(*nearest) > reachPixels) {
+        workspace().say(tr("No seed was moved: none that waits for a growth lies there"));
+        return;
+    }
+    core::SeedStroke stroke{
+        .segment = nearest->label, .pointsLps = {}, .takenLps = {{nearest->lps}}};
+    const core::VolumeGeometry& geometry = workspace().volume()->geometry;
+    if (view.isSlice()) {
+        // Along the slice only: it stays in the layer of voxels that it was in.
+        const glm::dvec3 lps =
+            nearest->lps + view.toLps({to.x, to.y}) - view.toLps({from.x, from.y});
+        const glm::ivec3 voxel(glm::round(geometry.toIndex(lps)));
+        if (!geometry.contains(voxel)) {
+            workspace().say(outsideText());
+            return;
+        }
+        stroke.pointsLps = {geometry.toWorld(glm::dvec3(voxel))};
+        apply(stroke, tr("The seed was moved"));
+        return;
+    }
+    ui::askWhatIsSeen(workspace(), std::get<gpu::VolumeScene>(view.scene),
+        {view.toViewPlaneMm({to.x, to.y})},
+        [tool = QPointer<SeedTool>(this), stroke](const core::Result<SeenVoxels>& seen) mutable {
+            if (!tool)
+                return;
+            if (!seen) {
+                tool->workspace().fail(seen.error());
+                return;
+            }
+            if (seen->empty() || !seen->front()) {
+                tool->workspace().say(tool->nothingSeenText());
+                return;
+            }
+            stroke.pointsLps = {
+                tool->workspace().volume()->geometry.toWorld(glm::dvec3(seen->front()->voxel))};
+            tool->apply(stroke, tr("The seed was moved"));
+        });
+}
+
+void SeedTool::apply(const core::SeedStroke& stroke, const QString& done)
+{
+    if (const auto applied = workspace().session()->apply(stroke); !applied)
+        workspace().fail(applied.error());
+    else
+        workspace().say(done);
 }
 
 QWidget* SeedTool::createOptions(QWidget* parent)
@@ -64,17 +194,16 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
     stroke.segment = *label;
     for (const glm::ivec3& voxel : voxels)
         stroke.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
-    if (const auto applied = workspace().session()->apply(stroke); !applied) {
-        workspace().fail(applied.error());
-        return;
-    }
     const QString name = workspace().session()->foreseenDocument().segment(*label)->name;
-    workspace().say(voxels.size() == 1 ? tr("One seed voxel for %1").arg(name)
-                                       : tr("%1 seed voxels for %2").arg(voxels.size()).arg(name));
+    apply(stroke,
+        voxels.size() == 1 ? tr("One seed voxel for %1").arg(name)
+                           : tr("%1 seed voxels for %2").arg(voxels.size()).arg(name));
 }
 
 QColor SeedTool::colour() const
 {
+    if (takesAway())
+        return theme::caution;
     const core::Document& document = workspace().session()->document();
     const core::Segment* segment = document.segment(workspace().activeSegment());
     return segment ? QColor(segment->rgb) : QColor(nextSegmentColour(document));

@@ -69,11 +69,12 @@ void SketchTool::press(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_workspace.volume() || !worksIn(view) || m_strokeView)
         return;
-    if (sample.eraserEnd) {
+    if (sample.eraserEnd && !takesEraser()) {
         m_workspace.say(tr("A sketch has no use for the eraser end; turn the pen"));
         return;
     }
     m_modifiers = sample.modifiers;
+    m_withEraser = sample.eraserEnd;
     m_strokeView = view;
     m_path = {pixelOf(sample)};
     hover(sample, view);
@@ -91,12 +92,16 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
 {
     if (!m_strokeView)
         return;
-    if (m_strokeView->isSlice())
-        commitOnSlice();
-    else
-        askWhatIsSeen();
+    if (!finishOtherwise(m_path, *m_strokeView)) {
+        if (m_strokeView->isSlice())
+            commitOnSlice();
+        else
+            askWhatIsSeen();
+    }
     m_strokeView.reset();
     m_path.clear();
+    m_modifiers = {};
+    m_withEraser = false;
     Q_EMIT overlayChanged();
 }
 

@@ -33,6 +33,14 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
 protected:
+    /// Whether the pen's eraser end means something to it.
+    [[nodiscard]] virtual bool takesEraser() const { return false; }
+    /// A stroke that is no sketch: carried out here, and no voxels are committed.
+    /// @param pixels of pen-down's view, at least one
+    virtual bool finishOtherwise(const std::vector<glm::dvec2>&, const ViewContext&)
+    {
+        return false;
+    }
     /// Each voxel once, in the order of the sketch; at least one.
     virtual void commit(const std::vector<glm::ivec3>& voxels) = 0;
     /// What the sketch is drawn in.
@@ -42,8 +50,10 @@ protected:
     [[nodiscard]] virtual QString nothingSeenText() const = 0;
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
-    /// Of the sketch that is committed: as at pen-down.
+    /// Of the sketch that is drawn or committed: as at pen-down.
     [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
+    [[nodiscard]] bool withEraser() const { return m_withEraser; }
+    [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
 
 private:
     void commitOnSlice();
@@ -53,6 +63,7 @@ private:
     std::optional<ViewContext> m_strokeView; ///< the view of pen-down holds for the whole sketch
     std::vector<glm::dvec2> m_path; ///< logical pixels
     Qt::KeyboardModifiers m_modifiers;
+    bool m_withEraser = false;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
 };

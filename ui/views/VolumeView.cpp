@@ -38,6 +38,7 @@ Camera cameraOf(const gpu::VolumeScene& scene)
 
 VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     : ImageView(workspace, view, parent)
+    , m_readout(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
@@ -181,10 +182,18 @@ void VolumeView::clicked(const QPointF& at)
         lookFrom(*side);
 }
 
-void VolumeView::hovered(const PointerSample&)
+void VolumeView::hovered(const PointerSample& sample)
 {
+    const ViewContext seen = context();
+    m_readout.pointAt(std::get<gpu::VolumeScene>(seen.scene), seen.toViewPlaneMm(sample.position));
     if (workspace().activeTool())
         update();
+}
+
+void VolumeView::leaveEvent(QEvent* event)
+{
+    m_readout.leave();
+    ImageView::leaveEvent(event);
 }
 
 void VolumeView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers)

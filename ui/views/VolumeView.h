@@ -4,6 +4,7 @@
 #include "ui/views/Camera.h"
 #include "ui/views/ImageView.h"
 #include "ui/views/OrientationCube.h"
+#include "ui/views/SeenReadout.h"
 
 namespace ui {
 
@@ -35,6 +36,7 @@ protected:
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
     void resizeEvent(QResizeEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     void openVolume();
@@ -44,6 +46,7 @@ private:
     [[nodiscard]] QString modeText() const;
     [[nodiscard]] QString qualityText() const;
 
+    SeenReadout m_readout;
     Camera m_camera;
     bool m_fitted = true;
 };

@@ -18,6 +18,9 @@ template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
         "patient coordinates (LPS), inside the volume");
+    visit.maybe("takenLps", edit.takenLps, editFields::PointList{positionLps},
+        "seeds of the segment that are taken away first, as far as no growth has accepted them",
+        "none");
 }
 
 /// A box with sides along the volume's axes.

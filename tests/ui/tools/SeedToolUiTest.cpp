@@ -4,6 +4,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "ui/PendingSeeds.h"
 #include "ui/tools/PickQuestion.h"
 #include "ui/views/ViewGrid.h"
 
@@ -26,9 +27,10 @@ public:
         workspace.setActiveTool(&tool);
     }
     [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void sketch(ui::ImageView& view, const QPointF& from, const QPointF& to)
+    void sketch(ui::ImageView& view, const QPointF& from, const QPointF& to,
+        test::Pen::End end = test::Pen::End::Tip)
     {
-        test::Pen pen(view);
+        test::Pen pen(view, end);
         const QPointF middle = QPointF(view.width(), view.height()) / 2.0;
         pen.press(middle + from, 0.5, 100);
         pen.move(middle + (from + to) / 2.0, 0.7, 108);
@@ -37,6 +39,18 @@ public:
         session().poll(); // the answer about what is seen
         if (!session().settle())
             qFatal("the sketch failed");
+    }
+    void stroke(ui::ImageView& view, Qt::KeyboardModifiers modifiers, const QPointF& from,
+        const QPointF& to)
+    {
+        const QPointF middle = QPointF(view.width(), view.height()) / 2.0;
+        QTest::mousePress(&view, Qt::LeftButton, modifiers, (middle + from).toPoint());
+        QTest::mouseMove(&view, (middle + (from + to) / 2.0).toPoint());
+        QTest::mouseMove(&view, (middle + to).toPoint());
+        QTest::mouseRelease(&view, Qt::LeftButton, modifiers, (middle + to).toPoint());
+        session().poll();
+        if (!session().settle())
+            qFatal("the stroke failed");
     }
     [[nodiscard]] std::vector<glm::ivec3> seeds(core::RowId row)
     {
@@ -177,6 +191,91 @@ private Q_SLOTS:
         const auto& edit = fixture.session().history().row(3).edit;
         QCOMPARE(std::get<core::SeedStroke>(edit).segment, 2);
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+    }
+
+    void controlTakesSeedsAway()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-30, 6}, {30, 6});
+        const std::size_t sketched = fixture.workspace.seeds().seeds().size();
+        const QByteArray before = fixture.session().stateHash();
+        fixture.stroke(view, Qt::ControlModifier, {0, 6}, {40, 6});
+        const auto& stroke = std::get<core::SeedStroke>(fixture.session().history().row(3).edit);
+        QVERIFY(stroke.pointsLps.empty());
+        QVERIFY(stroke.takenLps && !stroke.takenLps->empty());
+        const std::size_t left = fixture.workspace.seeds().seeds().size();
+        QCOMPARE(left, sketched - stroke.takenLps->size());
+        QVERIFY(left > 0);
+        for (const gpu::SceneSeed& seed : fixture.workspace.seeds().seeds())
+            QVERIFY(view.context().toPixel(seed.lps).x() < view.width() / 2.0);
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), before);
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), sketched);
+    }
+
+    void theEraserTakesSeedsAway()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-10, 6}, {10, 6});
+        fixture.sketch(view, {-20, 6}, {20, 6}, test::Pen::End::Eraser);
+        QVERIFY(fixture.workspace.seeds().seeds().empty());
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(3));
+    }
+
+    void shiftMovesASeed()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-20, 6}, {-20, 6});
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(1));
+        const glm::dvec3 from = fixture.workspace.seeds().seeds().front().lps;
+        fixture.stroke(view, Qt::ShiftModifier, {-20, 6}, {20, -14});
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(3));
+        QCOMPARE(
+            fixture.session().history().row(3).name, QStringLiteral("Move 1 seed of 'Segment 1'"));
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(1));
+        const glm::dvec3 to = fixture.workspace.seeds().seeds().front().lps;
+        const glm::dvec2 movedMm = glm::dvec2(to - from);
+        const double perPixel = view.context().mmPerPixel();
+        QVERIFY(std::abs(std::abs(movedMm.x) - 40.0 * perPixel) <= 0.6);
+        QVERIFY(std::abs(std::abs(movedMm.y) - 20.0 * perPixel) <= 0.6);
+        QCOMPARE(to.z, from.z);
+        // Where none lies, nothing is moved.
+        fixture.stroke(view, Qt::ShiftModifier, {-20, 6}, {0, 0});
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(3));
+    }
+
+    void shiftMovesASeedIn3D()
+    {
+        SeedFixture fixture;
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        fixture.sketch(view, {0, 0}, {0, 0});
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(1));
+        fixture.stroke(view, Qt::ShiftModifier, {0, 0}, {15, 0});
+        const auto voxels = fixture.seeds(3);
+        QCOMPARE(voxels.size(), std::size_t(1));
+        QVERIFY(std::abs(distanceMm(voxels.front()) - 16.0) < 1.6);
+        QVERIFY(voxels.front() != fixture.seeds(2).front());
+    }
+
+    /// A growth has accepted them: they are members, and shrinking gives them back first.
+    void acceptedSeedsStay()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-10, 6}, {10, 6});
+        QVERIFY(fixture.session().apply(
+            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
+        QVERIFY(fixture.session().settle());
+        const auto rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.stroke(view, Qt::ControlModifier, {-20, 6}, {20, 6});
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QVERIFY(said.last()[0].toString().contains(QStringLiteral("waits for a growth")));
     }
 
     void opacityIsCountedPerSample()

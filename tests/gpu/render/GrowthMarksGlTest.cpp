@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/growth/SeedWord.h"
+#include "tests/support/FrameTest.h"
+
+#include <QTest>
+
+using namespace gpu;
+
+namespace {
+
+constexpr int side = 48;
+constexpr std::uint32_t label = 7;
+constexpr std::uint32_t late = 5; ///< generation of the right half
+
+/// A segment: a box that grew from left to right; above it a row of voxels is shut.
+reference::DenseFields grownBox()
+{
+    reference::DenseFields state(glm::ivec3{side});
+    for (int z = 12; z < 36; ++z) {
+        for (int y = 12; y < 36; ++y) {
+            for (int x = 12; x < 36; ++x) {
+                const std::uint32_t generation = x < 24 ? late - 2 : late;
+                state.labels(0).at({x, y, z}) = std::uint8_t(label);
+                state.seedWords(0).at({x, y, z}) =
+                    core::seedWord::member(generation, std::uint8_t(label), 0);
+            }
+        }
+    }
+    for (int x = 12; x < 36; ++x) {
+        for (int y = 2; y < 8; ++y)
+            state.seedWords(0).at({x, y, 24}) = core::seedWord::barrier;
+    }
+    return state;
+}
+
+SegmentDisplay greenSegment()
+{
+    SegmentDisplay segments;
+    segments.rgb[label] = 0x00C000;
+    segments.visible[label] = true;
+    segments.warningRgb = 0xFF8000;
+    segments.fillOpacity = 1.0f;
+    return segments;
+}
+
+SliceScene axial()
+{
+    return {.centreLps = {0.0, 0.0, 0.5}, .mmPerPixel = 0.5, .window = {2000.0, 1.0}};
+}
+
+bool isGreen(const glm::ivec3& colour)
+{
+    return colour.g > 60 && colour.g > 3 * colour.r && colour.g > 3 * colour.b;
+}
+
+bool warns(const glm::ivec3& colour)
+{
+    return colour.r > 80 && colour.r > colour.g && colour.g > 2 * colour.b;
+}
+
+} // namespace
+
+/// What pictures tell of a growth: where it is shut out, and what came after it may have leaked.
+class GrowthMarksGlTest : public test::FrameTest {
+    Q_OBJECT
+
+private:
+    void open()
+    {
+        m_fixture->open(
+            test::centredGeometry(glm::ivec3(side)), [](const glm::dvec3&) { return 0.0; });
+        m_fixture->put(grownBox());
+        m_fixture->settle();
+    }
+
+private Q_SLOTS:
+    void placesThatAreShutAreStriped()
+    {
+        open();
+        const Frame frame = m_fixture->draw(axial(), {96, 96}, greenSegment());
+        int bright = 0;
+        int dim = 0;
+        for (int y = 6; y < 14; ++y) {
+            for (int x = 28; x < 68; ++x) {
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY(colour.r > 2 * colour.g);
+                bright += colour.r > 150 ? 1 : 0;
+                dim += colour.r < 90 ? 1 : 0;
+            }
+        }
+        QVERIFY(bright > 80);
+        QVERIFY(dim > 80);
+        QCOMPARE(test::pixel(frame, 8, 8), glm::ivec3(0));
+    }
+
+    void whatCameLateWarnsInSlices()
+    {
+        open();
+        SegmentDisplay segments = greenSegment();
+        QVERIFY(isGreen(test::pixel(m_fixture->draw(axial(), {96, 96}, segments), 60, 48)));
+        segments.warnAfterGeneration = late - 1;
+        const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
+        QVERIFY(warns(test::pixel(frame, 60, 48)));
+        QVERIFY(isGreen(test::pixel(frame, 36, 48)));
+        segments.warnAfterGeneration = late;
+        QVERIFY(isGreen(test::pixel(m_fixture->draw(axial(), {96, 96}, segments), 60, 48)));
+    }
+
+    void whatCameLateWarnsIn3D_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::newRow("surface") << int(RenderMode::Surface);
+        QTest::newRow("DVR") << int(RenderMode::Dvr);
+        QTest::newRow("MIP") << int(RenderMode::Mip);
+        QTest::newRow("X-ray") << int(RenderMode::Xray);
+    }
+    void whatCameLateWarnsIn3D()
+    {
+        QFETCH(int, mode);
+        open();
+        m_fixture->fill(VolumeField::Segmentation, {{12, 12, 12}, {36, 36, 36}}, 255);
+        VolumeScene scene;
+        scene.eyeLps = {0, -300, 0};
+        scene.heightMm = side;
+        scene.mode = RenderMode(mode);
+        scene.surfaceThreshold = 1000.0;
+        scene.mipWindow = scene.xrayWindow = {2000.0, 1000.0};
+        scene.transferFunction.points = {{990.0, 0xFFFFFF, 0.0}, {1000.0, 0xFFFFFF, 0.9}};
+        SegmentDisplay segments = greenSegment();
+        const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
+        QVERIFY(isGreen(test::pixel(plain, 36, 48)) && isGreen(test::pixel(plain, 60, 48)));
+        segments.warnAfterGeneration = late - 1;
+        const Frame frame = m_fixture->draw(scene, {96, 96}, segments);
+        QVERIFY(isGreen(test::pixel(frame, 36, 48)));
+        QVERIFY(warns(test::pixel(frame, 60, 48)));
+    }
+};
+
+QTEST_GUILESS_MAIN(GrowthMarksGlTest)
+#include "GrowthMarksGlTest.moc"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/SeenReadout.h"
+
+#include "core/document/Piece.h"
+#include "tests/support/WindowFixture.h"
+#include "tests/support/WorkspaceFixture.h"
+#include "ui/StatusLine.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QtTest>
+
+namespace {
+
+class ReadoutFixture : public test::WindowFixture {
+public:
+    ReadoutFixture()
+        : test::WindowFixture(test::smallHead::volume())
+    {
+        ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+        display.surfaceThreshold = 300.0;
+        workspace.setVolumeDisplay(display);
+        view().lookFrom({0.0, -1.0, 0.0});
+    }
+    [[nodiscard]] ui::VolumeView& view() { return window.views().volume(); }
+    void hover(const QPointF& fromMiddle)
+    {
+        QTest::mouseMove(
+            &view(), (QPointF(view().width(), view().height()) / 2.0 + fromMiddle).toPoint());
+        settle();
+    }
+    void settle()
+    {
+        QCoreApplication::processEvents();
+        if (!workspace.session()->settle())
+            qFatal("not settled");
+        workspace.session()->poll();
+    }
+    [[nodiscard]] std::optional<double> distanceMm() const
+    {
+        const auto& lps = workspace.pointedLps();
+        return lps ? std::optional(glm::length(*lps)) : std::nullopt;
+    }
+};
+
+} // namespace
+
+/// The status line over the 3D view: what is seen under the pointer.
+class SeenReadoutUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tellsTheVoxelThatIsSeen()
+    {
+        ReadoutFixture fixture;
+        QVERIFY(!fixture.workspace.pointedLps());
+        fixture.hover({4.0, 2.0});
+        QVERIFY(fixture.distanceMm());
+        QVERIFY(std::abs(*fixture.distanceMm() - 16.0) < 1.6); // bone's outer face
+        QVERIFY(fixture.workspace.pointedLps()->y < 0.0);
+        fixture.settle();
+        const auto* status = fixture.window.findChild<ui::StatusLine*>();
+        QVERIFY(status);
+        QVERIFY2(
+            status->readout().contains(QStringLiteral("900 HU")), qPrintable(status->readout()));
+    }
+
+    void nothingSeenIsTheCrosshairAgain()
+    {
+        ReadoutFixture fixture;
+        fixture.hover({0.0, 0.0});
+        QVERIFY(fixture.workspace.pointedLps());
+        // The corner shows air.
+        fixture.hover({12.0 - fixture.view().width() / 2.0, fixture.view().height() / 2.0 - 12.0});
+        QVERIFY(!fixture.workspace.pointedLps());
+    }
+
+    void aLateAnswerIsDroppedOnceThePointerHasLeft()
+    {
+        ReadoutFixture fixture;
+        QTest::mouseMove(&fixture.view(),
+            (QPointF(fixture.view().width(), fixture.view().height()) / 2.0).toPoint());
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&fixture.view(), &leave);
+        fixture.settle();
+        QVERIFY(!fixture.workspace.pointedLps());
+    }
+
+    /// Wherever a piece is shown, what is pointed at on it means its true place.
+    void onAPieceItIsTheTruePlace()
+    {
+        ReadoutFixture fixture;
+        core::DrillStroke lid;
+        lid.view = {
+            .eyeLps = {0, -200, 0}, .targetLps = {0, 0, 0}, .up = {0, 0, 1}, .heightMm = 80};
+        lid.mask.radiusMm = 8.0;
+        lid.depthMm = 6.0;
+        lid.surfaceThreshold = 300.0;
+        lid.samples = {{0.0, 0.0, 1.0, 0.0}};
+        core::EditSession& session = *fixture.workspace.session();
+        QVERIFY(session.apply(lid));
+        QVERIFY(session.settle());
+        QVERIFY(session.apply(core::CutPiece{.layer = 1, .name = QStringLiteral("Lid")}));
+        QVERIFY(session.settle());
+        const glm::dvec3 away(0.0, -60.0, 0.0); // towards the viewer
+        QVERIFY(session.apply(core::ChangePiece{.piece = 1, .offsetMm = away}));
+        QVERIFY(session.settle());
+        fixture.hover({0.0, 0.0});
+        QVERIFY(fixture.distanceMm());
+        QVERIFY2(std::abs(*fixture.distanceMm() - 16.0) < 1.6,
+            qPrintable(QString::number(*fixture.distanceMm())));
+    }
+};
+
+QTEST_MAIN(SeenReadoutUiTest)
+#include "SeenReadoutUiTest.moc"
