@@ -4,7 +4,7 @@
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 
-#include <QPainter>
+#include <QPointer>
 
 namespace ui {
 
@@ -20,8 +20,8 @@ QString ShrinkTool::iconName() const
 
 QString ShrinkTool::hint() const
 {
-    return tr("Shrink here: sketch over what grew too far; it goes, cut off at its narrowest "
-              "passage, and the cut is shut");
+    return tr("Shrink: sketch over what grew too far; it goes, up to its narrowest passage, which "
+              "is shut");
 }
 
 QString ShrinkTool::target() const
@@ -40,8 +40,22 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
     for (const glm::ivec3& voxel : voxels)
         shrink.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
     shrink.onlyHere = modifiers().testFlag(Qt::ControlModifier);
-    if (const auto applied = workspace().session()->apply(shrink); !applied)
+    core::EditSession& session = *workspace().session();
+    const std::size_t rows = session.history().rows().size();
+    if (const auto applied = session.apply(shrink); !applied) {
         workspace().fail(applied.error());
+        return;
+    }
+    // Answered when the edit is carried out.
+    session.ask(core::ProbeVoxels{{voxels.front()}},
+        [tool = QPointer<ShrinkTool>(this), rows](const core::EngineResult&) {
+            if (!tool)
+                return;
+            const core::History& history = tool->workspace().session()->history();
+            tool->workspace().say(history.rows().size() > rows
+                    ? history.rows().back().name
+                    : tr("Nothing was taken back: no growth came through the sketched places"));
+        });
 }
 
 QColor ShrinkTool::colour() const
