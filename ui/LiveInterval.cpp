@@ -21,6 +21,17 @@ LiveInterval::LiveInterval(Workspace& workspace, QObject* parent)
     m_watch.setInterval(watchMilliseconds);
     connect(&m_watch, &QTimer::timeout, this, &LiveInterval::poll);
     connect(&workspace, &Workspace::sessionClosing, this, &LiveInterval::close);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        // A session opens with the bounds that its window had.
+        m_stands.reset();
+        m_rows = 0;
+        followHistory();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::History)
+                followHistory();
+        });
 }
 
 bool LiveInterval::possible() const
@@ -40,11 +51,38 @@ void LiveInterval::settle()
 {
     if (m_wanted)
         send(true);
+    end(core::Ending::Commit);
+}
+
+void LiveInterval::cancel()
+{
+    end(core::Ending::Rollback);
+}
+
+void LiveInterval::end(core::Ending ending)
+{
     core::EditSession* session = m_workspace.session();
-    const bool commit = m_open && session && session->transactionOpen();
+    const bool open = m_open && session && session->transactionOpen();
     close();
-    if (commit)
-        session->end(core::Ending::Commit);
+    if (open)
+        session->end(ending);
+}
+
+void LiveInterval::followHistory()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const std::size_t rows = session->history().rows().size();
+    const bool walked = std::exchange(m_rows, rows) == rows;
+    const auto criteria = core::recentCriteria(session->history());
+    const auto before = m_stands;
+    m_stands.reset();
+    if (criteria)
+        m_stands = {criteria->lower, criteria->upper};
+    // A new step has the bounds that were asked for; those may have been moved on since.
+    if (walked && !m_open && m_stands && m_stands != before)
+        Q_EMIT returned(m_stands->first, m_stands->second);
 }
 
 void LiveInterval::send(bool atOnce)

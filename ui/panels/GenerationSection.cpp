@@ -56,6 +56,11 @@ void GenerationSection::show(const core::GrowthProgress& progress)
     showSizes();
 }
 
+QString GenerationSection::scrubText() const
+{
+    return m_bar->scrubText();
+}
+
 void GenerationSection::count()
 {
     core::EditSession* session = m_workspace.session();
@@ -104,6 +109,7 @@ void GenerationSection::goTo(int generation)
     const int steps =
         generation <= 1 ? int(growth->generation) : int(growth->generation) - generation;
     session->setShrinkSteps(std::max(steps, 0));
+    Q_EMIT scrubMoved();
 }
 
 void GenerationSection::end(bool kept)
@@ -111,6 +117,7 @@ void GenerationSection::end(bool kept)
     if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
     m_countLater.start();
+    Q_EMIT scrubMoved();
 }
 
 } // namespace ui

@@ -26,6 +26,11 @@ public:
 
     /// How a burst stands; not open: nothing is under way.
     void show(const core::GrowthProgress& progress);
+    /// Where a drag stands, in words; empty: there is none.
+    [[nodiscard]] QString scrubText() const;
+
+Q_SIGNALS:
+    void scrubMoved();
 
 private:
     void count();

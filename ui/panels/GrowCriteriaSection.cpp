@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/GrowCriteriaSection.h"
 
-#include "ui/Icons.h"
 #include "ui/SeedBand.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/views/OrientationLetters.h"
+#include "ui/widgets/FoldButton.h"
 #include "ui/widgets/RangeSlider.h"
 
 #include <QCheckBox>
@@ -50,7 +50,6 @@ GrowCriteriaSection::GrowCriteriaSection(
     , m_band(band)
 {
     build();
-    setFolded(true);
     connect(&workspace, &Workspace::sessionChanged, this, &GrowCriteriaSection::showVolume);
     connect(&workspace, &Workspace::growSettingsChanged, this, &GrowCriteriaSection::showSettings);
     connect(&band, &SeedBand::changed, this, &GrowCriteriaSection::showBand);
@@ -59,17 +58,10 @@ GrowCriteriaSection::GrowCriteriaSection(
 
 void GrowCriteriaSection::build()
 {
-    m_fold = new QToolButton(this);
+    m_body = new QWidget(this);
+    m_fold = new FoldButton(*m_body, this);
     m_fold->setObjectName(QStringLiteral("growCriteria"));
     m_fold->setToolTip(tr("What growth asks of voxels beside the interval"));
-    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_fold->setIconSize(QSize(14, 14));
-    m_fold->setAutoRaise(true);
-    m_fold->setFont(theme::smallFont());
-    m_fold->setStyleSheet(QStringLiteral("padding: 2px 4px 2px 0"));
-    connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_body->isHidden()); });
-
-    m_body = new QWidget(this);
     auto* grid = new QGridLayout(m_body);
     grid->setContentsMargins(4, 0, 0, 0);
     grid->setHorizontalSpacing(4);
@@ -150,8 +142,6 @@ void GrowCriteriaSection::buildBox()
     m_setBox->setText(tr("Set"));
     m_setBox->setFixedHeight(theme::controlHeight);
     m_setBox->setPopupMode(QToolButton::InstantPopup);
-    m_setBox->setStyleSheet(QStringLiteral(
-        "QToolButton { padding: 2px 8px; } QToolButton::menu-indicator { image: none; }"));
     auto* menu = new QMenu(m_setBox);
     menu->addAction(tr("Around the crosshair"), this,
         [this] { setBox(boxAround(m_workspace.crosshairLps())); });
@@ -182,13 +172,6 @@ void GrowCriteriaSection::buildBox()
     }
     axes->setColumnStretch(1, 1);
     grid->addWidget(m_boxBody, line + 1, 0, 1, 2);
-}
-
-void GrowCriteriaSection::setFolded(bool folded)
-{
-    m_body->setVisible(!folded);
-    m_fold->setIcon(
-        stateIcon(folded ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down")));
 }
 
 void GrowCriteriaSection::showVolume()

@@ -15,6 +15,7 @@ class QToolButton;
 
 namespace ui {
 
+class FoldButton;
 class RangeSlider;
 class SeedBand;
 class Workspace;
@@ -48,7 +49,6 @@ private:
     void showVolume();
     void showSettings();
     void showBand();
-    void setFolded(bool folded);
     void change(const Row& row);
     void takeSwitches();
     void takeAxis(int axis, double lower, double upper);
@@ -57,7 +57,7 @@ private:
 
     Workspace& m_workspace;
     const SeedBand& m_band;
-    QToolButton* m_fold = nullptr;
+    FoldButton* m_fold = nullptr;
     QWidget* m_body = nullptr;
     QLabel* m_bandText = nullptr;
     std::vector<Row> m_rows;

@@ -8,7 +8,6 @@
 #include "ui/SeedBand.h"
 #include "ui/SeedStatistics.h"
 #include "ui/Theme.h"
-#include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/GenerationSection.h"
@@ -16,6 +15,7 @@
 #include "ui/panels/LeakSection.h"
 #include "ui/panels/SeedInterval.h"
 #include "ui/panels/SpreadBar.h"
+#include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QCheckBox>
@@ -74,6 +74,14 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_band, &SeedBand::changed, this, [this] { m_range->setBand(m_band->values()); });
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
     connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
+    connect(m_range, &HistogramRange::rangeCancelled, m_liveInterval, &LiveInterval::cancel);
+    connect(m_liveInterval, &LiveInterval::returned, this, [this](double lower, double upper) {
+        Workspace::GrowSettings settings = m_workspace.growSettings();
+        settings.lower = lower;
+        settings.upper = upper;
+        m_workspace.setGrowSettings(settings);
+        m_range->showRange();
+    });
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
@@ -134,7 +142,7 @@ void GrowthPanel::build()
     m_resume = narrowButton(this, QStringLiteral("growResume"), tr("Resume"));
     m_resume->setToolTip(
         tr("Go on with the criteria of the growth before; seeds sketched since take part"));
-    m_live = new QCheckBox(tr("live"), this);
+    m_live = new QCheckBox(tr("live interval"), this);
     m_live->setObjectName(QStringLiteral("growLive"));
     m_live->setToolTip(
         tr("What has grown follows the interval while you move it: wider bounds recover voxels, "
@@ -164,12 +172,12 @@ void GrowthPanel::build()
     m_advice->setWordWrap(true);
     m_leak = new LeakSection(m_workspace, this);
     connect(m_leak, &LeakSection::goOnAsked, this, &GrowthPanel::playOrPause);
-    m_progress = new QLabel(this);
+    m_progress = new FittingLabel(Qt::AlignLeft, this);
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());
     m_progress->setProperty("role", QStringLiteral("secondary"));
-    m_progress->setWordWrap(true);
     m_generations = new GenerationSection(m_workspace, this);
+    connect(m_generations, &GenerationSection::scrubMoved, this, &GrowthPanel::showState);
 
     auto* transport = new QHBoxLayout;
     transport->setSpacing(theme::smallPadding);
@@ -248,6 +256,7 @@ void GrowthPanel::showVolume()
         }
     }
     showSettings();
+    m_range->showRange();
     m_fromSeeds->ask();
     showState();
     Q_EMIT summaryChanged(summary());
@@ -437,24 +446,30 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
         return {};
     const core::Document& document = session->document();
     const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
-    if (progress.open)
-        return tr("Generation %1 · front %2 · added %3 (%4)")
+    if (!m_generations->scrubText().isEmpty())
+        return m_generations->scrubText();
+    if (progress.open && progress.members > 0)
+        return tr("Generation %1 · front %2 · +%3")
             .arg(countText(progress.generation),
                 countText(m_fronts.empty() ? 0 : qlonglong(m_fronts.back())),
-                countText(progress.members), millilitreText(progress.members, voxelMm3));
-    const std::uint32_t generation =
-        document.growths.empty() ? 0 : document.growths.front().generation;
+                millilitreText(progress.members, voxelMm3));
+    const std::uint32_t generation = progress.open ? progress.generation
+        : document.growths.empty()                 ? 0
+                                                   : document.growths.front().generation;
     const core::History& history = session->history();
     const core::HistoryRow* row =
-        history.position() == 0 ? nullptr : &history.row(history.position());
+        progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
+    const auto told = [&](const QString& text) {
+        return text.arg(
+            countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
+    };
+    if (row && std::holds_alternative<core::GrowSteps>(row->edit))
+        return told(tr("Generation %1 · added %2"));
+    if (row && std::holds_alternative<core::ShrinkSteps>(row->edit))
+        return told(tr("Generation %1 · taken back %2"));
     if (row && std::holds_alternative<core::ChangeInterval>(row->edit))
-        return tr("Generation %1 · %2").arg(countText(generation), row->name);
-    const bool shrunk = row && std::holds_alternative<core::ShrinkSteps>(row->edit);
-    if (!row || (!shrunk && !std::holds_alternative<core::GrowSteps>(row->edit)))
-        return tr("Generation %1").arg(countText(generation));
-    const auto voxels = row->statistics.voxelsChanged;
-    return (shrunk ? tr("Generation %1 · taken back %2 (%3)") : tr("Generation %1 · added %2 (%3)"))
-        .arg(countText(generation), countText(voxels), millilitreText(voxels, voxelMm3));
+        return told(tr("Generation %1 · changed by %2"));
+    return tr("Generation %1").arg(countText(generation));
 }
 
 } // namespace ui

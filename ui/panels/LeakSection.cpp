@@ -39,6 +39,8 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     m_text->setObjectName(QStringLiteral("leakText"));
     m_text->setFont(theme::smallFont());
     m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::RichText);
+    connect(m_text, &QLabel::linkActivated, this, &LeakSection::showPlace);
     m_text->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(theme::smallPadding);
@@ -102,12 +104,16 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
 {
     m_alarm = alarm;
     m_stands = false;
+    // Else the focus would go to whatever comes next in the panel.
+    if (!alarm && m_offer->isAncestorOf(focusWidget()))
+        m_guard->setFocus();
     m_offer->setVisible(alarm.has_value());
     m_workspace.setWarnAfter(alarm ? std::optional(alarm->narrow) : std::nullopt);
     if (alarm)
-        m_text->setText(tr("A leak? At generation %1 a front of %2 voxels burst out of a narrow "
-                           "place. Growth has stopped.")
-                            .arg(countText(alarm->generation), countText(alarm->voxels)));
+        m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 voxels wide. %3")
+                            .arg(countText(alarm->generation), countText(alarm->voxels),
+                                QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
+                                    .arg(theme::accent.name(), tr("Show\u00a0it"))));
 }
 
 /// Undone, shrunk or grown on by other means, there is nothing to decide any more.
@@ -128,6 +134,13 @@ void LeakSection::apply(const core::Edit& edit)
 {
     if (const auto applied = m_workspace.session()->apply(edit); !applied)
         m_workspace.fail(applied.error());
+}
+
+void LeakSection::showPlace()
+{
+    if (m_alarm)
+        m_workspace.setCrosshairLps(
+            m_workspace.volume()->geometry.toWorld(glm::dvec3(m_alarm->voxel)));
 }
 
 void LeakSection::accept()

@@ -34,6 +34,7 @@ private:
     void showSettings();
     void takeSettings();
     void follow();
+    void showPlace();
     void accept();
     void reject();
     void plug();

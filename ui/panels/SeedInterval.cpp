@@ -2,6 +2,7 @@
 #include "ui/panels/SeedInterval.h"
 
 #include "ui/SeedStatistics.h"
+#include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 
@@ -22,8 +23,7 @@ SeedInterval::SeedInterval(Workspace& workspace, QWidget* parent)
     setText(tr("From seeds"));
     setToolTip(tr("Set the interval around the mean of the values under the seeds"));
     setPopupMode(QToolButton::InstantPopup);
-    setStyleSheet(QStringLiteral(
-        "QToolButton { padding: 4px 2px; } QToolButton::menu-indicator { image: none; }"));
+    setFixedHeight(theme::controlHeight);
     auto* menu = new QMenu(this);
     for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
         menu->addAction(tr("mean ± %1 σ").arg(QLocale().toString(deviations)), this,
@@ -34,6 +34,8 @@ SeedInterval::SeedInterval(Workspace& workspace, QWidget* parent)
 
 void SeedInterval::forget()
 {
+    ++m_asked;
+    m_voxels.clear();
     m_values.clear();
     setEnabled(false);
 }
@@ -41,25 +43,22 @@ void SeedInterval::forget()
 void SeedInterval::ask()
 {
     core::EditSession* session = m_workspace.session();
-    const int label = m_workspace.activeSegment();
     std::vector<glm::ivec3> voxels;
     if (session)
-        voxels = seedVoxels(*session, label);
-    if (voxels.empty()) {
-        forget();
-        Q_EMIT valuesChanged();
+        voxels = seedVoxels(*session, m_workspace.activeSegment());
+    if (voxels == m_voxels)
         return;
-    }
-    if (voxels.size() == m_values.size() && label == m_label)
+    forget();
+    Q_EMIT valuesChanged();
+    if (voxels.empty())
         return;
+    m_voxels = voxels;
     core::ProbeVoxels question;
     question.voxels = std::move(voxels);
     session->ask(std::move(question),
-        [button = QPointer<SeedInterval>(this), label](const core::EngineResult& result) {
-            if (!button || result.error || !button->m_workspace.volume())
+        [button = QPointer<SeedInterval>(this), asked = m_asked](const core::EngineResult& result) {
+            if (!button || button->m_asked != asked || result.error)
                 return;
-            button->m_label = label;
-            button->m_values.clear();
             const core::VoxelEncoding& encoding = button->m_workspace.volume()->encoding;
             for (const core::ProbedVoxel& probe : result.probes)
                 button->m_values.push_back(encoding.value(probe.code));
@@ -86,15 +85,18 @@ void SeedInterval::take(double deviations)
 
 QString SeedInterval::text(int seeds) const
 {
-    QString text = seeds == 1 ? tr("1 seed voxel") : tr("%1 seed voxels").arg(seeds);
-    if (!m_values.empty() && m_workspace.volume()) {
-        const SeedStatistics statistics = seedStatistics(m_values);
-        text =
-            tr("%1 · %2 ± %3 %4")
-                .arg(text, QLocale().toString(statistics.mean, 'f', 1),
-                    QLocale().toString(statistics.deviation, 'f', 1), m_workspace.volume()->unit);
-    }
-    return text.trimmed();
+    if (m_voxels.empty())
+        return seeds == 1 ? tr("1 seed voxel, of another segment")
+                          : tr("%1 seed voxels, all of other segments").arg(seeds);
+    const QString count =
+        m_voxels.size() == 1 ? tr("1 seed voxel") : tr("%1 seed voxels").arg(m_voxels.size());
+    if (m_values.empty())
+        return count;
+    const SeedStatistics statistics = seedStatistics(m_values);
+    return tr("%1 · %2 ± %3 %4")
+        .arg(count, numberText(statistics.mean, 1), numberText(statistics.deviation, 1),
+            m_workspace.volume()->unit)
+        .trimmed();
 }
 
 } // namespace ui

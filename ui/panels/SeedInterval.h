@@ -3,6 +3,9 @@
 
 #include <QToolButton>
 
+#include <glm/glm.hpp>
+
+#include <cstdint>
 #include <vector>
 
 namespace ui {
@@ -23,7 +26,8 @@ public:
     void forget();
     /// Under the seeds, modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
-    /// "12 seed voxels · 41.0 ± 3.2 HU"
+    /// "12 seed voxels · 41.0 ± 3.2 HU" of the active segment; where it has none, that there are
+    /// @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;
 
 Q_SIGNALS:
@@ -35,8 +39,9 @@ private:
     void take(double deviations);
 
     Workspace& m_workspace;
-    std::vector<double> m_values; ///< of m_label
-    int m_label = 0;
+    std::vector<glm::ivec3> m_voxels; ///< asked about last
+    std::vector<double> m_values; ///< there
+    std::uint64_t m_asked = 0; ///< questions; only the last counts
 };
 
 } // namespace ui

@@ -4,6 +4,7 @@
 #include "ui/PendingSeeds.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
+#include "ui/widgets/FoldButton.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -58,19 +59,23 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
 
 void SpreadBar::build()
 {
-    auto* title = new QLabel(tr("From seeds"), this);
-    title->setProperty("role", QStringLiteral("secondary"));
-    m_extent = new QComboBox(this);
+    auto* body = new QWidget(this);
+    m_fold = new FoldButton(*body, this);
+    m_fold->setObjectName(QStringLiteral("spreadFold"));
+    m_fold->setToolTip(tr("Two or more segments share out what lies between their seeds"));
+    auto* extentLabel = new QLabel(tr("Share out"), body);
+    extentLabel->setProperty("role", QStringLiteral("secondary"));
+    m_extent = new QComboBox(body);
     m_extent->setObjectName(QStringLiteral("spreadExtent"));
     m_extent->setFixedHeight(theme::controlHeight);
-    m_extent->addItem(tr("box around them"), false);
-    m_extent->addItem(tr("whole volume"), true);
+    m_extent->addItem(tr("a box around them"), false);
+    m_extent->addItem(tr("the whole volume"), true);
     m_extent->setToolTip(tr("What the segments share out among themselves"));
-    m_preview = button(this, "spreadPreview", tr("Preview"),
+    m_preview = button(body, "spreadPreview", tr("Preview"),
         tr("Give every voxel to the segment from whose seeds values change least on the way"));
-    m_apply = button(this, "spreadApply", tr("Apply"), tr("Keep what is shown, as one step"));
-    m_cancel = button(this, "spreadCancel", tr("Cancel"), tr("Take the preview back"));
-    m_text = new QLabel(this);
+    m_apply = button(body, "spreadApply", tr("Apply"), tr("Keep what is shown, as one step"));
+    m_cancel = button(body, "spreadCancel", tr("Cancel"), tr("Take the preview back"));
+    m_text = new QLabel(body);
     m_text->setObjectName(QStringLiteral("spreadText"));
     m_text->setFont(theme::smallFont());
     m_text->setProperty("role", QStringLiteral("secondary"));
@@ -81,18 +86,23 @@ void SpreadBar::build()
 
     auto* head = new QHBoxLayout;
     head->setSpacing(theme::smallPadding);
-    head->addWidget(title);
+    head->addWidget(extentLabel);
     head->addWidget(m_extent, 1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(theme::smallPadding);
     for (QPushButton* each : {m_preview, m_apply, m_cancel})
         buttons->addWidget(each, 1);
+    auto* rows = new QVBoxLayout(body);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(theme::smallPadding);
+    rows->addLayout(head);
+    rows->addLayout(buttons);
+    rows->addWidget(m_text);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(theme::smallPadding);
-    layout->addLayout(head);
-    layout->addLayout(buttons);
-    layout->addWidget(m_text);
+    layout->setSpacing(2);
+    layout->addWidget(m_fold, 0, Qt::AlignLeft);
+    layout->addWidget(body);
 }
 
 core::GrowFromSeeds SpreadBar::edit() const
@@ -200,6 +210,9 @@ void SpreadBar::showState()
     m_apply->setEnabled(m_wanted && shown);
     m_cancel->setEnabled(m_wanted);
     m_extent->setEnabled(session != nullptr);
+    m_fold->setText(m_wanted ? tr("Grow from seeds · preview")
+            : count >= 2     ? tr("Grow from seeds · %1 segments").arg(count)
+                             : tr("Grow from seeds"));
     if (working)
         m_text->setText(tr("Working it out …"));
     else if (m_wanted)

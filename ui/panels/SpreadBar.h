@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace ui {
 
+class FoldButton;
 class Workspace;
 
 /// Growing from seeds, a part of the growth panel: what comes of it is shown in all views until it
@@ -46,6 +47,7 @@ private:
     [[nodiscard]] int competitors() const;
 
     Workspace& m_workspace;
+    FoldButton* m_fold = nullptr; ///< this takes room that one segment has no use for
     QComboBox* m_extent = nullptr;
     QPushButton* m_preview = nullptr;
     QPushButton* m_apply = nullptr;

@@ -3,10 +3,10 @@
 
 #include "ui/CountText.h"
 #include "ui/Theme.h"
+#include "ui/models/SegmentListModel.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -110,9 +110,20 @@ QString GenerationBar::textFor(int generation) const
         return tr("Voxels that each generation of the growth added");
     const auto upTo = m_sizes.begin() + generation;
     const auto members = std::accumulate(m_sizes.begin(), upTo, qlonglong(0));
-    return tr("Generation %1 added %2 voxels; up to here %3 (%4 mL)")
+    return tr("Generation %1 added %2 voxels; up to here %3 (%4)")
         .arg(countText(generation), countText(m_sizes[std::size_t(generation - 1)]),
-            countText(members), QLocale().toString(double(members) * m_voxelMm3 / 1000.0, 'f', 2));
+            countText(members), millilitreText(members, m_voxelMm3));
+}
+
+QString GenerationBar::scrubText() const
+{
+    if (!m_scrubbing)
+        return {};
+    const auto members =
+        std::accumulate(m_sizes.begin(), m_sizes.begin() + m_shown, std::int64_t(0));
+    return tr("Generation %1 of %2 · %3")
+        .arg(countText(m_shown), countText(qlonglong(m_sizes.size())),
+            millilitreText(members, m_voxelMm3));
 }
 
 void GenerationBar::scrubTo(int generation)
@@ -140,6 +151,7 @@ void GenerationBar::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || !m_scrubbable || m_sizes.empty())
         return;
     m_scrubbing = true;
+    QToolTip::hideText(); // it would lie over the pictures that are watched now
     Q_EMIT scrubBegan();
     scrubTo(generationAt(event->position().x()));
 }
@@ -149,7 +161,6 @@ void GenerationBar::mouseMoveEvent(QMouseEvent* event)
     if (!m_scrubbing)
         return;
     scrubTo(generationAt(event->position().x()));
-    QToolTip::showText(event->globalPosition().toPoint(), textFor(m_shown), this);
 }
 
 void GenerationBar::mouseReleaseEvent(QMouseEvent* event)

@@ -27,6 +27,8 @@ public:
     /// For tool tips and the millilitres there.
     void setVoxelMm3(double voxelMm3) { m_voxelMm3 = voxelMm3; }
     [[nodiscard]] bool scrubbing() const { return m_scrubbing; }
+    /// Where a drag stands, in words; empty: there is none.
+    [[nodiscard]] QString scrubText() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {240, 40}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 40}; }

@@ -15,6 +15,8 @@ namespace ui {
 
 namespace {
 
+constexpr double leastApart = 16.0; ///< logical pixels: two handles and room to catch each
+
 /// Whole numbers where a unit is fine enough, else what a thousandth of the range needs.
 int decimalsFor(const core::Histogram& histogram)
 {
@@ -56,6 +58,7 @@ HistogramRange::HistogramRange(QWidget* parent)
 
     connect(m_plot, &HistogramRangePlot::rangeDragged, this, &HistogramRange::take);
     connect(m_plot, &HistogramRangePlot::released, this, &HistogramRange::rangeSettled);
+    connect(m_plot, &HistogramRangePlot::cancelled, this, &HistogramRange::rangeCancelled);
     connect(m_lowerBox, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         take(value, std::max(value, m_upper));
         Q_EMIT rangeSettled();
@@ -109,6 +112,14 @@ void HistogramRange::setBand(const std::optional<std::pair<double, double>>& ban
 void HistogramRange::setMiddleWidget(QWidget* widget)
 {
     m_layout->addWidget(widget, 1, 1, Qt::AlignCenter);
+}
+
+void HistogramRange::showRange()
+{
+    const double left = m_plot->xOf(m_lower);
+    const double right = m_plot->xOf(m_upper);
+    if (left < 0.0 || right > m_plot->width() || right - left < leastApart)
+        zoomToRange();
 }
 
 void HistogramRange::zoomToRange()

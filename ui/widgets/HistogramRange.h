@@ -38,6 +38,8 @@ public:
     void setMiddleWidget(QWidget* widget);
     /// The part of the histogram around the interval fills the width.
     void zoomToRange();
+    /// Does so where the handles are out of sight or lie on top of each other.
+    void showRange();
 
     [[nodiscard]] HistogramRangePlot* plot() const { return m_plot; }
 
@@ -46,6 +48,8 @@ Q_SIGNALS:
     void rangeEdited(double lower, double upper);
     /// By the user: done for now. After each number that was typed too.
     void rangeSettled();
+    /// By the user: the interval is again what it was before it was dragged.
+    void rangeCancelled();
 
 private:
     void take(double lower, double upper);

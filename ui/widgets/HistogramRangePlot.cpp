@@ -126,6 +126,13 @@ void HistogramRangePlot::mouseDoubleClickEvent(QMouseEvent* event)
 
 void HistogramRangePlot::keyPressEvent(QKeyEvent* event)
 {
+    if (m_grip != Grip::None && event->key() == Qt::Key_Escape) {
+        m_grip = Grip::None;
+        setRange(m_pressLower, m_pressUpper);
+        Q_EMIT rangeDragged(m_pressLower, m_pressUpper);
+        Q_EMIT cancelled();
+        return;
+    }
     const int direction = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
     if (direction == 0) {
         HistogramPlot::keyPressEvent(event);
@@ -154,8 +161,8 @@ void HistogramRangePlot::paintEvent(QPaintEvent* event)
     if (m_band && m_band->first <= m_band->second) {
         const QRectF band(QPointF(xOf(m_band->first), area.top()),
             QPointF(std::max(xOf(m_band->second), xOf(m_band->first) + 1.0), area.bottom()));
-        painter.fillRect(band,
-            QColor(theme::caution.red(), theme::caution.green(), theme::caution.blue(), 45));
+        painter.fillRect(
+            band, QColor(theme::caution.red(), theme::caution.green(), theme::caution.blue(), 45));
         painter.setPen(QPen(theme::caution, 1.0, Qt::DashLine));
         painter.drawLine(band.topLeft(), band.bottomLeft());
         painter.drawLine(band.topRight(), band.bottomRight());

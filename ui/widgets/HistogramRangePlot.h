@@ -10,7 +10,7 @@
 namespace ui {
 
 /// The picture of HistogramRange. Arrow keys move the handle that was used last by one pixel's
-/// worth.
+/// worth, Escape puts back what is dragged.
 class HistogramRangePlot : public HistogramPlot {
     Q_OBJECT
 
@@ -25,6 +25,7 @@ public:
 Q_SIGNALS:
     void rangeDragged(double lower, double upper);
     void released(); ///< the handles were let go; after each key as well
+    void cancelled(); ///< Escape: the handles stand where they were taken
 
 protected:
     void paintEvent(QPaintEvent* event) override;

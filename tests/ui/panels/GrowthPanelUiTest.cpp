@@ -157,8 +157,12 @@ private Q_SLOTS:
         };
         QTest::mousePress(bar, Qt::LeftButton, {}, at(4));
         QCOMPARE(bar->shown(), 4);
+        const auto* told = fixture.panel.findChild<QLabel*>(QStringLiteral("growProgress"));
+        QVERIFY2(told->text().startsWith(QStringLiteral("Generation 4 of 6 · ")),
+            qPrintable(told->text()));
         QTest::mouseMove(bar, at(1));
         QTest::mouseMove(bar, at(3));
+        QVERIFY(told->text().startsWith(QStringLiteral("Generation 3 of 6 · ")));
         QTest::mouseRelease(bar, Qt::LeftButton, {}, at(3));
         fixture.settle();
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels[1]);
@@ -174,6 +178,7 @@ private Q_SLOTS:
         QTest::keyClick(bar, Qt::Key_Escape);
         fixture.settle();
         QCOMPARE(bar->shown(), 6);
+        QVERIFY(!told->text().contains(QStringLiteral(" of 6")));
         QCOMPARE(fixture.session().stateHash(), grown);
         QTest::mouseRelease(bar, Qt::LeftButton, {}, at(2));
     }
@@ -247,6 +252,28 @@ private Q_SLOTS:
         const auto* range =
             fixture.panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
         QVERIFY(std::abs(range->lower() - settings.lower) < 0.1);
+    }
+
+    /// What is told of seeds is told of those that the interval would be set by.
+    void seedsOfTheActiveSegmentAreTold()
+    {
+        SeededPanel fixture;
+        const auto* advice = fixture.panel.findChild<QLabel*>(QStringLiteral("growAdvice"));
+        const auto tells = [&](const char* text) {
+            return QTest::qWaitFor([&] {
+                fixture.settle();
+                return advice->text() == QString::fromUtf8(text);
+            });
+        };
+        QVERIFY2(tells("1 seed voxel · 8.0 ± 0.0 HU"), qPrintable(advice->text()));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY2(tells("1 seed voxel, of another segment"), qPrintable(advice->text()));
+        fixture.apply(core::SeedStroke{2, {{8.0, 0.0, 0.0}, {0.0, 0.0, 28.0}}});
+        QVERIFY2(tells("2 seed voxels · −480.0 ± 735.4 HU"), qPrintable(advice->text()));
+        // As many elsewhere are others.
+        QVERIFY(fixture.session().undo());
+        fixture.apply(core::SeedStroke{2, {{8.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}});
+        QVERIFY2(tells("2 seed voxels · 40.0 ± 0.0 HU"), qPrintable(advice->text()));
     }
 
     void startsWithAnIntervalOfTheVolume()

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QtTest>
 
 using test::WorkspaceFixture;
@@ -24,6 +25,7 @@ public:
         if (!QTest::qWaitForWindowExposed(&bar) || !ui::addSegment(workspace)
             || !ui::addSegment(workspace))
             qFatal("no bar");
+        bar.findChild<QToolButton*>(QStringLiteral("spreadFold"))->click();
         settle();
     }
     void seedBoth()
