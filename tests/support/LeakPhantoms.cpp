@@ -243,4 +243,23 @@ LeakPhantom leakPhantom(int number, bool leaks)
     }
 }
 
+core::LoadedVolume loadedVolume(const LeakPhantom& phantom)
+{
+    core::LoadedVolume loaded;
+    core::Volume& volume = loaded.volume;
+    volume.identity.patientName = QStringLiteral("TEST^LEAK");
+    volume.identity.modality = QStringLiteral("CT");
+    volume.geometry.size = phantom.codes.size;
+    for (int axis = 0; axis < 3; ++axis)
+        volume.geometry.indexToWorld[3][axis] = -0.5 * (phantom.codes.size[axis] - 1);
+    const auto [least, greatest] =
+        std::minmax_element(phantom.codes.values.begin(), phantom.codes.values.end());
+    volume.minimum = *least;
+    volume.maximum = *greatest;
+    volume.histogram = {volume.minimum, volume.maximum, std::vector<std::uint32_t>(64, 1)};
+    volume.defaultWindow = {0.5 * (volume.minimum + volume.maximum), 1500.0};
+    loaded.codes = phantom.codes.values;
+    return loaded;
+}
+
 } // namespace test

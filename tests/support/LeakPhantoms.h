@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/Volume.h"
 #include "tests/support/TestVolumes.h"
 
 namespace test {
@@ -22,5 +23,7 @@ struct LeakPhantom {
 
 /// Bodies, radii and lengths take turns with the number; everything else is drawn from it.
 [[nodiscard]] LeakPhantom leakPhantom(int number, bool leaks);
+/// The same to be opened: voxels of 1 mm, whose value is their code.
+[[nodiscard]] core::LoadedVolume loadedVolume(const LeakPhantom& phantom);
 
 } // namespace test

@@ -3,6 +3,8 @@
 
 #include "ui/ErrorText.h"
 
+#include <utility>
+
 namespace test {
 
 namespace smallHead {
@@ -70,10 +72,10 @@ std::int64_t voxelsOf(double hu)
 
 } // namespace smallHead
 
-WorkspaceFixture::WorkspaceFixture()
+WorkspaceFixture::WorkspaceFixture(core::LoadedVolume volume)
     : workspace(frames)
 {
-    auto session = core::EditSession::create(engine, smallHead::volume(), {});
+    auto session = core::EditSession::create(engine, std::move(volume), {});
     if (!session)
         qFatal("%s", qPrintable(ui::errorText(session.error())));
     workspace.setSession(std::move(*session));

@@ -27,10 +27,10 @@ public:
     void setListener(Listener) override { }
 };
 
-/// A workspace with the small head open, over the oracle.
+/// A workspace with a volume open, the small head unless told otherwise, over the oracle.
 class WorkspaceFixture {
 public:
-    WorkspaceFixture();
+    explicit WorkspaceFixture(core::LoadedVolume volume = smallHead::volume());
 
     [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     /// Applies an edit and waits for it; a failure ends the test program with its reason.
