@@ -151,6 +151,11 @@ std::vector<std::uint8_t> SculptStage::voxels(core::Field field, std::uint8_t pl
     return dense;
 }
 
+std::size_t SculptStage::placeOf(const glm::ivec3& voxel) const
+{
+    return indexOf(m_study.volume.geometry.size, voxel);
+}
+
 gpu::Frame SculptStage::frame(const gpu::FrameRequest& request, gpu::Frame::Quality quality)
 {
     std::mutex guard;
@@ -207,6 +212,52 @@ std::vector<bool> behindShell(const core::VolumeGeometry& geometry,
         },
         [] {});
     return behind;
+}
+
+BandShell bandShell(const core::VolumeGeometry& geometry, const core::OrthographicView& view,
+    const std::vector<glm::dvec2>& polygonMm, const std::function<double(std::size_t)>& valueOf,
+    double surface, double band)
+{
+    constexpr auto farthest = std::ptrdiff_t(20.0 / stepMm); // from the surface to the band
+    constexpr auto widestGap = std::ptrdiff_t(2.0 / stepMm); // within it
+    BandShell shell;
+    shell.over.assign(geometry.voxelCount(), false);
+    shell.behind.assign(geometry.voxelCount(), false);
+    std::vector<std::size_t> ray;
+    int rays = 0;
+    int met = 0;
+    const auto look = [&] {
+        ++rays;
+        const auto reaches = [&](double least) {
+            return [&valueOf, least](std::size_t voxel) { return valueOf(voxel) >= least; };
+        };
+        const auto first = std::find_if(ray.begin(), ray.end(), reaches(surface));
+        const auto limit = ray.end() - first > farthest ? first + farthest : ray.end();
+        auto last = std::find_if(first, limit, reaches(band));
+        if (last == limit)
+            return;
+        ++met;
+        for (auto next = last; next != ray.end() && next - last <= widestGap; ++next)
+            last = valueOf(*next) >= band ? next : last;
+        auto lowest = last;
+        while (lowest + 1 != ray.end() && valueOf(lowest[1]) <= valueOf(*lowest))
+            ++lowest;
+        std::for_each(first, last + 1, [&](std::size_t voxel) { shell.over[voxel] = true; });
+        std::for_each(
+            lowest + 1, ray.end(), [&](std::size_t voxel) { shell.behind[voxel] = true; });
+    };
+    walkUnder(
+        geometry, view, polygonMm, [&] { ray.clear(); },
+        [&](std::size_t voxel) {
+            ray.push_back(voxel);
+            return true;
+        },
+        look);
+    // Oblique rays pass through each other's voxels.
+    for (std::size_t voxel = 0; voxel < shell.over.size(); ++voxel)
+        shell.behind[voxel] = shell.behind[voxel] && !shell.over[voxel];
+    shell.met = rays == 0 ? 0.0 : double(met) / rays;
+    return shell;
 }
 
 Opening measureOpening(const core::VolumeGeometry& geometry,

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] QString apply(const core::Edit& edit);
     /// The coverage of a sculpt layer, or a label plane: x fastest.
     [[nodiscard]] std::vector<std::uint8_t> voxels(core::Field field, std::uint8_t plane);
+    /// Of a voxel of the study in such a list.
+    [[nodiscard]] std::size_t placeOf(const glm::ivec3& voxel) const;
     /// What the first picture of full resolution takes.
     [[nodiscard]] double fullFrameMs(const gpu::VolumeScene& scene, const glm::ivec2& size);
     /// The finest picture.
@@ -54,6 +56,21 @@ struct Opening {
 [[nodiscard]] std::vector<bool> behindShell(const core::VolumeGeometry& geometry,
     const core::OrthographicView& view, const std::vector<glm::dvec2>& polygonMm,
     const std::function<bool(std::size_t)>& isShell, double gapMm = 2.0);
+
+/// A shell that is told from what lies behind it only by a band of high values: of skin, fat and
+/// marrow over a brain that is as bright as skin.
+struct BandShell {
+    std::vector<bool> over; ///< from the surface to the band's inner border
+    std::vector<bool> behind; ///< from the lowest value after the band on
+    double met = 0.0; ///< of the rays inside the curve: they come to a band
+};
+
+/// @param valueOf of a voxel's place in the study
+/// @param surface the surface's least value
+/// @param band the band's
+[[nodiscard]] BandShell bandShell(const core::VolumeGeometry& geometry,
+    const core::OrthographicView& view, const std::vector<glm::dvec2>& polygonMm,
+    const std::function<double(std::size_t)>& valueOf, double surface, double band);
 
 /// @param polygonMm in the view's plane, from its target
 /// @param isShell, isSpared of a voxel's place in the study
