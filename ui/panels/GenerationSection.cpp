@@ -56,6 +56,14 @@ void GenerationSection::show(const core::GrowthProgress& progress)
     showSizes();
 }
 
+void GenerationSection::showLeak(const std::optional<core::LeakAlarm>& alarm)
+{
+    std::optional<std::pair<int, int>> generations;
+    if (alarm)
+        generations = {int(alarm->narrow), int(alarm->generation)};
+    m_bar->setLeak(generations);
+}
+
 QString GenerationSection::scrubText() const
 {
     return m_bar->scrubText();

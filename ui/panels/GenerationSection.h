@@ -5,11 +5,13 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace core {
 struct GrowthProgress;
-}
+struct LeakAlarm;
+} // namespace core
 
 namespace ui {
 
@@ -26,6 +28,8 @@ public:
 
     /// How a burst stands; not open: nothing is under way.
     void show(const core::GrowthProgress& progress);
+    /// What the guard suspects; none: nothing any more.
+    void showLeak(const std::optional<core::LeakAlarm>& alarm);
     /// Where a drag stands, in words; empty: there is none.
     [[nodiscard]] QString scrubText() const;
 

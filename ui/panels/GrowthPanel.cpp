@@ -178,6 +178,7 @@ void GrowthPanel::build()
     m_progress->setProperty("role", QStringLiteral("secondary"));
     m_generations = new GenerationSection(m_workspace, this);
     connect(m_generations, &GenerationSection::scrubMoved, this, &GrowthPanel::showState);
+    connect(m_leak, &LeakSection::alarmChanged, m_generations, &GenerationSection::showLeak);
 
     auto* transport = new QHBoxLayout;
     transport->setSpacing(theme::smallPadding);

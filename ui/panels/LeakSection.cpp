@@ -104,6 +104,7 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
 {
     m_alarm = alarm;
     m_stands = false;
+    Q_EMIT alarmChanged(m_alarm);
     // Else the focus would go to whatever comes next in the panel.
     if (!alarm && m_offer->isAncestorOf(focusWidget()))
         m_guard->setFocus();

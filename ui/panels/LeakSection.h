@@ -29,6 +29,8 @@ public:
 
 Q_SIGNALS:
     void goOnAsked();
+    /// What is offered to be decided on; none: nothing any more.
+    void alarmChanged(const std::optional<core::LeakAlarm>& alarm);
 
 private:
     void showSettings();

@@ -11,6 +11,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
@@ -76,9 +77,11 @@ void SeedInterval::take(double deviations)
     // One seed, or seeds of one value, have no spread to go by: take a hundredth of the range.
     const double spread = seeds.deviation > 0.0 ? deviations * seeds.deviation
                                                 : 0.01 * (volume->maximum - volume->minimum);
+    // Outwards to numbers with few digits: history and report name them.
+    const double step = std::pow(10.0, std::floor(std::log10(spread / 50.0)));
     GrowSettings settings = m_workspace.growSettings();
-    settings.lower = std::max(seeds.mean - spread, volume->minimum);
-    settings.upper = std::min(seeds.mean + spread, volume->maximum);
+    settings.lower = std::max(std::floor((seeds.mean - spread) / step) * step, volume->minimum);
+    settings.upper = std::min(std::ceil((seeds.mean + spread) / step) * step, volume->maximum);
     m_workspace.setGrowSettings(settings);
     Q_EMIT intervalTaken();
 }

@@ -219,7 +219,7 @@ void SpreadBar::showState()
         m_text->setText(tr("Shown in all views. Sketch, paint or erase to correct it; Apply keeps "
                            "it."));
     else if (count >= 2)
-        m_text->setText(tr("%1 segments compete for what lies between.").arg(count));
+        m_text->setText(tr("They compete for what lies between; the preview shows who gets what."));
     else
         m_text->setText(
             tr("Sketch or paint in two segments or more: they share out what lies between."));

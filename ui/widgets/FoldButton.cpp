@@ -4,6 +4,9 @@
 #include "ui/Icons.h"
 #include "ui/Theme.h"
 
+#include <QScrollArea>
+#include <QTimer>
+
 namespace ui {
 
 FoldButton::FoldButton(QWidget& body, QWidget* parent)
@@ -15,8 +18,23 @@ FoldButton::FoldButton(QWidget& body, QWidget* parent)
     setAutoRaise(true);
     setFont(theme::smallFont());
     setStyleSheet(QStringLiteral("padding: 2px 4px 2px 0"));
-    connect(this, &QToolButton::clicked, this, [this] { setFolded(!folded()); });
+    connect(this, &QToolButton::clicked, this, [this] {
+        setFolded(!folded());
+        if (!folded())
+            QTimer::singleShot(0, this, &FoldButton::bringIntoView); // when it is laid out
+    });
     setFolded(true);
+}
+
+void FoldButton::bringIntoView()
+{
+    for (QWidget* widget = parentWidget(); widget; widget = widget->parentWidget()) {
+        auto* area = qobject_cast<QScrollArea*>(widget);
+        if (!area)
+            continue;
+        area->ensureWidgetVisible(&m_body, 0, theme::padding);
+        area->ensureWidgetVisible(this, 0, theme::padding); // of what is too high the head
+    }
 }
 
 bool FoldButton::folded() const

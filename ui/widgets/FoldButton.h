@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// The head of a part of a panel that folds away: a small line of text with an arrow.
+/// The head of a part of a panel that folds away: a small line of text with an arrow. What the user
+/// unfolds is scrolled into view.
 class FoldButton : public QToolButton {
     Q_OBJECT
 
@@ -17,6 +18,8 @@ public:
     [[nodiscard]] bool folded() const;
 
 private:
+    void bringIntoView();
+
     QWidget& m_body;
 };
 

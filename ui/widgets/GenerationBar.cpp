@@ -35,6 +35,12 @@ void GenerationBar::setSizes(const std::vector<std::uint32_t>& sizes)
     update();
 }
 
+void GenerationBar::setLeak(const std::optional<std::pair<int, int>>& generations)
+{
+    m_leak = generations;
+    update();
+}
+
 void GenerationBar::setScrubbable(bool scrubbable)
 {
     m_scrubbable = scrubbable;
@@ -81,6 +87,8 @@ void GenerationBar::paintEvent(QPaintEvent*)
         filled.lineTo(point);
     filled.lineTo(curve.back().x(), room.bottom());
 
+    if (m_leak)
+        paintLeak(painter);
     // What is shown is filled, what the drag takes back only outlined.
     const double mark = xOf(m_shown);
     QColor fill = theme::good;
@@ -102,6 +110,22 @@ void GenerationBar::paintEvent(QPaintEvent*)
         painter.setBrush(theme::accent);
         painter.drawEllipse(QPointF(std::clamp(mark, 5.0, width() - 5.0), 5.0), 3.5, 3.5);
     }
+}
+
+void GenerationBar::paintLeak(QPainter& painter) const
+{
+    const int last = int(m_sizes.size());
+    const QRectF zone(QPointF(xOf(std::clamp(m_leak->first, 1, last)), 3.0),
+        QPointF(xOf(std::clamp(m_leak->second, 1, last)), height() - 3.0));
+    QColor fill = theme::bad;
+    fill.setAlphaF(0.3);
+    painter.fillRect(zone, fill);
+    painter.setPen(theme::bad);
+    painter.setFont(theme::smallFont());
+    // Beside it: a narrow zone has no room for words.
+    painter.drawText(
+        QRectF(0.0, 2.0, zone.left() - 4.0, 16.0), Qt::AlignRight | Qt::AlignVCenter, tr("leak?"));
+    painter.setPen(Qt::NoPen);
 }
 
 QString GenerationBar::textFor(int generation) const

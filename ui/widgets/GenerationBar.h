@@ -4,6 +4,8 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace ui {
@@ -22,6 +24,9 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& sizes() const { return m_sizes; }
     /// Where the mark stands: 1 … as many as there are.
     [[nodiscard]] int shown() const { return m_shown; }
+    /// From which generation to which it may have leaked; none: nothing is suspected.
+    void setLeak(const std::optional<std::pair<int, int>>& generations);
+    [[nodiscard]] const std::optional<std::pair<int, int>>& leak() const { return m_leak; }
     /// Whether it can be dragged.
     void setScrubbable(bool scrubbable);
     /// For tool tips and the millilitres there.
@@ -52,10 +57,12 @@ private:
     [[nodiscard]] int generationAt(double x) const;
     [[nodiscard]] double xOf(int generation) const;
     [[nodiscard]] QString textFor(int generation) const;
+    void paintLeak(QPainter& painter) const;
     void scrubTo(int generation);
     void endScrub(bool kept);
 
     std::vector<std::uint32_t> m_sizes;
+    std::optional<std::pair<int, int>> m_leak;
     int m_shown = 0;
     double m_voxelMm3 = 0.0;
     bool m_scrubbable = false;

@@ -57,7 +57,12 @@ HistogramRange::HistogramRange(QWidget* parent)
     m_layout->setColumnStretch(1, 1);
 
     connect(m_plot, &HistogramRangePlot::rangeDragged, this, &HistogramRange::take);
-    connect(m_plot, &HistogramRangePlot::released, this, &HistogramRange::rangeSettled);
+    connect(m_plot, &HistogramRangePlot::released, this, [this] {
+        // Dragged past the edge, a handle could not be caught again.
+        if (m_plot->xOf(m_lower) < 0.0 || m_plot->xOf(m_upper) > m_plot->width())
+            zoomToRange();
+        Q_EMIT rangeSettled();
+    });
     connect(m_plot, &HistogramRangePlot::cancelled, this, &HistogramRange::rangeCancelled);
     connect(m_lowerBox, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         take(value, std::max(value, m_upper));

@@ -6,6 +6,7 @@
 #include "tests/support/WorkspaceFixture.h"
 #include "ui/SegmentActions.h"
 #include "ui/panels/GrowthPanel.h"
+#include "ui/widgets/GenerationBar.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -144,6 +145,12 @@ private Q_SLOTS:
         QVERIFY2(
             text.text().contains(QString::number(fixture.generation())), qPrintable(text.text()));
 
+        // The generation bar marks it, from the narrow place on.
+        const auto& marked = fixture.panel.findChild<ui::GenerationBar*>()->leak();
+        QVERIFY(marked);
+        QVERIFY(marked->first < marked->second);
+        QCOMPARE(marked->second, int(fixture.generation()));
+
         // The crosshair goes to the front that burst.
         Q_EMIT text.linkActivated(QStringLiteral("show"));
         const glm::dvec3 index =
@@ -187,6 +194,7 @@ private Q_SLOTS:
         const QByteArray stopped = fixture.session().stateHash();
         fixture.click("leakReject");
         QVERIFY(!fixture.offered());
+        QVERIFY(!fixture.panel.findChild<ui::GenerationBar*>()->leak());
         QCOMPARE(fixture.rows(), rows + 1);
         const auto* shrink = std::get_if<core::ShrinkSteps>(&fixture.lastEdit());
         QVERIFY(shrink && shrink->steps);

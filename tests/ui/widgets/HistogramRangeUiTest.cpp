@@ -112,6 +112,58 @@ private Q_SLOTS:
         QCOMPARE(range.lower(), 10.0);
     }
 
+    void handlesStayInSight()
+    {
+        HistogramRange range;
+        prepare(range);
+        HistogramRangePlot& plot = *range.plot();
+        const auto inSight = [&] {
+            return plot.xOf(range.lower()) >= 0.0 && plot.xOf(range.upper()) <= plot.width();
+        };
+        // Dragged past the edge.
+        plot.showValues(0.0, 1000.0);
+        drag(plot, plot.xOf(900.0), plot.width() + 60.0);
+        QVERIFY(range.upper() > 1000.0);
+        QVERIFY(inSight());
+        // Set from elsewhere, and asked to be shown.
+        range.setRange(2500.0, 2800.0);
+        QVERIFY(!inSight());
+        range.showRange();
+        QVERIFY(inSight());
+        plot.showValues(-1000.0, 3000.0);
+        range.setRange(40.0, 80.0);
+        range.showRange();
+        QVERIFY(plot.xOf(80.0) - plot.xOf(40.0) > 100.0);
+        // What can be seen is left as it is.
+        plot.showValues(0.0, 100.0);
+        range.showRange();
+        QCOMPARE(plot.valueAt(plot.xOf(0.0)), 0.0);
+        QVERIFY(std::abs(plot.valueAt(plot.xOf(0.0) + 1.0) - 100.0 / (plot.width() - 12.0)) < 0.01);
+    }
+
+    void escapePutsTheDragBack()
+    {
+        HistogramRange range;
+        prepare(range);
+        QSignalSpy edited(&range, &HistogramRange::rangeEdited);
+        QSignalSpy settled(&range, &HistogramRange::rangeSettled);
+        QSignalSpy cancelled(&range, &HistogramRange::rangeCancelled);
+        HistogramRangePlot& plot = *range.plot();
+        const int y = plot.height() / 2;
+        const QPoint far(int(plot.xOf(2000.0)), y);
+        QTest::mousePress(&plot, Qt::LeftButton, {}, QPoint(int(plot.xOf(900.0)), y));
+        QTest::mouseMove(&plot, far);
+        QVERIFY(range.upper() > 1500.0);
+        QTest::keyClick(&plot, Qt::Key_Escape);
+        QCOMPARE(range.upper(), 900.0);
+        QCOMPARE(edited.back()[1].toDouble(), 900.0);
+        QTest::mouseMove(&plot, far + QPoint(5, 0));
+        QTest::mouseRelease(&plot, Qt::LeftButton, {}, far);
+        QCOMPARE(range.upper(), 900.0);
+        QCOMPARE(cancelled.count(), 1);
+        QCOMPARE(settled.count(), 0);
+    }
+
     void zoomKeepsTheValueUnderTheCursor()
     {
         HistogramRange range;
