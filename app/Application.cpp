@@ -18,6 +18,7 @@
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/ClippingPanel.h"
+#include "ui/panels/GrowthActions.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/LayersPanel.h"
@@ -114,7 +115,11 @@ void Application::makeWindow()
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
 
     window.addPanel(new ui::SegmentsPanel(*m_workspace));
-    window.addPanel(new ui::GrowthPanel(*m_workspace));
+    auto* growth = new ui::GrowthPanel(*m_workspace);
+    window.addPanel(growth);
+    window.growMenu().addSeparator();
+    window.actionTable().fill(
+        window.growMenu(), ui::addGrowthActions(window.actionTable(), *growth, *m_workspace));
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::LayersPanel(*m_workspace));
     window.addPanel(new ui::PiecesPanel(*m_workspace, window.views().volume()));

@@ -87,6 +87,7 @@ void GrowCriteriaSection::build()
            "growth out of thin bridges and noise"));
     m_onlyVisible = new QCheckBox(tr("Only what is not carved"), m_body);
     m_onlyVisible->setObjectName(QStringLiteral("growOnlyVisible"));
+    m_onlyVisible->setMinimumHeight(theme::controlHeight); // as the rows with a value
     m_onlyVisible->setToolTip(
         tr("What sculpt layers have carved is closed to growth; muted layers do not count"));
     connect(m_onlyVisible, &QCheckBox::toggled, this, &GrowCriteriaSection::takeSwitches);

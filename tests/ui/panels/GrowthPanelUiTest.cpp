@@ -2,7 +2,9 @@
 #include "ui/panels/GrowthPanel.h"
 
 #include "tests/support/WorkspaceFixture.h"
+#include "ui/Actions.h"
 #include "ui/SegmentActions.h"
+#include "ui/panels/GrowthActions.h"
 #include "ui/widgets/GenerationBar.h"
 #include "ui/widgets/HistogramRange.h"
 
@@ -221,6 +223,39 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().document().segments[0].voxels, 0);
+    }
+
+    void theMenuPressesTheButtons()
+    {
+        SeededPanel fixture;
+        QWidget window;
+        ui::Actions actions(window);
+        const QStringList ids = ui::addGrowthActions(actions, fixture.panel, fixture.workspace);
+        QVERIFY(ids.contains(QStringLiteral("grow.play")));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const auto before = fixture.session().history().position();
+        actions[QStringLiteral("grow.shrink")].trigger();
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().startsWith(QStringLiteral("Nothing has grown")));
+        actions[QStringLiteral("grow.step")].trigger();
+        fixture.settle();
+        QCOMPARE(fixture.session().history().position(), before + 1);
+        QCOMPARE(fixture.lastGrowth()->steps.value_or(-1), 1);
+        actions[QStringLiteral("grow.play")].trigger();
+        QVERIFY(fixture.panel.running());
+        QTRY_VERIFY(!fixture.panel.running());
+        fixture.settle();
+        actions[QStringLiteral("grow.toSeeds")].trigger();
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, std::int64_t(1));
+        // Without a seed it says what is missing.
+        for (int step = 0; step < 4; ++step)
+            QVERIFY(fixture.session().undo());
+        fixture.settle();
+        said.clear();
+        actions[QStringLiteral("grow.toClosure")].trigger();
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().startsWith(QStringLiteral("No seeds yet")));
     }
 
     void anotherEditClosesARunningBurst()
