@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
+#include "ui/CountText.h"
 #include "ui/Workspace.h"
 
 #include <QColor>
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
@@ -15,7 +17,9 @@ QString millilitreText(std::int64_t voxels, double voxelVolumeMm3)
     if (voxels == 0)
         return QStringLiteral("—");
     const double millilitres = double(voxels) * voxelVolumeMm3 / 1000.0;
-    const int digits = millilitres < 10.0 ? 2 : millilitres < 1000.0 ? 1 : 0;
+    if (millilitres >= 1000.0)
+        return QObject::tr("%1 mL").arg(countText(std::llround(millilitres)));
+    const int digits = millilitres < 10.0 ? 2 : 1;
     return QObject::tr("%1 mL").arg(QLocale().toString(millilitres, 'f', digits));
 }
 

@@ -425,7 +425,7 @@ void GrowthPanel::showState()
         m_advice->setText(tr("No seeds yet: take the Seed tool and sketch on what belongs to the "
                              "segment."));
     } else if (m_running) {
-        m_advice->setText(tr("Growing. Pause keeps what has grown; undo takes it back."));
+        m_advice->setText(tr("Growing; Pause keeps what has grown."));
     } else if (allLocked) {
         m_advice->setText(tr("Every segment is locked: unlock the one that is to grow."));
     } else {

@@ -111,7 +111,7 @@ private Q_SLOTS:
         QLocale::setDefault(QLocale::c());
         QCOMPARE(ui::millilitreText(9840, 1.0), QStringLiteral("9.84 mL"));
         QCOMPARE(ui::millilitreText(98400, 1.0), QStringLiteral("98.4 mL"));
-        QCOMPARE(ui::millilitreText(1000000, 1.5), QStringLiteral("1500 mL"));
+        QCOMPARE(ui::millilitreText(1000000, 1.5), QStringLiteral("1 500 mL"));
         QLocale::setDefault(previous);
 
         WorkspaceFixture fixture;
