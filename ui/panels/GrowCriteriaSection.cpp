@@ -2,6 +2,7 @@
 #include "ui/panels/GrowCriteriaSection.h"
 
 #include "ui/SeedBand.h"
+#include "ui/SeedStatistics.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
@@ -146,6 +147,12 @@ void GrowCriteriaSection::buildBox()
     auto* menu = new QMenu(m_setBox);
     menu->addAction(tr("Around the crosshair"), this,
         [this] { setBox(boxAround(m_workspace.crosshairLps())); });
+    menu->addAction(tr("Around the seeds"), this, [this] {
+        if (const auto box = boxAroundSeeds())
+            setBox(*box);
+        else
+            m_workspace.say(tr("The active segment has no seeds to put a box around"));
+    });
     menu->addAction(tr("As the clip box"), this, [this] { setBox(m_workspace.clip().box); });
     menu->addAction(tr("Whole volume"), this,
         [this] { setBox(core::wholeVolume(m_workspace.volume()->geometry).box); });
@@ -272,8 +279,10 @@ void GrowCriteriaSection::takeSwitches()
     const core::Volume* volume = m_workspace.volume();
     if (volume && settings.boxed && !growBoxOf(settings, volume->geometry)) {
         const core::ClipRegion::Box& clip = m_workspace.clip().box;
+        // Seeds outside would wait for ever, and nobody would see why.
+        const auto place = clip.on ? std::optional(clip) : boxAroundSeeds();
         settings.box =
-            growBoxFrom(clip.on ? clip : boxAround(m_workspace.crosshairLps()), volume->geometry);
+            growBoxFrom(place.value_or(boxAround(m_workspace.crosshairLps())), volume->geometry);
     }
     m_workspace.setGrowSettings(settings);
 }
@@ -311,6 +320,22 @@ core::ClipRegion::Box GrowCriteriaSection::boxAround(const glm::dvec3& placeLps)
     return {.minimum = glm::clamp(place - quarter, whole.minimum, whole.maximum),
         .maximum = glm::clamp(place + quarter, whole.minimum, whole.maximum),
         .on = true};
+}
+
+std::optional<core::ClipRegion::Box> GrowCriteriaSection::boxAroundSeeds() const
+{
+    const core::EditSession* session = m_workspace.session();
+    std::optional<core::ClipRegion::Box> box;
+    if (!session)
+        return box;
+    for (const glm::ivec3& voxel : seedVoxels(*session, m_workspace.activeSegment())) {
+        const auto around = boxAround(m_workspace.volume()->geometry.toWorld(glm::dvec3(voxel)));
+        if (!box)
+            box = around;
+        box->minimum = glm::min(box->minimum, around.minimum);
+        box->maximum = glm::max(box->maximum, around.maximum);
+    }
+    return box;
 }
 
 } // namespace ui

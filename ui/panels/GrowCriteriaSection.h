@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -54,6 +55,8 @@ private:
     void takeAxis(int axis, double lower, double upper);
     void setBox(const core::ClipRegion::Box& box);
     [[nodiscard]] core::ClipRegion::Box boxAround(const glm::dvec3& placeLps) const;
+    /// Of the active segment; none: it has none.
+    [[nodiscard]] std::optional<core::ClipRegion::Box> boxAroundSeeds() const;
 
     Workspace& m_workspace;
     const SeedBand& m_band;

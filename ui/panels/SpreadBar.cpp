@@ -136,6 +136,7 @@ void SpreadBar::begin()
         m_workspace.fail(begun.error());
         return;
     }
+    m_sinceBegun.start();
     m_watch.start();
     showState();
 }
@@ -213,7 +214,9 @@ void SpreadBar::showState()
     m_fold->setText(m_wanted ? tr("Grow from seeds · preview")
             : count >= 2     ? tr("Grow from seeds · %1 segments").arg(count)
                              : tr("Grow from seeds"));
-    if (working)
+    if (working && m_sinceBegun.elapsed() >= 2000)
+        m_text->setText(tr("Working it out, for %1 s so far …").arg(m_sinceBegun.elapsed() / 1000));
+    else if (working)
         m_text->setText(tr("Working it out …"));
     else if (m_wanted)
         m_text->setText(tr("Shown in all views. Sketch, paint or erase to correct it; Apply keeps "

@@ -4,6 +4,7 @@
 #include "core/edits/Edits.h"
 #include "core/history/History.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -54,6 +55,7 @@ private:
     QPushButton* m_cancel = nullptr;
     QLabel* m_text = nullptr;
     QTimer m_watch; ///< begins a preview anew after something else was done
+    QElapsedTimer m_sinceBegun; ///< for the text
     bool m_wanted = false;
     /// Where the history stood when the preview was begun last; it is not begun there again by
     /// itself unless something else was open since.

@@ -154,6 +154,17 @@ private Q_SLOTS:
         QCOMPARE(fixture.grown(), std::int64_t(8 * 8 * 4));
     }
 
+    void aBoxHoldsTheSeeds()
+    {
+        CriteriaPanel fixture;
+        fixture.apply(core::SeedStroke{1, {{-17.0, 0.0, 0.0}, {0.0, 16.0, 0.0}}});
+        fixture.part<QCheckBox>("growBoxed").click();
+        const auto box = fixture.criteria().box;
+        QVERIFY(box);
+        QVERIFY(box->fromLps.x < -17.0 && box->toLps.y > 16.0);
+        QVERIFY(box->toLps.x < 12.0 && box->fromLps.y > -12.0); // and not the whole volume
+    }
+
     void theSessionKeepsThem()
     {
         ui::GrowSettings settings;
