@@ -191,6 +191,9 @@ private Q_SLOTS:
         fixture.click("growPlay");
         const std::size_t rows = fixture.rows();
         const std::uint32_t alarmed = fixture.generation();
+        const auto& marked = fixture.panel.findChild<ui::GenerationBar*>()->leak();
+        QVERIFY(marked);
+        const auto narrow = std::uint32_t(marked->first);
         const QByteArray stopped = fixture.session().stateHash();
         fixture.click("leakReject");
         QVERIFY(!fixture.offered());
@@ -200,6 +203,8 @@ private Q_SLOTS:
         QVERIFY(shrink && shrink->steps);
         QVERIFY(*shrink->steps > 0);
         QCOMPARE(fixture.generation(), alarmed - std::uint32_t(*shrink->steps));
+        QCOMPARE(fixture.generation(), narrow);
+        QVERIFY(fixture.leaked() * 500 < phantom().leakVoxels); // the neck's mouth
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), stopped);
