@@ -6,9 +6,11 @@
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace core {
 
@@ -142,6 +144,37 @@ Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& docume
         burst->opening =
             change.fromSeeds.value_or(false) ? GrowOpening::Restart : GrowOpening::Narrow;
     return burst;
+}
+
+Result<ToleranceRule> toleranceRule(
+    int segment, const GrowCriteria& criteria, const Document& document)
+{
+    const Segment* growing = document.segment(segment);
+    if (!growing)
+        return failure(ErrorCode::UnknownSegment, QString::number(segment));
+    if (growing->locked)
+        return failure(ErrorCode::SegmentLocked, growing->name);
+    // One that asks for one voxel of 27 asks for nothing.
+    const std::array<std::pair<const char*, bool>, 4> unknown{
+        {{"sigmas", criteria.sigmas.has_value()}, {"difference", criteria.difference.has_value()},
+            {"gradientDifference", criteria.gradientDifference.has_value()},
+            {"majority", criteria.majority.value_or(0) > 1}}};
+    for (const auto& [name, asked] : unknown) {
+        if (asked)
+            return failure(ErrorCode::InvalidField,
+                QStringLiteral("tolerance.") + QLatin1String(name),
+                QStringLiteral("knows no least tolerance"));
+    }
+    GrowCriteria anyValue = criteria;
+    anyValue.lower = anyValue.upper = 0.0;
+    const Result<GrowBurst> burst = burstOf(anyValue, document, QStringLiteral("tolerance"));
+    if (!burst)
+        return tl::unexpected(burst.error());
+    return ToleranceRule{.plane = growing->plane,
+        .label = growing->label,
+        .connectivity = burst->connectivity,
+        .limits = burst->limits,
+        .overwritable = burst->overwritable};
 }
 
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)

@@ -6,6 +6,7 @@
 #include "core/growth/GrowthCommands.h"
 #include "core/growth/SeedSpread.h"
 #include "core/growth/SeedStatistics.h"
+#include "core/growth/Tolerance.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/DrillCut.h"
 #include "core/sculpt/LaserCut.h"
@@ -109,9 +110,8 @@ struct PeelDepth {
     std::int32_t depth = 0; ///< mm16, ≥ 0
 };
 
-using EngineExtension =
-    std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth, ShrinkTo, GrowAnew,
-        ForgetSpread>;
+using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath, PeelDepth,
+    ShrinkTo, GrowAnew, ForgetSpread>;
 
 // --- Commands
 // -------------------------------------------------------------------------------------
@@ -124,9 +124,10 @@ using EngineExtension =
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
 // a brush's frame, what is hidden or limits of growth that are not sound (isSound()); bounds that
 // are not (areSound()); a layer folded into itself; a table of opacities of another length than
-// 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two labels.
-// ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels and CountGenerations are served while a
-// transaction is open too.
+// 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two labels;
+// TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of a label
+// without seeds. ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations and
+// DropTolerance are served while a transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -157,7 +158,7 @@ struct MuteLayers {
 struct ReadBricks {
     std::vector<BrickKey> keys;
 };
-/// Codes and labels at voxels, for readouts.
+/// Codes and labels at voxels, for readouts; and tolerances where a tolerance field stands.
 struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
     std::uint8_t plane = 0; ///< of the labels
@@ -175,6 +176,19 @@ struct ProbeSeeds {
 struct CountGenerations {
     std::uint8_t plane = 0;
 };
+
+/// Work out at which tolerance each voxel would join a segment (growth/Tolerance.h). It changes
+/// nothing. The result has the curve once it is done; from then on the field stands, is told by
+/// ProbeVoxels and can be shown, until BeginEdit, SwapBricks, MuteLayers, DropTolerance or another
+/// TraceTolerance is carried out or a volume is opened.
+struct TraceTolerance {
+    ToleranceRule rule;
+    /// False: only so much as leaves time for pictures and other commands between. A result without
+    /// an error and without a curve then means that asking again goes on from there.
+    bool toTheEnd = true;
+};
+/// No tolerance field is wanted any more. The result is empty.
+struct DropTolerance { };
 
 /// How a ray finds what the user sees.
 enum class SeenBy : std::uint8_t {
@@ -201,8 +215,9 @@ struct PickVoxels {
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
 };
 
-using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
-    ReadBricks, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds>;
+using EngineCommand =
+    std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers, ReadBricks, ProbeVoxels,
+        PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance, DropTolerance>;
 
 // --- Results
 // ----------------------------------------------------------------------------------------
@@ -218,6 +233,7 @@ struct EditStatistics {
 struct ProbedVoxel {
     int code = 0;
     std::uint8_t label = 0;
+    std::optional<int> tolerance{}; ///< in codes; none: it has none, or no field stands
 };
 
 struct ProbedSeeds {
@@ -241,6 +257,7 @@ struct EngineResult {
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
     std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
                                                 ///< last that has any
+    std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
 };
 
 /// Where a running growth stands; a snapshot for the window.

@@ -13,13 +13,14 @@
 #include "gpu/edit/PeelKernel.h"
 #include "gpu/edit/ShrinkKernel.h"
 #include "gpu/edit/SpreadKernel.h"
+#include "gpu/edit/ToleranceKernel.h"
 
 #include <memory>
 #include <optional>
 
 namespace gpu {
 
-/// Every compiled kernel that edits.
+/// Every compiled kernel that edits, or works out what an edit would do.
 struct EditPrograms {
     explicit EditPrograms(const ShaderLibrary& library)
         : growth(library)
@@ -29,6 +30,7 @@ struct EditPrograms {
         , label(library)
         , laser(library)
         , spread(library)
+        , tolerance(library)
     {
     }
 
@@ -39,6 +41,7 @@ struct EditPrograms {
     LabelPrograms label;
     LaserPrograms laser;
     SpreadPrograms spread;
+    TolerancePrograms tolerance;
 };
 
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/frame/Scene.h"
 #include "gpu/textures/PieceTextures.h"
 
 #include <bitset>
+#include <optional>
 #include <vector>
 
 namespace gpu {
@@ -36,6 +38,10 @@ public:
     /// The footprints of these are to be in VolumeTextures::pieces() from now on; they follow like
     /// the map. None at first.
     virtual void showPieces(const std::vector<PieceSource>& sources) = 0;
+
+    /// So is a segment to be in VolumeTextures::segmentation() while a tolerance field of it
+    /// stands.
+    virtual void showAtTolerance(const std::optional<ToleranceDisplay>& shown) = 0;
 
     /// Drivers compile a kernel when it first runs: run those of all tools now, a tool in each
     /// slice of work() that has nothing else to do, so that no pen has to wait for it. Once.

@@ -31,7 +31,16 @@ RadiationPrograms::RadiationPrograms(const ShaderLibrary& library)
           program(library, "edit/radiationBlur.comp", {{"AXIS", 1}}),
           program(library, "edit/radiationBlur.comp", {{"AXIS", 2}})}
     , raise(program(library, "edit/radiationRaise.comp"))
+    , m_library(library)
 {
+}
+
+Program& RadiationPrograms::gatherAtTolerance()
+{
+    if (!m_gatherAtTolerance)
+        m_gatherAtTolerance =
+            program(m_library, "edit/radiationGather.comp", {{"AT_TOLERANCE", 1}});
+    return m_gatherAtTolerance;
 }
 
 FieldPrograms::FieldPrograms(const ShaderLibrary& library)

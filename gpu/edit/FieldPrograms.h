@@ -28,6 +28,12 @@ struct RadiationPrograms {
     Program gatherLabels;
     std::array<Program, 3> blur;
     Program raise;
+    /// Labels, one segment as it would be at a tolerance; compiled when it is first needed.
+    [[nodiscard]] Program& gatherAtTolerance();
+
+private:
+    const ShaderLibrary& m_library;
+    Program m_gatherAtTolerance;
 };
 
 /// Every compiled kernel that VoxelFields needs. They know of no volume, so one set serves all that

@@ -47,6 +47,7 @@ core::Result<void> GpuEditEngine::openVolume(
     core::Result<void> opened;
     m_thread.run([&] {
         m_transaction.reset();
+        m_trace.reset();
         m_fields.reset();
         opened = m_textures.open(size, codes);
         if (!opened)
@@ -54,6 +55,7 @@ core::Result<void> GpuEditEngine::openVolume(
         m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
         m_fields->setShownLabels(m_shownLabels);
         m_fields->setPieces(m_shownPieces);
+        m_fields->showAtTolerance(m_atTolerance);
         publishProgress();
     });
     return opened;
@@ -110,6 +112,13 @@ void GpuEditEngine::showPieces(const std::vector<PieceSource>& sources)
     m_shownPieces = sources;
     if (m_fields)
         m_fields->setPieces(sources);
+}
+
+void GpuEditEngine::showAtTolerance(const std::optional<ToleranceDisplay>& shown)
+{
+    m_atTolerance = shown;
+    if (m_fields)
+        m_fields->showAtTolerance(shown);
 }
 
 void GpuEditEngine::warmUp()
@@ -262,6 +271,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
 {
     if (m_transaction)
         return refusal("transaction", "another edit is open");
+    hideTolerance();
     m_editMilliseconds = 0.0;
     auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
     if (!transaction)
@@ -318,6 +328,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(core::SwapBricks& command)
     }
     if (const core::Result<void> checked = checkKeys(keys); !checked)
         return tl::unexpected(checked.error());
+    hideTolerance();
     core::EngineResult result;
     result.changes = swapImages(*m_fields, std::move(command.bricks));
     result.statistics = statisticsOf(result.changes);
@@ -328,6 +339,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::MuteLayers& command)
 {
     if (m_transaction)
         return refusal("transaction", "an edit is open");
+    hideTolerance();
     m_fields->setMutedLayers(command.muted);
     return core::EngineResult{};
 }
@@ -382,6 +394,46 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CountGenerations& com
     core::EngineResult result;
     result.generationSizes = generationSizes(m_programs.growth.shrink, *m_fields, command.plane);
     return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::TraceTolerance& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    const Clock::time_point start = Clock::now();
+    if (!m_trace || m_trace->done() || !(m_trace->rule() == command.rule)) {
+        m_trace.reset();
+        auto begun = ToleranceKernel::begin(m_programs.tolerance, *m_fields, command.rule);
+        if (!begun)
+            return tl::unexpected(begun.error());
+        m_trace = *std::move(begun);
+    }
+    while (!m_trace->done() && (command.toTheEnd || millisecondsSince(start) < sliceMilliseconds)) {
+        const Clock::time_point before = Clock::now();
+        m_trace->advance(m_tracedAtOnce);
+        const double milliseconds = millisecondsSince(before);
+        if (milliseconds > sliceMilliseconds)
+            m_tracedAtOnce = std::max(m_tracedAtOnce / 2, leastTraced);
+        else if (milliseconds < sliceMilliseconds / 2.0)
+            m_tracedAtOnce = std::min(m_tracedAtOnce * 2, mostTraced);
+    }
+    core::EngineResult result;
+    if (m_trace->done())
+        result.tolerance = m_fields->tolerance().curve;
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropTolerance&)
+{
+    m_trace.reset();
+    m_fields->dropTolerance();
+    return core::EngineResult{};
+}
+
+void GpuEditEngine::hideTolerance()
+{
+    m_trace.reset();
+    m_fields->hideTolerance();
 }
 
 } // namespace gpu

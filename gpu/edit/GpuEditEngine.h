@@ -39,6 +39,7 @@ public:
     bool work() override;
     void showSegments(const std::bitset<256>& labels) override;
     void showPieces(const std::vector<PieceSource>& sources) override;
+    void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
     void warmUp() override;
     /// GPU bytes of the bricked fields.
     [[nodiscard]] std::size_t brickBytes() const;
@@ -54,6 +55,8 @@ private:
     void takeMore(core::ExtendEdit& first); ///< m_mutex is held
     [[nodiscard]] bool growthIsDue();
     void growOneSlice();
+    static constexpr std::size_t leastTraced = 32; ///< bricks
+    static constexpr std::size_t mostTraced = 4096;
     void carryOut(Waiting& next);
     void deliver(core::EngineResult result);
     void publishProgress();
@@ -71,6 +74,10 @@ private:
     Outcome carryOut(const core::ProbeSeeds& command);
     Outcome carryOut(const core::PickVoxels& command);
     Outcome carryOut(const core::CountGenerations& command);
+    Outcome carryOut(const core::TraceTolerance& command);
+    Outcome carryOut(const core::DropTolerance& command);
+    /// What it reads is about to change.
+    void hideTolerance();
 
     EngineThread& m_thread;
     VolumeTextures& m_textures;
@@ -85,6 +92,9 @@ private:
     std::unique_ptr<EditTransaction> m_transaction;
     std::bitset<256> m_shownLabels;
     std::vector<PieceSource> m_shownPieces;
+    std::optional<ToleranceDisplay> m_atTolerance;
+    std::unique_ptr<ToleranceKernel> m_trace;
+    std::size_t m_tracedAtOnce = leastTraced; ///< bricks
     double m_editMilliseconds = 0.0; ///< of the open transaction
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     EngineThread::Clock::time_point m_nextGeneration;

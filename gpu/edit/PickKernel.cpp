@@ -74,19 +74,25 @@ std::vector<core::ProbedVoxel> PickKernel::probe(
     for (const glm::ivec3& voxel : command.voxels)
         voxels.emplace_back(voxel, 0);
     const Buffer voxelBuffer = bufferOf("probe voxels", voxels);
-    Buffer foundBuffer({.label = "probe answers", .bytes = voxels.size() * sizeof(glm::uvec2)});
+    Buffer foundBuffer({.label = "probe answers", .bytes = voxels.size() * sizeof(glm::uvec4)});
     fields.codes().bindUnit(0);
     fields.labels(command.plane).bindUnit(1);
+    const ToleranceField& field = fields.tolerance();
+    (field.stands ? field.tolerances : fields.codes()).bindUnit(2);
     voxelBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     foundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    m_probe.set("voxelCount", unsigned(voxels.size()));
+    m_probe.set("voxelCount", unsigned(voxels.size())).set("hasTolerances", field.stands);
     m_probe.dispatch({groupsFor(voxels.size()), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    std::vector<glm::uvec2> found(voxels.size());
-    foundBuffer.read(std::span<glm::uvec2>(found));
+    std::vector<glm::uvec4> found(voxels.size());
+    foundBuffer.read(std::span<glm::uvec4>(found));
     std::vector<core::ProbedVoxel> probes;
-    for (const glm::uvec2& each : found)
-        probes.push_back({.code = int(each.x), .label = std::uint8_t(each.y)});
+    for (const glm::uvec4& each : found) {
+        core::ProbedVoxel probe{.code = int(each.x), .label = std::uint8_t(each.y)};
+        if (int(each.z) <= core::ToleranceRule::greatest)
+            probe.tolerance = int(each.z);
+        probes.push_back(probe);
+    }
     return probes;
 }
 

@@ -51,6 +51,25 @@ void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitse
         [&, this](unsigned count) { gatherLabels(labels, shown, count); });
 }
 
+void RadiationKernel::updateFromLabels(const Texture3D& labels, const AtTolerance& segment,
+    const std::bitset<256>& shown, const Texture3D& target, std::span<const Region> regions)
+{
+    Program& program = m_programs.gatherAtTolerance();
+    program.set("volumeSize", m_grid.volumeSize)
+        .set("volumeBricks", m_grid.bricks())
+        .set("firstLayer", true)
+        .set("shown", shown)
+        .set("toleranceLabel", unsigned(segment.label))
+        .set("tolerance", unsigned(std::max(segment.tolerance, 0)));
+    update({.target = target}, regions, [&](unsigned count) {
+        labels.bindUnit(0);
+        segment.tolerances.bindUnit(13);
+        segment.seedWords.atlas().bindUnit(14);
+        segment.seedWords.pageTable().bindUnit(15);
+        program.dispatch({count * gatherGroupsPerBrick, 1, 1});
+    });
+}
+
 void RadiationKernel::updateFootprint(BrickField& layer, std::span<BrickField* const> before,
     const Footprint& footprint, std::span<const Region> regions)
 {

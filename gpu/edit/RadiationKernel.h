@@ -38,6 +38,15 @@ public:
     /// @param labels dense R8UI texture; shown labels count as 255
     void updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
         const Texture3D& target, std::span<const Region> regions);
+    /// One segment as it would be at a tolerance (toleranceLabel.glsl).
+    struct AtTolerance {
+        const Texture3D& tolerances;
+        BrickField& seedWords;
+        int label = 0;
+        int tolerance = 0;
+    };
+    void updateFromLabels(const Texture3D& labels, const AtTolerance& segment,
+        const std::bitset<256>& shown, const Texture3D& target, std::span<const Region> regions);
 
     /// Where a footprint goes: voxel v to texel v + shift of an R8UI texture.
     struct Footprint {

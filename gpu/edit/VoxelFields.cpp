@@ -21,6 +21,7 @@ VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
 VoxelFields::~VoxelFields()
 {
     m_shared.setSeedWords(nullptr);
+    m_shared.setTolerances(nullptr, 0);
 }
 
 BrickField& VoxelFields::coverage(std::uint8_t layer)
@@ -230,7 +231,17 @@ void VoxelFields::updateSegmentation(std::size_t maxBricks)
     std::vector<RadiationKernel::Region> regions;
     for (const std::uint32_t brick : bricks)
         regions.push_back({.brick = brick});
-    m_radiationKernel.updateFromLabels(m_shared.labels(), m_shownLabels, m_segmentation, regions);
+    const std::optional<int> tolerance = shownTolerance();
+    if (tolerance)
+        m_radiationKernel.updateFromLabels(m_shared.labels(),
+            {.tolerances = m_tolerance.tolerances,
+                .seedWords = seedWords(0),
+                .label = m_tolerance.rule.label,
+                .tolerance = *tolerance},
+            m_shownLabels, m_segmentation, regions);
+    else
+        m_radiationKernel.updateFromLabels(
+            m_shared.labels(), m_shownLabels, m_segmentation, regions);
     m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
 }
 
@@ -245,6 +256,7 @@ std::size_t VoxelFields::bytes() const
         total += plane.second.bytes();
     total += m_shared.pieces().bytes();
     total += m_spread.bytes();
+    total += m_tolerance.bytes();
     return total;
 }
 

@@ -5,10 +5,13 @@
 #include "gpu/edit/BrickField.h"
 #include "gpu/edit/RadiationKernel.h"
 #include "gpu/edit/SpreadField.h"
+#include "gpu/edit/ToleranceField.h"
+#include "gpu/frame/Scene.h"
 #include "gpu/textures/VolumeTextures.h"
 
 #include <bitset>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace gpu {
@@ -61,6 +64,18 @@ public:
     /// Brings up to @p maxBricks stale bricks up to date.
     void updateSegmentation(std::size_t maxBricks);
 
+    /// What tracing works out; no truth.
+    [[nodiscard]] ToleranceField& tolerance() { return m_tolerance; }
+    /// It is worked out: from now on it is told and shown.
+    void standTolerance();
+    /// What it read may be another now.
+    void hideTolerance();
+    /// Gives its memory back, too.
+    void dropTolerance();
+    /// How pictures are to show a segment while a field of it stands; the segmentation map follows
+    /// where members come or go.
+    void showAtTolerance(const std::optional<ToleranceDisplay>& shown);
+
     /// Of which layers and segments footprints are kept in VolumeTextures::pieces().
     void setPieces(const std::vector<PieceSource>& sources);
     [[nodiscard]] bool piecesStale() const;
@@ -81,6 +96,9 @@ private:
     void arrangePieces();
     void updatePiece(const PieceSource& source, std::span<const RadiationKernel::Region> regions);
     void notePieces(bool ofLayers, std::span<const std::uint32_t> bricks);
+    /// At which tolerance pictures show the field's segment; none: as it is.
+    [[nodiscard]] std::optional<int> shownTolerance() const;
+    void noteTolerance(std::optional<int> before);
 
     core::BrickGrid m_grid;
     VolumeTextures& m_shared;
@@ -92,6 +110,8 @@ private:
     std::map<std::uint8_t, BrickField> m_seedWords;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
     SpreadField m_spread;
+    ToleranceField m_tolerance;
+    std::optional<ToleranceDisplay> m_atTolerance;
     std::bitset<256> m_mutedLayers;
     std::bitset<256> m_shownLabels;
     std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels

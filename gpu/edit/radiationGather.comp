@@ -1,11 +1,15 @@
 // First stage of radiation: the field around each listed box, four voxels beyond it, into scratch.
 // SOURCE_COVERAGE: max with one layer's coverage (one dispatch a layer); otherwise 255 where the
-// label plane holds a shown label. 24³ words a brick.
+// label plane holds a shown label; AT_TOLERANCE: would hold it if a segment had grown to a tolerance.
+// 24³ words a brick.
 
 layout(local_size_x = 64) in;
 
 #include "edit/bricks.glsl"
 #include "edit/radiationRegion.glsl"
+#ifdef AT_TOLERANCE
+#include "edit/toleranceLabel.glsl"
+#endif
 
 layout(binding = 0) uniform usampler3D source;
 layout(binding = 1) uniform usampler3D pageTable;
@@ -48,6 +52,9 @@ void main()
                 value = texelFetch(source, atlasTexel(entry, voxel), 0).r;
 #else
             uint label = texelFetch(source, voxel, 0).r;
+#ifdef AT_TOLERANCE
+            label = labelAtTolerance(label, voxel);
+#endif
             value = (shown[label >> 5] >> (label & 31u) & 1u) * 255u;
 #endif
         }

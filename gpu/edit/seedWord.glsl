@@ -49,3 +49,17 @@ uint generationOf(uint word)
 {
     return word >> 13 & 0x3FFFFu;
 }
+
+// A member from before any growth.
+bool isPainted(uint word)
+{
+    return isMember(word) && generationOf(word) == 0u;
+}
+
+// Of a label: what a growth of it begins with.
+bool isSeedOf(uint word, uint label)
+{
+    if (labelOf(word) != label)
+        return false;
+    return isPendingSeed(word) || (isMember(word) && (isSeed(word) || generationOf(word) == 0u));
+}

@@ -152,6 +152,10 @@ void FrameScheduler::begin(View& view, FrameRequest request)
         m_shown = shown;
         m_edits.showSegments(shown);
     }
+    if (request.segments.atTolerance != m_atTolerance) {
+        m_atTolerance = request.segments.atTolerance;
+        m_edits.showAtTolerance(m_atTolerance);
+    }
     if (const auto* volume = std::get_if<VolumeScene>(&request.scene))
         showPieces(*volume);
     view.request = std::move(request);

@@ -118,6 +118,7 @@ private:
     Program m_cellKernel;
     std::bitset<256> m_shown;
     std::vector<PieceSource> m_shownPieces;
+    std::optional<ToleranceDisplay> m_atTolerance;
     std::map<ViewId, View> m_views;
     std::map<ViewId, Delivery> m_deliveries;
     /// Milliseconds per megapixel: of slices, then by render mode.

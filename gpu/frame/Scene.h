@@ -11,12 +11,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
 namespace gpu {
 
 // What a view wants to see, as plain data. Free of GL: ui fills it in.
+
+/// A segment as it would be if it had grown from its seeds to a tolerance (core/growth/Tolerance.h).
+struct ToleranceDisplay {
+    int label = 0;
+    int tolerance = 0; ///< in codes
+    bool operator==(const ToleranceDisplay&) const = default;
+};
 
 /// How the segments are drawn, by label.
 struct SegmentDisplay {
@@ -27,6 +35,8 @@ struct SegmentDisplay {
     std::uint32_t warningRgb = 0xF0B04A;
     float fillOpacity = 0.35f; ///< of slices
     float outlineWidthPixels = 2.0f; ///< of slices
+    /// Of one of them, while the engine has a tolerance field of it; else it is drawn as it is.
+    std::optional<ToleranceDisplay> atTolerance{};
     bool operator==(const SegmentDisplay&) const = default;
 };
 

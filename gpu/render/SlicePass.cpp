@@ -7,15 +7,36 @@
 
 namespace gpu {
 
+namespace {
+
+constexpr unsigned labeled = 1;
+constexpr unsigned carved = 2;
+constexpr unsigned barriers = 4;
+constexpr unsigned warned = 8; // this and the next when they are first needed
+constexpr unsigned atTolerance = 16;
+constexpr unsigned seldom = warned;
+
+} // namespace
+
 SlicePass::SlicePass(const ShaderLibrary& library)
+    : m_library(library)
 {
-    for (int variant = 0; variant < variants; ++variant) {
-        m_programs[std::size_t(variant)] = Program(library,
+    for (unsigned variant = 0; variant < seldom; ++variant)
+        static_cast<void>(programFor(variant));
+}
+
+Program& SlicePass::programFor(unsigned variant)
+{
+    Program& known = m_programs[variant];
+    const auto has = [variant](unsigned part) { return (variant & part) != 0 ? 1 : 0; };
+    if (!known)
+        known = Program(m_library,
             {.label = "slice",
                 .fragmentPath = "render/slice.frag",
-                .defines = {{"LABELED", variant & 1}, {"CARVED", variant >> 1 & 1},
-                    {"BARRIERS", variant >> 2 & 1}, {"WARNED", variant >> 3}}});
-    }
+                .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
+                    {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
+                    {"AT_TOLERANCE", has(atTolerance)}}});
+    return known;
 }
 
 void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
@@ -33,15 +54,25 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     volume.radiation().bindUnit(1);
     volume.labels().bindUnit(3);
     palette.texture().bindUnit(7);
+    const Texture3D* tolerances =
+        segments.atTolerance ? volume.tolerances(segments.atTolerance->label) : nullptr;
     BrickField* words = volume.seedWords();
-    Program& program = m_programs[(volume.touched(VolumeField::Labels) ? 1u : 0u)
-        + (volume.touched(VolumeField::Radiation) ? 2u : 0u)
-        + (words && volume.touched(VolumeField::Barriers) ? 4u : 0u)
-        + (words && palette.warns() ? 8u : 0u)];
+    unsigned variant = (volume.touched(VolumeField::Labels) ? labeled : 0)
+        + (volume.touched(VolumeField::Radiation) ? carved : 0);
     if (words) {
+        variant += (volume.touched(VolumeField::Barriers) ? barriers : 0)
+            + (palette.warns() ? warned : 0);
+        if (tolerances) {
+            variant |= labeled | atTolerance;
+            tolerances->bindUnit(13);
+        }
         words->atlas().bindUnit(14);
         words->pageTable().bindUnit(15);
     }
+    Program& program = programFor(variant);
+    if ((variant & atTolerance) != 0)
+        program.set("toleranceLabel", unsigned(segments.atTolerance->label))
+            .set("tolerance", unsigned(segments.atTolerance->tolerance));
     program.set("base", glm::vec3(base))
         .set("perX", glm::vec3(perX))
         .set("perY", glm::vec3(perY))

@@ -13,11 +13,12 @@ namespace gpu {
 class VolumeTextures;
 
 /// Draws any plane through the volume: window/level (DICOM LINEAR), fill and outline of segments,
-/// outline of what is carved away, stripes where growth is shut out, a colour for what warns.
-/// Outside the volume it is black.
+/// outline of what is carved away, stripes where growth is shut out, a colour for what warns; a
+/// segment as it would be at a tolerance where that is asked for and a field of it stands. Outside
+/// the volume it is black.
 class SlicePass {
 public:
-    /// Throws ShaderError.
+    /// Throws ShaderError. @param library outlives the pass
     explicit SlicePass(const ShaderLibrary& library);
 
     /// Makes everything ready for drawing a full-screen triangle. Cheap: called for every tile,
@@ -26,10 +27,13 @@ public:
         const Palette& palette, const PassTarget& target);
 
 private:
-    /// Labels or none, plus twice carved or not, plus four times barriers or none, plus eight times
-    /// members that warn or none.
-    static constexpr int variants = 16;
-    std::array<Program, variants> m_programs;
+    /// @param variant labels or none, plus twice carved or not, plus four times barriers or none,
+    /// plus eight times members that warn or none, plus sixteen times a segment at a tolerance or
+    /// none
+    [[nodiscard]] Program& programFor(unsigned variant);
+
+    const ShaderLibrary& m_library;
+    std::array<Program, 32> m_programs; ///< from eight on when they are first needed
 };
 
 } // namespace gpu

@@ -252,7 +252,7 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
 }
 
 #if WARNED
-#include "render/memberWords.glsl"
+#include "edit/memberWords.glsl"
 #endif
 
 /// Colour of the shown segments around a point, weighted like interpolation weighs them.

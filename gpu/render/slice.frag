@@ -1,13 +1,16 @@
 // One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED: whether there is anything of the kind
-// to look for.
+// to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 7) uniform sampler2D palette;   // rgb, shown
-#if BARRIERS || WARNED
-#include "render/memberWords.glsl"
+#if BARRIERS || WARNED || AT_TOLERANCE
+#include "edit/memberWords.glsl"
+#endif
+#if AT_TOLERANCE
+#include "edit/toleranceLabel.glsl"
 #endif
 
 /* Uniforms */
@@ -49,6 +52,16 @@ bool isShut(ivec3 voxel)
 }
 #endif
 
+uint labelAt(ivec3 voxel)
+{
+    const uint held = texelFetch(labels, voxel, 0).r;
+#if AT_TOLERANCE
+    return labelAtTolerance(held, voxel);
+#else
+    return held;
+#endif
+}
+
 vec2 around(int i)
 {
     const float angle = 0.785398163 * float(i);
@@ -73,12 +86,12 @@ void main()
 #endif
 
 #if LABELED
-    const uint label = texelFetch(labels, voxel, 0).r;
+    const uint label = labelAt(voxel);
     const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
     bool edge = false;
     for (int i = 0; i < 8; ++i) {
         const vec3 there = indexAt(pixel + around(i) * outlineWidth);
-        edge = edge || texelFetch(labels, nearestVoxel(there), 0).r != label;
+        edge = edge || labelAt(nearestVoxel(there)) != label;
     }
 #if WARNED
     const vec3 own = warns(voxel) ? texelFetch(palette, ivec2(0), 0).rgb : entry.rgb;

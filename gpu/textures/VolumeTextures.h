@@ -61,6 +61,16 @@ public:
     /// The seed map of plane 0, lent by whoever edits it; null: there is none.
     [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
     void setSeedWords(BrickField* words) { m_seedWords = words; }
+    /// The tolerance field of a label of plane 0 (R16UI, whole bricks), likewise; null: none stands.
+    [[nodiscard]] const Texture3D* tolerances(int label) const
+    {
+        return label == m_toleranceLabel ? m_tolerances : nullptr;
+    }
+    void setTolerances(const Texture3D* tolerances, int label)
+    {
+        m_tolerances = tolerances;
+        m_toleranceLabel = label;
+    }
 
     /// The kernels that were queued before this call change these voxels of this field.
     void markDirty(VolumeField field, const core::VoxelBox& box);
@@ -89,6 +99,8 @@ private:
     std::uint64_t m_revision = 0;
     PieceTextures m_pieces;
     BrickField* m_seedWords = nullptr;
+    const Texture3D* m_tolerances = nullptr;
+    int m_toleranceLabel = 0;
     std::array<core::VoxelBox, 5> m_dirty;
     std::array<bool, 5> m_touched{};
     bool m_replaced = false;

@@ -53,6 +53,7 @@ core::Result<void> ReferenceEngine::openVolume(
         || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
         return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"));
     m_open.reset();
+    m_tolerance.reset();
     m_codes = {size, {codes.begin(), codes.end()}};
     m_fields = DenseFields(size);
     m_muted.reset();
@@ -271,6 +272,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::BeginEdit& command)
 {
     if (m_open)
         return refuse("transaction", "another edit is open");
+    m_tolerance.reset();
     DenseFields before = m_fields;
     auto work = std::visit([this](auto& edit) { return begin(edit); }, command.edit);
     if (!work)
@@ -396,6 +398,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::SwapBricks& command)
         if (!image.bytes.empty() && image.bytes.size() != whole)
             return refuse("bytes", "neither none nor a whole brick");
     }
+    m_tolerance.reset();
     const DenseFields before = m_fields;
     for (const core::BrickImage& image : command.bricks)
         m_fields.writeBrick(image.key, image.bytes);
@@ -409,6 +412,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::MuteLayers& command)
 {
     if (m_open)
         return refuse("transaction", "an edit is open");
+    m_tolerance.reset();
     m_muted = command.muted;
     return core::EngineResult{};
 }
@@ -430,7 +434,8 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
     for (const glm::ivec3& voxel : command.voxels) {
         if (!m_codes.contains(voxel))
             return refuse("voxels", "outside the volume");
-        result.probes.push_back({m_codes.at(voxel), m_fields.labels(command.plane).at(voxel)});
+        result.probes.push_back({m_codes.at(voxel), m_fields.labels(command.plane).at(voxel),
+            m_tolerance ? m_tolerance->at(voxel) : std::nullopt});
     }
     return result;
 }
@@ -469,6 +474,27 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::CountGenerations& comma
         ++result.generationSizes[generation];
     }
     return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::TraceTolerance& command)
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    m_tolerance.reset();
+    auto traced =
+        traceTolerance(m_codes, m_fields.composedCoverage(m_muted), m_fields, command.rule);
+    if (!traced)
+        return tl::unexpected(traced.error());
+    m_tolerance = std::move(*traced);
+    core::EngineResult result;
+    result.tolerance = m_tolerance->curve;
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropTolerance&)
+{
+    m_tolerance.reset();
+    return core::EngineResult{};
 }
 
 } // namespace reference

@@ -8,6 +8,7 @@
 #include "tests/reference/Growth.h"
 #include "tests/reference/Laser.h"
 #include "tests/reference/Peel.h"
+#include "tests/reference/Tolerance.h"
 
 #include <optional>
 #include <variant>
@@ -65,6 +66,8 @@ private:
     [[nodiscard]] Outcome carryOut(core::ProbeSeeds& command);
     [[nodiscard]] Outcome carryOut(core::PickVoxels& command);
     [[nodiscard]] Outcome carryOut(core::CountGenerations& command);
+    [[nodiscard]] Outcome carryOut(core::TraceTolerance& command);
+    [[nodiscard]] Outcome carryOut(core::DropTolerance& command);
 
     [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);
@@ -87,6 +90,7 @@ private:
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;
     std::bitset<256> m_muted; ///< layers
+    std::optional<ToleranceField> m_tolerance;
     std::optional<Transaction> m_open;
     std::vector<core::EngineResult> m_results;
     core::Ticket m_lastTicket = 0;

@@ -63,6 +63,11 @@ void EditEngineFixture::showSegments(const std::bitset<256>& labels)
     m_thread->run([&] { m_onThread->engine.showSegments(labels); });
 }
 
+void EditEngineFixture::showAtTolerance(const std::optional<gpu::ToleranceDisplay>& shown)
+{
+    m_thread->run([&] { m_onThread->engine.showAtTolerance(shown); });
+}
+
 reference::DenseArray<std::uint8_t> EditEngineFixture::read(gpu::VolumeField field)
 {
     m_idle = false;

@@ -29,6 +29,8 @@ public:
 
     /// Which labels the segmentation map is to show.
     void showSegments(const std::bitset<256>& labels);
+    /// At which tolerance a segment is to be shown.
+    void showAtTolerance(const std::optional<gpu::ToleranceDisplay>& shown);
     /// Derived textures once they have caught up; call it after finish().
     [[nodiscard]] reference::DenseArray<std::uint8_t> read(gpu::VolumeField field);
 

@@ -59,6 +59,7 @@ namespace test {
 [[nodiscard]] std::vector<EngineCase> layerWriteCases(int randomCount); ///< to and from segments
 [[nodiscard]] std::vector<EngineCase> sparedCases(int randomCount); ///< of every tool that carves
 [[nodiscard]] std::vector<EngineCase> spreadCases(int randomCount); ///< growing from seeds
+[[nodiscard]] std::vector<EngineCase> toleranceCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> refusalCases();
 
 } // namespace test

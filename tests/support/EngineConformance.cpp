@@ -334,6 +334,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
     }
     if (a.generationSizes != b.generationSizes)
         return QStringLiteral("members of generations differ");
+    if (a.tolerance != b.tolerance)
+        return QStringLiteral("another curve of tolerances");
     for (std::size_t i = 0; i < a.probes.size(); ++i) {
         if (a.probes[i].code != b.probes[i].code || a.probes[i].label != b.probes[i].label)
             return QStringLiteral("probe %1 reads %2, %3 instead of %4, %5")
@@ -342,6 +344,11 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
                 .arg(b.probes[i].label)
                 .arg(a.probes[i].code)
                 .arg(a.probes[i].label);
+        if (a.probes[i].tolerance != b.probes[i].tolerance)
+            return QStringLiteral("probe %1 reads tolerance %2 instead of %3")
+                .arg(i)
+                .arg(b.probes[i].tolerance.value_or(-1))
+                .arg(a.probes[i].tolerance.value_or(-1));
     }
     const auto place = [](const std::optional<glm::ivec3>& voxel) {
         return voxel ? QStringLiteral("(%1, %2, %3)").arg(voxel->x).arg(voxel->y).arg(voxel->z)

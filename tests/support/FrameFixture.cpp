@@ -18,6 +18,12 @@ bool IdleEdits::work()
     return stale;
 }
 
+void IdleEdits::showAtTolerance(const std::optional<gpu::ToleranceDisplay>& at)
+{
+    if (fields)
+        fields->showAtTolerance(at);
+}
+
 void IdleEdits::showPieces(const std::vector<gpu::PieceSource>& sources)
 {
     pieces = sources;

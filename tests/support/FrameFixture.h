@@ -23,6 +23,7 @@ public:
     bool work() override;
     void showSegments(const std::bitset<256>& labels) override { shown = labels; }
     void showPieces(const std::vector<gpu::PieceSource>& sources) override;
+    void showAtTolerance(const std::optional<gpu::ToleranceDisplay>& at) override;
     void warmUp() override { }
     std::bitset<256> shown;
     std::unique_ptr<gpu::VoxelFields> fields;

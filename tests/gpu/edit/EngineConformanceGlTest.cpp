@@ -67,7 +67,7 @@ std::vector<EngineCase> EngineConformanceGlTest::cases()
              test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
              test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
              test::sparedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
-             test::refusalCases()})
+             test::toleranceCases(all ? 300 : 16), test::refusalCases()})
         collected.insert(collected.end(), more.begin(), more.end());
     return collected;
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/growth/SeedWord.h"
+#include "gpu/edit/ToleranceKernel.h"
+#include "tests/reference/Tolerance.h"
 #include "tests/support/FrameTest.h"
 
 #include <QTest>
@@ -224,6 +227,85 @@ private Q_SLOTS:
         scene.carvedAsHole = false;
         frame = m_fixture->draw(scene, {200, 200}, segments);
         QVERIFY(test::pixel(frame, 130, 100).r > 140);
+    }
+
+    /// Pictures at a tolerance are those of what the segment would be then.
+    void drawsASegmentAtATolerance()
+    {
+        const core::VolumeGeometry geometry = test::centredGeometry({40, 30, 24});
+        const auto code = [](const glm::dvec3& lps) { return 2000.0 + 10.0 * lps.x; };
+        reference::DenseFields now({40, 30, 24});
+        now.seedWords(0).at({20, 15, 12}) = core::seedWord::pendingSeed(1);
+        for (int x = 2; x < 38; ++x) {
+            for (int y = 4; y < 9; ++y) {
+                now.labels(0).at({x, y, 12}) = 1; // held before any growth
+                now.labels(0).at({x, y + 5, 12}) = 1; // grown
+                now.seedWords(0).at({x, y + 5, 12}) = core::seedWord::member(3, 1, 0);
+                now.labels(0).at({x, y + 13, 12}) = 2; // another segment's
+                now.seedWords(0).at({x, y + 13, 12}) = core::seedWord::member(2, 2, 1);
+            }
+        }
+        m_fixture->open(geometry, code);
+        m_fixture->put(now);
+        TolerancePrograms programs(m_fixture->shaders);
+        const core::ToleranceRule rule{.label = 1};
+        auto kernel = ToleranceKernel::begin(programs, *m_fixture->edits.fields, rule);
+        QVERIFY(kernel);
+        while (!(*kernel)->done())
+            (*kernel)->advance(7);
+
+        reference::DenseArray<std::uint16_t> codes{
+            now.size(), std::vector<std::uint16_t>(40 * 30 * 24)};
+        for (int z = 0; z < 24; ++z)
+            for (int y = 0; y < 30; ++y)
+                for (int x = 0; x < 40; ++x)
+                    codes.at({x, y, z}) =
+                        std::uint16_t(std::lround(code(geometry.toWorld({x, y, z}))));
+        const auto field = reference::traceTolerance(codes, now.composedCoverage({}), now, rule);
+        QVERIFY(field);
+        SegmentDisplay segments;
+        segments.rgb = {};
+        segments.rgb[1] = 0x40C060;
+        segments.rgb[2] = 0xC04060;
+        segments.visible[1] = segments.visible[2] = true;
+        SliceScene scene{.centreLps = geometry.toWorld({19.5, 14.5, 12.0}), .mmPerPixel = 0.25};
+        scene.window = {.centre = 2000.0, .width = 800.0};
+        const auto drawn = [&](std::optional<int> tolerance) {
+            segments.atTolerance.reset();
+            if (tolerance)
+                segments.atTolerance = ToleranceDisplay{.label = 1, .tolerance = *tolerance};
+            return *m_fixture->draw(scene, {160, 120}, segments).rgba;
+        };
+        const auto expected = [&](int tolerance) {
+            reference::DenseFields then = now;
+            for (int z = 0; z < 24; ++z) {
+                for (int y = 0; y < 30; ++y) {
+                    for (int x = 0; x < 40; ++x) {
+                        const glm::ivec3 voxel(x, y, z);
+                        std::uint8_t& label = then.labels(0).at(voxel);
+                        const std::uint32_t word = now.seedWords(0).at(voxel);
+                        if (field->at(voxel) && *field->at(voxel) <= tolerance)
+                            label = 1;
+                        else if (label == 1 && core::seedWord::isMember(word))
+                            label = 0;
+                    }
+                }
+            }
+            test::FrameFixture other;
+            other.open(geometry, code);
+            other.put(then);
+            SegmentDisplay plain = segments;
+            plain.atTolerance.reset();
+            return *other.draw(scene, {160, 120}, plain).rgba;
+        };
+        const auto before = drawn({});
+        for (const int tolerance : {0, 95, 40}) {
+            const auto picture = drawn(tolerance);
+            QVERIFY(picture == expected(tolerance));
+            QVERIFY(picture != before);
+        }
+        m_fixture->edits.fields->hideTolerance();
+        QVERIFY(drawn(95) == before);
     }
 };
 
