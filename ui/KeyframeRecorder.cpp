@@ -60,7 +60,8 @@ void KeyframeRecorder::look()
 {
     const bool calm = m_view.quality() == gpu::Frame::Quality::Refined && showsPresentState();
     core::EditSession* session = m_workspace.session();
-    if (!m_due || !calm || !session || session->transactionOpen())
+    // What is shown at a tolerance is not there yet.
+    if (!m_due || !calm || !session || session->transactionOpen() || m_workspace.atTolerance())
         return;
     keep(m_position, m_view.picture());
 }

@@ -60,6 +60,8 @@ void Readout::answer(const glm::ivec3& voxel, const core::EngineResult& result)
                 volume->maximum - volume->minimum);
         if (const core::Segment* segment = m_workspace.session()->document().segment(probe.label))
             text += QStringLiteral(" · ") + segment->name;
+        if (probe.tolerance)
+            text += QStringLiteral(" · joins at ") + toleranceText(*probe.tolerance, *volume);
         show(text);
     }
     if (m_stale)

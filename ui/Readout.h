@@ -8,8 +8,9 @@
 namespace ui {
 
 /// What is at the pointer (in the 3D view: what is seen there), or at the crosshair while it is
-/// over no picture: position, voxel, value with its unit, segment. Asks the engine, one question at
-/// a time, and never waits for it.
+/// over no picture: position, voxel, value with its unit, segment, and at which tolerance it would
+/// join where a field of tolerances stands. Asks the engine, one question at a time, and never
+/// waits for it.
 class Readout : public QObject {
     Q_OBJECT
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/StudyTexts.h"
 
+#include <cmath>
+
 namespace ui {
 
 namespace {
@@ -75,6 +77,13 @@ QString valueText(double value, const QString& unit, double span)
     const int decimals = span >= 100.0 ? 0 : span >= 10.0 ? 1 : span >= 1.0 ? 2 : 4;
     const QString number = numberText(value, decimals);
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
+}
+
+QString toleranceText(int tolerance, const core::Volume& volume)
+{
+    const double step = std::abs(volume.encoding.rescaleSlope * volume.encoding.storedStep);
+    return QChar(0xB1)
+        + valueText(step * double(tolerance), volume.unit, volume.maximum - volume.minimum);
 }
 
 QString positionText(const glm::dvec3& lps)

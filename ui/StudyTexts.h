@@ -26,6 +26,8 @@ namespace ui {
 /// A modality value with its unit; as many decimals as @p span, the width of the range it is seen
 /// in, calls for.
 [[nodiscard]] QString valueText(double value, const QString& unit, double span);
+/// "±37 HU". @param tolerance in codes
+[[nodiscard]] QString toleranceText(int tolerance, const core::Volume& volume);
 /// "−31.5, −12.2, 48.0 mm" (LPS).
 [[nodiscard]] QString positionText(const glm::dvec3& lps);
 /// A number with a true minus sign.

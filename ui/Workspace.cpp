@@ -65,6 +65,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_cautionAccepted = false;
     m_warnAfter.reset();
     m_pointedLps.reset();
+    m_atTolerance.reset();
     m_activeSegment = 0;
     m_activeLayer = 0;
     if (const core::Volume* opened = volume()) {
@@ -191,6 +192,7 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
     display.warningRgb = theme::caution.rgb() & 0xFFFFFFu;
     if (m_warnAfter)
         display.warnAfterGeneration = *m_warnAfter;
+    display.atTolerance = m_atTolerance;
     return display;
 }
 
@@ -200,6 +202,14 @@ void Workspace::setWarnAfter(std::optional<std::uint32_t> generation)
         return;
     m_warnAfter = generation;
     Q_EMIT viewOptionsChanged();
+}
+
+void Workspace::setAtTolerance(const std::optional<gpu::ToleranceDisplay>& shown)
+{
+    if (shown == m_atTolerance)
+        return;
+    m_atTolerance = shown;
+    Q_EMIT atToleranceChanged();
 }
 
 void Workspace::setDrillSettings(const DrillSettings& settings)

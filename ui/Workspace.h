@@ -122,6 +122,14 @@ public:
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
     /// What growth added after a generation is drawn in the warning colour; none: nothing is.
     void setWarnAfter(std::optional<std::uint32_t> generation);
+
+    /// A segment is drawn as it would be at a tolerance, where there is a field of it; a new
+    /// session shows what is.
+    [[nodiscard]] const std::optional<gpu::ToleranceDisplay>& atTolerance() const
+    {
+        return m_atTolerance;
+    }
+    void setAtTolerance(const std::optional<gpu::ToleranceDisplay>& shown);
     [[nodiscard]] const DrillSettings& drillSettings() const { return m_drill; }
     void setDrillSettings(const DrillSettings& settings);
     [[nodiscard]] const BrushSettings& brushSettings(Brush brush) const;
@@ -175,6 +183,7 @@ Q_SIGNALS:
     void drillSettingsChanged();
     void brushSettingsChanged();
     void growSettingsChanged();
+    void atToleranceChanged();
     void viewOptionsChanged(); ///< or what warns
     void cautionAcceptedChanged();
     void pointedLpsChanged();
@@ -204,6 +213,7 @@ private:
     BrushSettings m_carve;
     BrushSettings m_barrier;
     GrowSettings m_grow;
+    std::optional<gpu::ToleranceDisplay> m_atTolerance;
     ViewOptions m_viewOptions;
     bool m_cautionAccepted = false;
     std::optional<std::uint32_t> m_warnAfter;

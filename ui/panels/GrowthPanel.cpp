@@ -15,6 +15,7 @@
 #include "ui/panels/LeakSection.h"
 #include "ui/panels/SeedInterval.h"
 #include "ui/panels/SpreadBar.h"
+#include "ui/panels/ToleranceSection.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/HistogramRange.h"
 
@@ -206,6 +207,7 @@ void GrowthPanel::build()
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_range);
     layout->addWidget(m_criteria);
+    layout->addWidget(new ToleranceSection(m_workspace, this));
     layout->addLayout(transport);
     layout->addLayout(back);
     layout->addLayout(again);

@@ -26,7 +26,9 @@ public:
     {
         QTest::mouseMove(
             &view(), (QPointF(view().width(), view().height()) / 2.0 + fromMiddle).toPoint());
-        settle();
+        // Pieces take questions of their own.
+        for (int round = 0; round < 5; ++round)
+            settle();
     }
     void settle()
     {
