@@ -60,6 +60,8 @@ QString PointList::read(const QJsonValue& json, Value& value) const
 
 QString PointList::check(const Value& value) const
 {
+    if (value.empty() && mayBeEmpty)
+        return {};
     if (const QString reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     for (std::size_t i = 0; i < value.size(); ++i) {

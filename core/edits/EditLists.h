@@ -13,6 +13,7 @@ namespace core::editFields {
 struct PointList {
     using Value = std::vector<glm::dvec3>;
     Point point;
+    bool mayBeEmpty = false;
 
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], …]"); }
     [[nodiscard]] QString unit() const { return point.unit(); }

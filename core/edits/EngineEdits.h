@@ -18,7 +18,7 @@ namespace core {
 [[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(const std::vector<glm::dvec3>& pointsLps,
     const VolumeGeometry& geometry, const char* field = "pointsLps");
 
-/// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume.
+/// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume, InvalidField (no point at all).
 [[nodiscard]] Result<SeedPlacement> seedPlacement(
     const SeedStroke& stroke, const Document& document);
 

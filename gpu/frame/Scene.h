@@ -19,7 +19,8 @@ namespace gpu {
 
 // What a view wants to see, as plain data. Free of GL: ui fills it in.
 
-/// A segment as it would be if it had grown from its seeds to a tolerance (core/growth/Tolerance.h).
+/// A segment as it would be if it had grown from its seeds to a tolerance
+/// (core/growth/Tolerance.h).
 struct ToleranceDisplay {
     int label = 0;
     int tolerance = 0; ///< in codes

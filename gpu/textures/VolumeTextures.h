@@ -61,7 +61,8 @@ public:
     /// The seed map of plane 0, lent by whoever edits it; null: there is none.
     [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
     void setSeedWords(BrickField* words) { m_seedWords = words; }
-    /// The tolerance field of a label of plane 0 (R16UI, whole bricks), likewise; null: none stands.
+    /// The tolerance field of a label of plane 0 (R16UI, whole bricks), likewise; null: none
+    /// stands.
     [[nodiscard]] const Texture3D* tolerances(int label) const
     {
         return label == m_toleranceLabel ? m_tolerances : nullptr;

@@ -16,8 +16,9 @@ inline constexpr const char* editMeaning<SeedStroke> =
 template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
-    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
-        "patient coordinates (LPS), inside the volume");
+    visit.field("pointsLps", Presence::Required, edit.pointsLps,
+        editFields::PointList{positionLps, true},
+        "patient coordinates (LPS), inside the volume; none where seeds are only taken away");
     visit.maybe("takenLps", edit.takenLps, editFields::PointList{positionLps},
         "seeds of the segment that are taken away first, as far as no growth has accepted them",
         "none");

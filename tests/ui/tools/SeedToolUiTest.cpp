@@ -200,7 +200,10 @@ private Q_SLOTS:
         fixture.sketch(view, {-30, 6}, {30, 6});
         const std::size_t sketched = fixture.workspace.seeds().seeds().size();
         const QByteArray before = fixture.session().stateHash();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         fixture.stroke(view, Qt::ControlModifier, {0, 6}, {40, 6});
+        QVERIFY2(fixture.session().history().rows().size() == 3,
+            said.isEmpty() ? "nothing said" : qPrintable(said.last()[0].toString()));
         const auto& stroke = std::get<core::SeedStroke>(fixture.session().history().row(3).edit);
         QVERIFY(stroke.pointsLps.empty());
         QVERIFY(stroke.takenLps && !stroke.takenLps->empty());
