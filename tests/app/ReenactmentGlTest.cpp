@@ -4,18 +4,21 @@
 #include "core/document/Piece.h"
 #include "core/edits/EngineEdits.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/FigurePanels.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SculptStage.h"
 #include "tests/support/SharedData.h"
 
-#include <QPainter>
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
 
 using namespace core;
+using test::drawSketch;
+using test::sceneOf;
 using test::SculptStage;
+using test::viewFrom;
 
 namespace {
 
@@ -33,64 +36,12 @@ std::vector<glm::dvec2> sketch(const glm::dvec2& middle, const glm::dvec2& radii
     return outline;
 }
 
-OrthographicView viewFrom(const glm::dvec3& direction, const glm::dvec3& target, double heightMm)
-{
-    return {.eyeLps = target + 300.0 * glm::normalize(direction),
-        .targetLps = target,
-        .up = {0.0, 0.0, 1.0},
-        .heightMm = heightMm};
-}
-
-gpu::VolumeScene sceneOf(const OrthographicView& view)
-{
-    gpu::VolumeScene scene;
-    scene.eyeLps = view.eyeLps;
-    scene.targetLps = view.targetLps;
-    scene.up = view.up;
-    scene.heightMm = view.heightMm;
-    return scene;
-}
-
 /// Skin faint, bone dense, grey matter there, fluid clear.
 gpu::TransferFunction headColours()
 {
     return {{{-400.0, 0x6b3b2a, 0.0}, {-150.0, 0xc98f6a, 0.15}, {-20.0, 0xc98f6a, 0.1},
         {0.0, 0xb5654c, 0.0}, {18.0, 0xb5654c, 0.0}, {30.0, 0xd8a090, 0.2}, {60.0, 0xe0b0a0, 0.3},
         {220.0, 0xe3c08e, 0.3}, {450.0, 0xf3e3c4, 0.5}, {1200.0, 0xffffff, 0.9}}};
-}
-
-void drawSketch(QImage& picture, const OrthographicView& view, std::vector<glm::dvec2> outline)
-{
-    QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const double perMm = picture.height() / view.heightMm;
-    QPolygonF curve;
-    for (const glm::dvec2& point : outline)
-        curve << QPointF(
-            picture.width() / 2.0 + perMm * point.x, picture.height() / 2.0 - perMm * point.y);
-    for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 4.0), QPen(QColor(0xff, 0xd0, 0x40), 2.0)}) {
-        painter.setPen(pen);
-        painter.drawPolygon(curve);
-    }
-}
-
-/// Panels side by side, for the manual.
-void keep(const std::vector<QImage>& panels, const char* name)
-{
-    const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
-    if (folder.isEmpty())
-        return;
-    QImage all(int(panels.size()) * (panels.front().width() + 4) - 4, panels.front().height(),
-        QImage::Format_RGB888);
-    all.fill(0x404040);
-    QPainter painter(&all);
-    int x = 0;
-    for (const QImage& panel : panels) {
-        painter.drawImage(x, 0, panel);
-        x += panel.width() + 4;
-    }
-    painter.end();
-    QVERIFY(all.save(folder + QLatin1Char('/') + QLatin1String(name)));
 }
 
 void tell(const char* name, const test::Opening& opening)
@@ -217,7 +168,7 @@ private Q_SLOTS:
             .layer = piece.layer,
             .shownFromTrue = shownFromTrue(piece, m_demo.geometry)}};
         panels.push_back(m_head->draw(scene, panelSize));
-        keep(panels, "reenact-peel.png");
+        QVERIFY(test::keepPanels(panels, "reenact-peel.png"));
     }
 
     /// Figure 3: a square mask is pressed into the skull, once and then through it.
@@ -251,7 +202,7 @@ private Q_SLOTS:
         checkOpening("drill",
             test::measureOpening(m_demo.geometry, m_head->voxels(Field::Coverage, 1), view, square,
                 isSkull(), isBrain()));
-        keep(panels, "reenact-drill.png");
+        QVERIFY(test::keepPanels(panels, "reenact-drill.png"));
     }
 
     /// Figure 4: a circular mask that stands across the skull, one press and a layer lasered off.
@@ -276,7 +227,7 @@ private Q_SLOTS:
                 .tSeconds = i / 60.0});
         QCOMPARE(m_head->apply(laser), QString());
         panels.push_back(m_head->draw(scene, panelSize));
-        keep(panels, "reenact-laser.png");
+        QVERIFY(test::keepPanels(panels, "reenact-laser.png"));
         // The middle of the path is open; the mask's rim stands askew to the view.
         std::vector<glm::dvec2> inner;
         for (int i = 0; i < 64; ++i) {
@@ -314,7 +265,7 @@ private Q_SLOTS:
         peel.depthMm = 9.4;
         QCOMPARE(stage->apply(peel), QString());
         panels.push_back(stage->draw(scene, panelSize));
-        keep(panels, "reenact-skull.png");
+        QVERIFY(test::keepPanels(panels, "reenact-skull.png"));
 
         const auto value = [&study](std::size_t voxel) {
             return study.volume.encoding.value(study.codes[voxel]);
@@ -403,7 +354,7 @@ private Q_SLOTS:
         shown.rgb[2] = 0xE0B0A8;
         shown.visible[2] = true;
         panels.push_back(stage->draw(scene, panelSize, shown));
-        keep(panels, "reenact-mr.png");
+        QVERIFY(test::keepPanels(panels, "reenact-mr.png"));
         const test::Opening opening = test::measureOpening(
             study.volume.geometry, stage->voxels(Field::Coverage, 1), view, outline,
             [&](std::size_t voxel) { return shell.over[voxel]; },
@@ -480,7 +431,7 @@ private Q_SLOTS:
         alone.pieces = {
             {.id = 1, .segment = 1, .shownFromTrue = pose, .rgb = 0xF2D9A6, .solid = true}};
         panels.push_back(stage->draw(alone, panelSize));
-        keep(panels, "reenact-tooth.png");
+        QVERIFY(test::keepPanels(panels, "reenact-tooth.png"));
 
         const std::vector<std::uint8_t> labels = stage->voxels(Field::Labels, 0);
         const std::vector<std::uint8_t> coverage = stage->voxels(Field::Coverage, 1);

@@ -3,6 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/edits/EngineEdits.h"
+#include "ui/tools/PickQuestion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,6 +155,28 @@ std::vector<std::uint8_t> SculptStage::voxels(core::Field field, std::uint8_t pl
 std::size_t SculptStage::placeOf(const glm::ivec3& voxel) const
 {
     return indexOf(m_study.volume.geometry.size, voxel);
+}
+
+std::vector<glm::ivec3> SculptStage::seenVoxels(
+    const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm)
+{
+    const core::VolumeGeometry& geometry = m_study.volume.geometry;
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const double step = std::min({spacing.x, spacing.y, spacing.z}) / 2.0;
+    core::EditEngine& engine = m_engine->edits();
+    const core::Ticket ticket =
+        engine.submit(ui::pickQuestion(scene, ui::alongPath(pathMm, step), m_study.volume));
+    engine.finish();
+    std::vector<glm::ivec3> voxels;
+    for (const core::EngineResult& result : engine.collect()) {
+        if (result.ticket != ticket)
+            continue;
+        for (const std::optional<glm::ivec3>& pick : result.picks) {
+            if (pick && std::find(voxels.begin(), voxels.end(), *pick) == voxels.end())
+                voxels.push_back(*pick);
+        }
+    }
+    return voxels;
 }
 
 gpu::Frame SculptStage::frame(const gpu::FrameRequest& request, gpu::Frame::Quality quality)

@@ -26,6 +26,10 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> voxels(core::Field field, std::uint8_t plane);
     /// Of a voxel of the study in such a list.
     [[nodiscard]] std::size_t placeOf(const glm::ivec3& voxel) const;
+    /// The voxels that are seen in the 3D view, as a seed stroke finds them: along a path in the
+    /// view plane, each once.
+    [[nodiscard]] std::vector<glm::ivec3> seenVoxels(
+        const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm);
     /// What the first picture of full resolution takes.
     [[nodiscard]] double fullFrameMs(const gpu::VolumeScene& scene, const glm::ivec2& size);
     /// The finest picture.
