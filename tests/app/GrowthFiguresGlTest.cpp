@@ -333,15 +333,15 @@ private Q_SLOTS:
         QVERIFY(stage->isReady());
         Figure figure(*stage);
         const OrthographicView view =
-            viewFrom({-0.55, -0.6, 1.0}, figure.place({90.0, 112.0, 100.0}), 200.0);
+            viewFrom({-0.25, -0.55, 1.0}, figure.place({90.0, 112.0, 105.0}), 175.0);
         gpu::VolumeScene scene = sceneOf(view);
         scene.surfaceThreshold = 50.0;
         scene.cutFaces = gpu::CutFaces::GreyValues;
         scene.faceWindow = {70.0, 140.0};
-        const std::vector<glm::dvec2> outline = ellipse({0.0, 16.0}, {50.0, 46.0});
+        const std::vector<glm::dvec2> outline = ellipse({0.0, -4.0}, {52.0, 54.0});
         figure.shows(scene);
         figure.sketched(view, outline, true);
-        ScissorsCut open{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 62.0};
+        ScissorsCut open{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 68.0};
         open.surfaceThreshold = 50.0;
         QCOMPARE(figure.does(open), QString());
         QCOMPARE(figure.does(segment("Lateral ventricles", blue)), QString());
@@ -394,8 +394,6 @@ private Q_SLOTS:
         gpu::VolumeScene scene = sceneOf(view);
         scene.surfaceThreshold = 66.0;
         const std::vector<glm::dvec2> outline = ellipse({0.0, 8.0}, {74.0, 62.0});
-        figure.shows(scene);
-        figure.sketched(view, outline, true);
         PeelCut peel{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 15.0};
         peel.surfaceThreshold = 66.0;
         peel.throughGaps = true;
@@ -519,15 +517,15 @@ private Q_SLOTS:
         QVERIFY(stage->isReady());
         Figure figure(*stage);
         const OrthographicView view =
-            viewFrom({-0.2, -1.0, 0.4}, figure.place({246.0, 280.0, 42.0}), 240.0);
+            viewFrom({-0.3, -1.0, 0.22}, figure.place({236.0, 280.0, 42.0}), 230.0);
         gpu::VolumeScene scene = sceneOf(view);
         scene.surfaceThreshold = -300.0;
         scene.cutFaces = gpu::CutFaces::GreyValues;
         scene.faceWindow = {40.0, 350.0};
-        const std::vector<glm::dvec2> outline = ellipse({0.0, 0.0}, {105.0, 36.0});
+        const std::vector<glm::dvec2> outline = ellipse({-4.0, -6.0}, {112.0, 44.0});
         figure.shows(scene);
         figure.sketched(view, outline, true);
-        PeelCut peel{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 24.0};
+        PeelCut peel{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 38.0};
         peel.surfaceThreshold = -300.0;
         peel.throughGaps = true;
         QCOMPARE(figure.does(peel), QString());
@@ -569,6 +567,10 @@ private Q_SLOTS:
         beside.eyeLps.z += 700.0;
         figure.shows(inIsolation(
             *stage, stage->session().document(), sceneOf(beside), {brown, yellow, blue}));
+        QVERIFY(leaked > 1.25 * figure.mL(1));
+        QVERIFY(figure.mL(1) > 600.0 && figure.mL(1) < 1000.0);
+        QVERIFY(figure.mL(3) > 450.0 && figure.mL(3) < 600.0);
+        QVERIFY(figure.mL(2) > 0.02 && figure.mL(2) < 1.0);
         QVERIFY(figure.kept("growth-abdomen.png"));
     }
 };
