@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
-#include "core/document/Piece.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/FigurePanels.h"
+#include "tests/support/GrowthFigure.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/RealGrowths.h"
 #include "tests/support/SculptStage.h"
@@ -17,17 +17,18 @@
 #include <numbers>
 
 using namespace core;
-using test::drawSketch;
-using test::keepPanels;
+using test::GrowthFigure;
+using test::inColours;
 using test::RealGrowth;
 using test::RealStructure;
 using test::sceneOf;
 using test::SculptStage;
+using test::shareInside;
 using test::viewFrom;
+using test::within;
 
 namespace {
 
-const glm::ivec2 panelSize(300, 284);
 constexpr std::uint32_t red = 0xE0503C;
 constexpr std::uint32_t ivory = 0xF2E2C0;
 constexpr std::uint32_t rose = 0xD89A94;
@@ -40,17 +41,6 @@ AddSegment segment(const char* name, std::uint32_t rgb)
     return {.name = QString::fromLatin1(name), .rgb = rgb};
 }
 
-/// Segments 1, 2 … in these colours; black: not shown.
-gpu::SegmentDisplay inColours(const std::vector<std::uint32_t>& rgb)
-{
-    gpu::SegmentDisplay shown;
-    for (std::size_t i = 0; i < rgb.size(); ++i) {
-        shown.rgb[i + 1] = rgb[i];
-        shown.visible[i + 1] = rgb[i] != 0;
-    }
-    return shown;
-}
-
 std::vector<glm::dvec2> ellipse(const glm::dvec2& middle, const glm::dvec2& radii)
 {
     std::vector<glm::dvec2> outline;
@@ -59,110 +49,6 @@ std::vector<glm::dvec2> ellipse(const glm::dvec2& middle, const glm::dvec2& radi
         outline.push_back(middle + radii * glm::dvec2(std::cos(t), std::sin(t)));
     }
     return outline;
-}
-
-/// A figure in the making: what the user does, and pictures where they are asked for.
-class Figure {
-public:
-    explicit Figure(SculptStage& stage)
-        : m_stage(stage)
-    {
-    }
-
-    /// @return empty, or what was wrong
-    [[nodiscard]] QString does(const Edit& edit)
-    {
-        m_actions += test::userActions(edit, geometry());
-        return m_stage.apply(edit);
-    }
-    /// A stroke of seeds on a slice, along voxels.
-    [[nodiscard]] QString seeds(int label, const std::vector<glm::ivec3>& corners)
-    {
-        return does(SeedStroke{.segment = label,
-            .pointsLps = test::placesOf(geometry(), test::strokeVoxels(corners))});
-    }
-    /// A stroke of seeds on what is seen in 3D.
-    [[nodiscard]] QString seeds(
-        int label, const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm)
-    {
-        return does(SeedStroke{.segment = label,
-            .pointsLps = test::placesOf(geometry(), m_stage.seenVoxels(scene, pathMm))});
-    }
-    [[nodiscard]] QString shrinksAt(const std::vector<glm::ivec3>& corners)
-    {
-        return does(ShrinkAt{.pointsLps = test::placesOf(geometry(), test::strokeVoxels(corners))});
-    }
-    void shows(const gpu::VolumeScene& scene, const gpu::SegmentDisplay& segments = {})
-    {
-        if (test::panelsWanted())
-            m_panels.push_back(m_stage.draw(scene, panelSize, segments));
-    }
-    void sketched(const OrthographicView& view, const std::vector<glm::dvec2>& pathMm, bool closed,
-        std::uint32_t rgb = 0xFFD040)
-    {
-        if (!m_panels.empty())
-            drawSketch(m_panels.back(), view, pathMm, closed, rgb);
-    }
-    [[nodiscard]] std::vector<std::uint8_t> mask(std::uint8_t label)
-    {
-        return test::maskOf(m_stage.voxels(Field::Labels, 0), label);
-    }
-    [[nodiscard]] double mL(std::uint8_t label)
-    {
-        const std::vector<std::uint8_t> voxels = mask(label);
-        return double(std::count(voxels.begin(), voxels.end(), std::uint8_t(1)))
-            * geometry().voxelVolumeMm3() / 1000.0;
-    }
-    [[nodiscard]] int actions() const { return m_actions; }
-    [[nodiscard]] bool kept(const char* name) const { return keepPanels(m_panels, name); }
-    [[nodiscard]] const VolumeGeometry& geometry() const { return m_stage.study().volume.geometry; }
-    [[nodiscard]] glm::dvec3 place(const glm::dvec3& voxel) const
-    {
-        return geometry().toWorld(voxel);
-    }
-
-private:
-    SculptStage& m_stage;
-    std::vector<QImage> m_panels;
-    int m_actions = 0;
-};
-
-/// Segments as pieces, pasted far beside the body, so that nothing else is in the picture.
-gpu::VolumeScene inIsolation(const SculptStage& stage, const Document& document,
-    gpu::VolumeScene scene, const std::vector<std::uint32_t>& rgb)
-{
-    scene.pieces.clear();
-    for (const Piece& piece : document.pieces) {
-        scene.pieces.push_back({.id = piece.id,
-            .segment = piece.segment,
-            .shownFromTrue = shownFromTrue(piece, stage.study().volume.geometry),
-            .rgb = rgb[std::size_t(piece.segment - 1)],
-            .solid = true});
-    }
-    return scene;
-}
-
-/// Of what A holds, how much lies in B.
-double shareInside(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b)
-{
-    std::size_t all = 0;
-    std::size_t both = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        all += a[i] != 0 ? 1 : 0;
-        both += a[i] != 0 && b[i] != 0 ? 1 : 0;
-    }
-    return all == 0 ? 0.0 : double(both) / double(all);
-}
-
-std::vector<std::uint8_t> within(std::vector<std::uint8_t> mask, const glm::ivec3& size,
-    const glm::ivec3& low, const glm::ivec3& high)
-{
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-        const glm::ivec3 at(int(i) % size.x, int(i) / size.x % size.y, int(i) / (size.x * size.y));
-        if (glm::any(glm::lessThan(at, low)) || glm::any(glm::greaterThan(at, high)))
-            mask[i] = 0;
-    }
-    return mask;
 }
 
 } // namespace
@@ -185,6 +71,18 @@ private:
         return std::make_unique<SculptStage>(test::openVolume(path));
     }
 
+    /// 1 in the regions of grey matter that the atlas of mr_brain_ch2_atlases has.
+    [[nodiscard]] static std::vector<std::uint8_t> atlasRegions()
+    {
+        const LoadedVolume atlas =
+            test::openVolume(test::sharedCase(QStringLiteral("mr_brain_ch2_atlases")).source
+                + QStringLiteral("/aal.nii.gz"));
+        std::vector<std::uint8_t> regions;
+        for (const std::uint16_t code : atlas.codes)
+            regions.push_back(atlas.volume.encoding.value(code) > 0.5 ? 1 : 0);
+        return regions;
+    }
+
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
@@ -203,7 +101,7 @@ private Q_SLOTS:
             study.codes.push_back(std::uint16_t(hounsfield + 1024));
         SculptStage stage(std::move(study));
         QVERIFY(stage.isReady());
-        Figure figure(stage);
+        GrowthFigure figure(stage);
 
         const OrthographicView above{.eyeLps = {0.0, 0.0, 330.0},
             .targetLps = {0.0, 4.0, 30.0},
@@ -268,7 +166,7 @@ private Q_SLOTS:
             QSKIP("no shared data");
         SculptStage stage(growth->study);
         QVERIFY(stage.isReady());
-        Figure figure(stage);
+        GrowthFigure figure(stage);
         const OrthographicView side{.eyeLps = figure.place({400.0, 66.0, 78.0}),
             .targetLps = figure.place({62.0, 66.0, 78.0}),
             .up = {0.0, 0.0, 1.0},
@@ -331,7 +229,7 @@ private Q_SLOTS:
         if (!stage)
             QSKIP("no shared data");
         QVERIFY(stage->isReady());
-        Figure figure(*stage);
+        GrowthFigure figure(*stage);
         const OrthographicView view =
             viewFrom({-0.25, -0.55, 1.0}, figure.place({90.0, 112.0, 105.0}), 175.0);
         gpu::VolumeScene scene = sceneOf(view);
@@ -362,12 +260,7 @@ private Q_SLOTS:
         const double both = figure.mL(1);
         figure.shows(scene, shown);
 
-        const LoadedVolume atlas =
-            test::openVolume(test::sharedCase(QStringLiteral("mr_brain_ch2_atlases")).source
-                + QStringLiteral("/aal.nii.gz"));
-        std::vector<std::uint8_t> grey;
-        for (const std::uint16_t code : atlas.codes)
-            grey.push_back(atlas.volume.encoding.value(code) > 0.5 ? 1 : 0);
+        const std::vector<std::uint8_t> grey = atlasRegions();
         const double inGrey = shareInside(figure.mask(1), grey);
         qInfo("ventricles of ch2: %d actions; leak %.1f mL, left %.1f mL, both %.1f mL; %.1f %% in "
               "regions of the atlas",
@@ -388,7 +281,7 @@ private Q_SLOTS:
         if (!stage)
             QSKIP("no shared data");
         QVERIFY(stage->isReady());
-        Figure figure(*stage);
+        GrowthFigure figure(*stage);
         const OrthographicView view =
             viewFrom({0.75, -0.35, 0.8}, figure.place({90.0, 108.0, 105.0}), 205.0);
         gpu::VolumeScene scene = sceneOf(view);
@@ -435,15 +328,10 @@ private Q_SLOTS:
             const glm::dvec3 offset = far + 400.0 * label * aside;
             beside.targetLps += offset;
             beside.eyeLps += offset;
-            figure.shows(inIsolation(*stage, stage->session().document(), sceneOf(beside), rgb));
+            figure.showsPieces(sceneOf(beside), rgb);
         }
 
-        const LoadedVolume atlas =
-            test::openVolume(test::sharedCase(QStringLiteral("mr_brain_ch2_atlases")).source
-                + QStringLiteral("/aal.nii.gz"));
-        std::vector<std::uint8_t> regions;
-        for (const std::uint16_t code : atlas.codes)
-            regions.push_back(atlas.volume.encoding.value(code) > 0.5 ? 1 : 0);
+        const std::vector<std::uint8_t> regions = atlasRegions();
         const double inRegions = shareInside(figure.mask(2), regions);
         qInfo(
             "white matter %.0f mL, grey matter %.0f mL above the box's floor; %.1f %% of the grey "
@@ -463,7 +351,7 @@ private Q_SLOTS:
             QSKIP("no shared data");
         SculptStage stage(growth->study);
         QVERIFY(stage.isReady());
-        Figure figure(stage);
+        GrowthFigure figure(stage);
         const auto direction = [&](const glm::dvec3& index) {
             return glm::normalize(figure.place(index) - figure.place(glm::dvec3(0.0)));
         };
@@ -496,7 +384,7 @@ private Q_SLOTS:
         OrthographicView alone = view;
         alone.targetLps = *paste.pivotLps + paste.pose.offsetMm;
         alone.eyeLps = alone.targetLps + 300.0 * glm::normalize(towardsViewer);
-        figure.shows(inIsolation(stage, stage.session().document(), sceneOf(alone), {ivory}));
+        figure.showsPieces(sceneOf(alone), {ivory});
         qInfo("molar: %d actions, %.2f mL; with the jaw %.1f mL", figure.actions(), mL, leaked);
         QVERIFY(figure.actions() <= 10);
         QVERIFY(leaked > 50.0);
@@ -515,7 +403,7 @@ private Q_SLOTS:
         if (!stage)
             QSKIP("no shared data");
         QVERIFY(stage->isReady());
-        Figure figure(*stage);
+        GrowthFigure figure(*stage);
         const OrthographicView view =
             viewFrom({-0.3, -1.0, 0.22}, figure.place({236.0, 280.0, 42.0}), 230.0);
         gpu::VolumeScene scene = sceneOf(view);
@@ -565,8 +453,7 @@ private Q_SLOTS:
         OrthographicView beside = view;
         beside.targetLps.z += 700.0;
         beside.eyeLps.z += 700.0;
-        figure.shows(inIsolation(
-            *stage, stage->session().document(), sceneOf(beside), {brown, yellow, blue}));
+        figure.showsPieces(sceneOf(beside), {brown, yellow, blue});
         QVERIFY(leaked > 1.25 * figure.mL(1));
         QVERIFY(figure.mL(1) > 600.0 && figure.mL(1) < 1000.0);
         QVERIFY(figure.mL(3) > 450.0 && figure.mL(3) < 600.0);
