@@ -79,7 +79,13 @@ private:
             return reopen();
         if (dice < 31)
             return giveUp();
-        const Edit edit = think();
+        // Of a few thoughts the one that came true least, so that no kind is left to luck.
+        Edit edit = think();
+        for (int i = 0; i < 3; ++i) {
+            Edit other = think();
+            if (m_result.done[editName(other)] < m_result.done[editName(edit)])
+                edit = std::move(other);
+        }
         const std::size_t rows = m_session->history().rows().size();
         return note(editName(edit), m_session->apply(edit), rows);
     }

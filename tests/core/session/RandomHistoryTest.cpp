@@ -45,7 +45,7 @@ private Q_SLOTS:
                  "reviseStroke", "addMeasurement", "removeMeasurement", "removeLayer",
                  "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "undo", "redo",
                  "goTo", "reopen", "given up"})
-            QVERIFY2(m_done.count(QLatin1String(kind)) > 0, kind);
+            QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 
 private:
