@@ -22,20 +22,26 @@ public:
         view().lookFrom({0.0, -1.0, 0.0});
     }
     [[nodiscard]] ui::VolumeView& view() { return window.views().volume(); }
+    /// Straight to the view: what the display's own pointer does is none of its business.
+    void point(const QPointF& fromMiddle)
+    {
+        const QPointF at = QPointF(view().width(), view().height()) / 2.0 + fromMiddle;
+        QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton, {}, {});
+        QCoreApplication::sendEvent(&view(), &move);
+    }
     void hover(const QPointF& fromMiddle)
     {
-        QTest::mouseMove(
-            &view(), (QPointF(view().width(), view().height()) / 2.0 + fromMiddle).toPoint());
-        // Pieces take questions of their own.
-        for (int round = 0; round < 5; ++round)
-            settle();
+        point(fromMiddle);
+        settle();
     }
     void settle()
     {
-        QCoreApplication::processEvents();
-        if (!workspace.session()->settle())
-            qFatal("not settled");
-        workspace.session()->poll();
+        // Pieces take questions of their own.
+        for (int round = 0; round < 5; ++round) {
+            if (!workspace.session()->settle())
+                qFatal("not settled");
+            workspace.session()->poll();
+        }
     }
     [[nodiscard]] std::optional<double> distanceMm() const
     {
@@ -79,8 +85,7 @@ private Q_SLOTS:
     void aLateAnswerIsDroppedOnceThePointerHasLeft()
     {
         ReadoutFixture fixture;
-        QTest::mouseMove(&fixture.view(),
-            (QPointF(fixture.view().width(), fixture.view().height()) / 2.0).toPoint());
+        fixture.point({0.0, 0.0});
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(&fixture.view(), &leave);
         fixture.settle();
