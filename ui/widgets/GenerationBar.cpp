@@ -4,12 +4,12 @@
 #include "ui/CountText.h"
 #include "ui/Theme.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/widgets/MarkedCurve.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QToolTip>
 
 #include <algorithm>
@@ -81,35 +81,17 @@ void GenerationBar::paintEvent(QPaintEvent*)
     for (int i = 0; i < int(m_sizes.size()); ++i)
         curve << QPointF(
             xOf(i + 1), room.bottom() - double(m_sizes[std::size_t(i)]) / peak * room.height());
-    QPainterPath filled;
-    filled.moveTo(room.left(), room.bottom());
-    for (const QPointF& point : curve)
-        filled.lineTo(point);
-    filled.lineTo(curve.back().x(), room.bottom());
-
     if (m_leak)
         paintLeak(painter);
     // What is shown is filled, what the drag takes back only outlined.
     const double mark = xOf(m_shown);
-    QColor fill = theme::good;
-    fill.setAlphaF(0.25);
-    painter.setClipRect(QRectF(0.0, 0.0, mark, height()));
-    painter.setBrush(fill);
-    painter.drawPath(filled);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme::good, 1.6));
-    painter.drawPolyline(curve);
-    painter.setClipRect(QRectF(mark, 0.0, width() - mark, height()));
-    painter.setPen(QPen(theme::secondary, 1.2));
-    painter.drawPolyline(curve);
-    painter.setClipping(false);
-    painter.setPen(QPen(theme::accent, m_scrubbing ? 2.5 : 1.5));
-    painter.drawLine(QPointF(mark, 3.0), QPointF(mark, height() - 3.0));
-    if (m_scrubbable) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme::accent);
-        painter.drawEllipse(QPointF(std::clamp(mark, 5.0, width() - 5.0), 5.0), 3.5, 3.5);
-    }
+    const MarkedCurve drawn{.curve = curve,
+        .bottom = room.bottom(),
+        .mark = mark,
+        .moving = m_scrubbing,
+        .knob = m_scrubbable};
+    paintMarkedCurve(painter, size(), drawn);
+    paintMark(painter, size(), drawn);
 }
 
 void GenerationBar::paintLeak(QPainter& painter) const

@@ -4,13 +4,13 @@
 #include "ui/CountText.h"
 #include "ui/Theme.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/widgets/MarkedCurve.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QToolTip>
 
 #include <algorithm>
@@ -89,12 +89,6 @@ void ToleranceBar::paintEvent(QPaintEvent*)
     QPolygonF curve;
     for (double x = room.left(); x <= room.right(); x += 1.0)
         curve << QPointF(x, room.bottom() - heightOf(m_members[std::size_t(toleranceAt(x))]));
-    QPainterPath filled;
-    filled.moveTo(room.left(), room.bottom());
-    for (const QPointF& point : curve)
-        filled.lineTo(point);
-    filled.lineTo(curve.back().x(), room.bottom());
-
     for (const int jump : m_jumps) {
         const double x = xOf(jump);
         painter.setPen(QPen(theme::caution, 1.0));
@@ -106,26 +100,11 @@ void ToleranceBar::paintEvent(QPaintEvent*)
 
     const bool marked = m_tolerance >= 0;
     const double mark = marked ? xOf(m_tolerance) : room.left() - 1.0;
-    QColor fill = theme::good;
-    fill.setAlphaF(0.25);
-    painter.setClipRect(QRectF(0.0, 0.0, mark, height()));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(fill);
-    painter.drawPath(filled);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme::good, 1.6));
-    painter.drawPolyline(curve);
-    painter.setClipRect(QRectF(mark, 0.0, width() - mark, height()));
-    painter.setPen(QPen(theme::secondary, 1.2));
-    painter.drawPolyline(curve);
-    painter.setClipping(false);
-    if (!marked)
-        return;
-    painter.setPen(QPen(theme::accent, m_moving ? 2.5 : 1.5));
-    painter.drawLine(QPointF(mark, 3.0), QPointF(mark, height() - 3.0));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::accent);
-    painter.drawEllipse(QPointF(std::clamp(mark, 5.0, width() - 5.0), 5.0), 3.5, 3.5);
+    const MarkedCurve drawn{
+        .curve = curve, .bottom = room.bottom(), .mark = mark, .moving = m_moving, .knob = true};
+    paintMarkedCurve(painter, size(), drawn);
+    if (marked)
+        paintMark(painter, size(), drawn);
 }
 
 QString ToleranceBar::textFor(int tolerance) const
