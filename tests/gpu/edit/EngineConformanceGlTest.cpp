@@ -40,7 +40,7 @@ private Q_SLOTS:
     void opensOneVolumeAfterTheOther();
 
 private:
-    [[nodiscard]] static std::vector<EngineCase> cases();
+    [[nodiscard]] static const std::vector<EngineCase>& cases();
 
     test::EditEngineFixture m_gpu;
 };
@@ -56,19 +56,23 @@ void EngineConformanceGlTest::cleanup()
     QCOMPARE(m_gpu.newErrors(), 0);
 }
 
-std::vector<EngineCase> EngineConformanceGlTest::cases()
+/// Made once: the long count has thousands.
+const std::vector<EngineCase>& EngineConformanceGlTest::cases()
 {
-    const bool all = test::longRun();
-    std::vector<EngineCase> collected = test::growthCases(all ? 400 : 20);
-    for (auto more : {test::growLimitCases(all ? 400 : 16), test::intervalCases(all ? 300 : 12),
-             test::drillCases(all ? 400 : 20), test::peelCases(all ? 640 : 20),
-             test::scissorsCases(all ? 240 : 8), test::laserCases(all ? 520 : 20),
-             test::carveCases(all ? 240 : 8), test::pickCases(all ? 150 : 8),
-             test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
-             test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
-             test::sparedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
-             test::toleranceCases(all ? 300 : 16), test::refusalCases()})
-        collected.insert(collected.end(), more.begin(), more.end());
+    static const std::vector<EngineCase> collected = [] {
+        const bool all = test::longRun();
+        std::vector<EngineCase> made = test::growthCases(all ? 400 : 20);
+        for (auto more : {test::growLimitCases(all ? 400 : 16), test::intervalCases(all ? 300 : 12),
+                 test::drillCases(all ? 400 : 20), test::peelCases(all ? 640 : 20),
+                 test::scissorsCases(all ? 240 : 8), test::laserCases(all ? 520 : 20),
+                 test::carveCases(all ? 240 : 8), test::pickCases(all ? 150 : 8),
+                 test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
+                 test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
+                 test::sparedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
+                 test::toleranceCases(all ? 300 : 16), test::refusalCases()})
+            made.insert(made.end(), more.begin(), more.end());
+        return made;
+    }();
     return collected;
 }
 
@@ -204,8 +208,7 @@ void EngineConformanceGlTest::conforms()
 {
     QFETCH(int, number);
     QFETCH(bool, delayed);
-    static const std::vector<EngineCase> all = cases();
-    const EngineCase& engineCase = all.at(std::size_t(number));
+    const EngineCase& engineCase = cases().at(std::size_t(number));
 
     ReferenceEngine oracle;
     const EngineOutcome expected = test::runCase(oracle, engineCase);
@@ -232,7 +235,7 @@ void EngineConformanceGlTest::derivedTexturesFollow_data()
 void EngineConformanceGlTest::derivedTexturesFollow()
 {
     QFETCH(int, number);
-    const EngineCase engineCase = cases().at(std::size_t(number));
+    const EngineCase& engineCase = cases().at(std::size_t(number));
     std::bitset<256> shown;
     shown.set(1).set(3).set(255);
     m_gpu.showSegments(shown);
@@ -324,7 +327,7 @@ void EngineConformanceGlTest::opensOneVolumeAfterTheOther()
     std::vector<std::uint16_t> codes(8);
     QVERIFY(!engine.openVolume({2, 2, 3}, codes));
     // Nothing of the first volume is left in the second: neither cuts nor an open edit.
-    const std::vector<EngineCase> all = cases();
+    const std::vector<EngineCase>& all = cases();
     QVERIFY(engine.openVolume({20, 20, 20}, test::constantVolume({20, 20, 20}, 9).values));
     submitWhole(engine, SeedPlacement{.label = 1, .voxels = {{1, 1, 1}}});
     engine.submit(BeginEdit{GrowBurst{.lowCode = 0, .highCode = 9}});
