@@ -5,6 +5,7 @@
 #   packaging/bench.sh             a table
 #   packaging/bench.sh --json      [{"id","peer","oursMs","peerMs","ratio"}], ratio = peer / ours;
 #                                  "oursBytes", "peerBytes" for sizes; without a peer only ours
+#   packaging/bench.sh --grow      growing only
 #   packaging/bench.sh --history   the history only
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
@@ -14,8 +15,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --history | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--history] [--sculpt]" ;;
+        --json | --grow | --history | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--grow] [--history] [--sculpt]" ;;
     esac
 done
 

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] const Texture3D& pageTable();
     /// One word a page: the brick that owns it, x | y << 10 | z << 20; brought up to date first.
     [[nodiscard]] const Buffer& pageOwners();
+    /// The page of a brick that has one.
+    [[nodiscard]] std::uint32_t pageOf(std::uint32_t brick) const { return m_entries[brick] - 1; }
     /// The brick that holds a page.
     [[nodiscard]] std::uint32_t ownerOf(std::uint32_t page) const { return m_owners[page]; }
     [[nodiscard]] std::size_t bytes() const;

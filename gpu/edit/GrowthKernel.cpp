@@ -62,6 +62,15 @@ GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity, const core::GrowL
     return m_rings.try_emplace(kind, m_shaders, connectivity, limits, false).first->second;
 }
 
+FrontBitsPrograms& GrowthPrograms::frontBits(int connectivity, const core::GrowLimits& limits)
+{
+    const Kind kind(connectivity, kindOf(limits));
+    const auto known = m_frontBits.find(kind);
+    if (known != m_frontBits.end())
+        return known->second;
+    return m_frontBits.try_emplace(kind, m_shaders, connectivity, limits).first->second;
+}
+
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement)
 {
@@ -177,7 +186,7 @@ void GrowthKernel::open()
     m_rings->front.set("openGeneration", m_generation);
     if (m_generation < core::seedWord::maxGeneration)
         admitSeeds(held);
-    findFront();
+    findFront(m_fields.seedWords(m_burst.plane).heldBricks());
 }
 
 void GrowthKernel::admitSeeds(const std::vector<std::uint32_t>& held)
@@ -203,14 +212,17 @@ GrowthKernel::State GrowthKernel::runOver(
     return takeBatch();
 }
 
-void GrowthKernel::findFront()
+void GrowthKernel::findFront(const std::vector<std::uint32_t>& bricks)
 {
-    const std::vector<std::uint32_t> held = m_fields.seedWords(m_burst.plane).heldBricks();
     // Members of before are no claims of this burst: the bricks found count as front only.
     const std::set<std::uint32_t> touchedBefore = m_allTouched;
     for (;;) {
         m_rings->front.set("firstQueue", 1 - m_frontQueue);
-        m_frontCount = runOver(m_rings->front, held).counts[1];
+        const State found = runOver(m_rings->front, bricks);
+        m_frontCount = found.counts[1];
+        m_onlyLabel.reset();
+        if (found.greatestLabel + found.leastLabelDown == 255)
+            m_onlyLabel = std::uint8_t(found.greatestLabel);
         if (m_frontCount <= m_queueCapacity)
             break;
         setQueues(4 * m_queueCapacity);
@@ -218,14 +230,14 @@ void GrowthKernel::findFront()
     m_allTouched = touchedBefore;
 }
 
-void GrowthKernel::prepareBricks()
+std::vector<std::uint32_t> GrowthKernel::prepareBricks()
 {
-    const std::vector<std::uint32_t> reachable = m_fields.withNeighbours(m_frontBricks);
+    std::vector<std::uint32_t> reachable = m_fields.withNeighbours(m_frontBricks);
     releaseUnused(reachable);
     std::vector<std::uint32_t> fresh = reachable;
     std::erase_if(fresh, [this](std::uint32_t brick) { return m_prepared[brick]; });
     if (fresh.empty())
-        return;
+        return reachable;
     BrickField& words = m_fields.seedWords(m_burst.plane);
     m_before.capture(core::Field::SeedWords, m_burst.plane, fresh);
     m_before.capture(core::Field::Labels, m_burst.plane, fresh);
@@ -235,6 +247,29 @@ void GrowthKernel::prepareBricks()
             m_newPages.insert(brick);
     }
     words.ensure(fresh);
+    return reachable;
+}
+
+void GrowthKernel::chooseForm(const std::vector<std::uint32_t>& bricks)
+{
+    const bool wide = !m_guard && m_onlyLabel && FrontBits::isFor(m_burst.limits)
+        && m_frontBits.pays(m_frontCount, bricks.size());
+    if (wide && !m_frontBits.holdsFront()) {
+        FrontBitsPrograms& programs = m_programs.frontBits(m_burst.connectivity, m_burst.limits);
+        for (Program* each :
+            {&programs.open, &programs.fill, &programs.reach, &programs.ring, &programs.end})
+            setUniforms(*each);
+        programs.fill.set("firstQueue", m_frontQueue);
+        State state;
+        state.counts[0] = m_frontCount;
+        start(state);
+        m_frontBits.enter(programs, m_fields.grid().brickCount(),
+            {.label = *m_onlyLabel, .generation = m_generation, .voxels = m_frontCount});
+    } else if (!wide && m_frontBits.holdsFront()) {
+        m_frontBits.leave();
+        const std::vector<std::uint32_t> frontBricks = m_frontBricks;
+        findFront(frontBricks);
+    }
 }
 
 void GrowthKernel::runRings(int count)
@@ -327,11 +362,17 @@ int GrowthKernel::advanceBatch(int rings)
         return 0;
     int done = 0;
     if (m_frontCount > 0) {
-        prepareBricks();
+        const std::vector<std::uint32_t> reachable = prepareBricks();
+        chooseForm(reachable);
         State state;
         state.counts[0] = m_frontCount;
         start(state);
-        runRings(wanted);
+        if (m_frontBits.holdsFront())
+            m_frontBits.advance(m_programs.frontBits(m_burst.connectivity, m_burst.limits),
+                m_fields.seedWords(m_burst.plane), m_fields.grid().bricks(), m_generation, wanted,
+                reachable);
+        else
+            runRings(wanted);
         state = takeBatch();
         for (; done < wanted && state.counts[std::size_t(done) + 1] > 0; ++done) {
             m_frontSizes.push_back(state.counts[std::size_t(done) + 1]);
@@ -339,11 +380,12 @@ int GrowthKernel::advanceBatch(int rings)
         }
         m_generation += std::uint32_t(done);
         m_frontCount = state.counts[std::size_t(wanted)];
-        if (done > 0 && state.counts[std::size_t(done)] > m_queueCapacity) {
+        if (!m_frontBits.holdsFront() && done > 0
+            && state.counts[std::size_t(done)] > m_queueCapacity) {
             // The ring that overflowed is complete in the words; only its list is not.
             watch(frontInWords());
             setQueues(4 * m_queueCapacity);
-            findFront();
+            findFront(m_fields.seedWords(m_burst.plane).heldBricks());
             return done + advanceBatch(wanted - done);
         }
         if (m_guard && done > 0)

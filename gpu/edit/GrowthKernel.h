@@ -4,6 +4,7 @@
 #include "core/engine/EngineCommands.h"
 #include "core/growth/LeakGuard.h"
 #include "gpu/edit/BeforeImages.h"
+#include "gpu/edit/FrontBits.h"
 #include "gpu/edit/GrowCriterion.h"
 #include "gpu/edit/ShrinkKernel.h"
 #include "gpu/edit/VoxelFields.h"
@@ -40,8 +41,7 @@ struct GrowthPrograms {
 
     /// The further kernels of narrowing.
     struct Narrowing {
-        Narrowing(
-            const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
+        Narrowing(const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
 
         Program doubt;
         Rings back;
@@ -49,6 +49,9 @@ struct GrowthPrograms {
     };
     /// Compiled when first needed.
     [[nodiscard]] Narrowing& narrowing(int connectivity, const core::GrowLimits& limits);
+
+    /// Compiled when first needed.
+    [[nodiscard]] FrontBitsPrograms& frontBits(int connectivity, const core::GrowLimits& limits);
 
     Program placeSeeds;
     Program label;
@@ -60,6 +63,7 @@ private:
     using Kind = std::pair<int, unsigned>; ///< neighbours, kindOf(limits)
     std::map<Kind, Rings> m_rings;
     std::map<Kind, Narrowing> m_narrowings;
+    std::map<Kind, FrontBitsPrograms> m_frontBits;
 };
 
 /// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
@@ -69,8 +73,9 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 /// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in EngineCommands.h).
 ///
 /// Rings run in batches of up to sixteen without readback in between: within sixteen steps a front
-/// stays in its bricks and their neighbours, which get pages and are captured before the batch.
-/// Engine thread only.
+/// stays in its bricks and their neighbours, which get pages and are captured before the batch. A
+/// front is a queue of voxels, or, while it is wide and simple enough, bits (FrontBits). Engine
+/// thread only.
 class GrowthKernel {
 public:
     static constexpr int ringsPerBatch = 16;
@@ -103,6 +108,9 @@ private:
         std::uint32_t admitted = 0;
         std::uint32_t nextRing = 0;
         std::uint32_t greatest = 0;
+        // Of the voxels where a front was found: the greatest label, and 255 - the least.
+        std::uint32_t greatestLabel = 0;
+        std::uint32_t leastLabelDown = 0;
     };
 
     void bind();
@@ -115,13 +123,17 @@ private:
     /// Runs a kernel over listed bricks.
     State runOver(Program& program, const std::vector<std::uint32_t>& bricks);
 
-    void findFront();
-    void prepareBricks();
+    /// @param bricks where to look
+    void findFront(const std::vector<std::uint32_t>& bricks);
+    /// Bricks that a batch may reach, ready for it.
+    std::vector<std::uint32_t> prepareBricks();
     void start(const State& state);
     /// Reads the counters and the bricks reached since start().
     State takeBatch();
     void setQueues(std::uint32_t capacity);
     void runRings(int count);
+    /// Bits or queue, whichever suits the front. @param bricks in reach
+    void chooseForm(const std::vector<std::uint32_t>& bricks);
     int advanceBatch(int rings);
     /// What the last generation added, for the guard: as its queue lists it, or, where that is not
     /// whole, as the words of the bricks reached tell.
@@ -144,6 +156,8 @@ private:
     bool m_atClosure = false;
     unsigned m_frontQueue = 0; ///< which of the queues holds the front
     std::uint32_t m_frontCount = 0;
+    std::optional<std::uint8_t> m_onlyLabel; ///< in the front, if it is one
+    FrontBits m_frontBits;
     std::vector<std::uint32_t> m_frontSizes;
     std::int64_t m_members = 0;
     std::vector<std::uint32_t> m_frontBricks; ///< that hold the front

@@ -14,12 +14,10 @@ GrowthPrograms::Narrowing::Narrowing(
 {
     ShaderDefines defines = definesOf(limits);
     doubt = Program(shaders,
-        ComputeProgramOptions{
-            .label = "doubt", .path = "edit/growDoubt.comp", .defines = defines});
+        ComputeProgramOptions{.label = "doubt", .path = "edit/growDoubt.comp", .defines = defines});
     defines.emplace_back("CONNECTIVITY", connectivity);
     sweep = Program(shaders,
-        ComputeProgramOptions{
-            .label = "sweep", .path = "edit/growSweep.comp", .defines = defines});
+        ComputeProgramOptions{.label = "sweep", .path = "edit/growSweep.comp", .defines = defines});
 }
 
 GrowthPrograms::Narrowing& GrowthPrograms::narrowing(
@@ -34,7 +32,7 @@ GrowthPrograms::Narrowing& GrowthPrograms::narrowing(
 
 void GrowthKernel::narrow(const std::vector<std::uint32_t>& held)
 {
-    GrowthPrograms::Narrowing& narrowing = 
+    GrowthPrograms::Narrowing& narrowing =
         m_programs.narrowing(m_burst.connectivity, m_burst.limits);
     for (Program* each : {&narrowing.doubt, &narrowing.back.front, &narrowing.back.ring,
              &narrowing.back.severalRings, &narrowing.sweep})
@@ -52,8 +50,9 @@ void GrowthKernel::narrow(const std::vector<std::uint32_t>& held)
 /// Unlike a front that grows, this one stays in bricks that have pages and are captured.
 void GrowthKernel::floodBack()
 {
+    const std::vector<std::uint32_t> held = m_fields.seedWords(m_burst.plane).heldBricks();
     m_floodsBack = true;
-    findFront();
+    findFront(held);
     while (m_frontCount > 0) {
         State state;
         state.counts[0] = m_frontCount;
@@ -64,7 +63,7 @@ void GrowthKernel::floodBack()
         const std::uint32_t longest = *std::max_element(state.counts.begin(), state.counts.end());
         if (longest > m_queueCapacity) {
             setQueues(4 * m_queueCapacity);
-            findFront();
+            findFront(held);
         }
     }
     m_floodsBack = false;

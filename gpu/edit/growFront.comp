@@ -38,6 +38,8 @@ void main()
 {
     ivec3 origin = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks) * brickSide;
     uint entry = pageEntry(origin);
+    uint greatestLabel = 0u;
+    uint leastLabelDown = 0u;
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 voxel = origin + voxelInBrick(offset);
         if (!inside(voxel, volumeSize))
@@ -52,8 +54,14 @@ void main()
         if (!mayGrow(labelOf(word)) || !canGoOn(voxel, word))
             continue;
         enqueue(0u, voxel, entry - 1u);
+        greatestLabel = max(greatestLabel, labelOf(word));
+        leastLabelDown = max(leastLabelDown, 255u - labelOf(word));
 #ifndef BACK
         reached[entry - 1u] = holdsFront;
 #endif
+    }
+    if (greatestLabel != 0u) {
+        atomicMax(state.greatestLabel, greatestLabel);
+        atomicMax(state.leastLabelDown, leastLabelDown);
     }
 }

@@ -14,6 +14,8 @@ layout(binding = 0, std430) coherent buffer State {
     uint admitted;
     uint nextRing; // where a dispatch of several rings stopped
     uint greatest; // generation of a member (growSweep.comp)
+    uint greatestLabel; // in the front (growFront.comp)
+    uint leastLabelDown; // 255 - the least
 } state;
 // Two queues, one behind the other: a ring reads one and fills the other. An entry is
 // page << 12 | offset in the brick.

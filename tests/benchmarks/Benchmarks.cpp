@@ -43,8 +43,9 @@ int main(int argc, char** argv)
     const bool json = arguments.removeAll(QStringLiteral("--json")) > 0;
     const bool historyOnly = arguments.removeAll(QStringLiteral("--history")) > 0;
     const bool sculptOnly = arguments.removeAll(QStringLiteral("--sculpt")) > 0;
+    const bool growOnly = arguments.removeAll(QStringLiteral("--grow")) > 0;
     if (!arguments.isEmpty()) {
-        std::fprintf(stderr, "usage: burin_bench [--json] [--history] [--sculpt]\n");
+        std::fprintf(stderr, "usage: burin_bench [--json] [--grow] [--history] [--sculpt]\n");
         return 2;
     }
     std::array<char, 12> program{"burin_bench"};
@@ -56,9 +57,11 @@ int main(int argc, char** argv)
 
     bench::PeerReport report;
     QString why;
-    const bool all = !historyOnly && !sculptOnly;
+    const bool all = !historyOnly && !sculptOnly && !growOnly;
     if (all)
         why = measurePeers(report);
+    if (why.isEmpty() && (all || growOnly))
+        why = bench::measureGrowth(report);
     if (why.isEmpty() && (all || sculptOnly))
         why = bench::measureSculpting(report);
     if (why.isEmpty() && (all || historyOnly))

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 
 namespace bench {
@@ -37,7 +38,100 @@ struct Task {
     }
 };
 
+// --- Shapes --------------------------------------------------------------------------------------
+
+constexpr int shapeSide = 512;
+constexpr std::int16_t inShape = 1000;
+
+struct Shape {
+    const char* id;
+    std::function<bool(int, int, int)> holds; ///< around the middle
+};
+
+/// As in ALGORITHMS 1.6.9: 10, 27 and 60 million voxels.
+const std::array<Shape, 3>& shapes()
+{
+    static const std::array<Shape, 3> all{
+        Shape{"grow.ball", [](int x, int y, int z) { return x * x + y * y + z * z < 134 * 134; }},
+        Shape{"grow.cube",
+            [](int x, int y, int z) {
+                return std::max({std::abs(x), std::abs(y), std::abs(z)}) < 150;
+            }},
+        Shape{"grow.cylinder",
+            [](int x, int y, int z) { return x * x + y * y < 200 * 200 && std::abs(z) < 240; }}};
+    return all;
+}
+
+std::vector<std::uint16_t> codesOf(const Shape& shape)
+{
+    std::vector<std::uint16_t> codes(std::size_t(shapeSide) * shapeSide * shapeSide);
+    std::size_t i = 0;
+    for (int z = 0; z < shapeSide; ++z) {
+        for (int y = 0; y < shapeSide; ++y) {
+            for (int x = 0; x < shapeSide; ++x)
+                codes[i++] = shape.holds(x - shapeSide / 2, y - shapeSide / 2, z - shapeSide / 2)
+                    ? inShape
+                    : 0;
+        }
+    }
+    return codes;
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+/// Every voxel with its generation, against ITK's filter without; until the last voxel is in the
+/// textures, and until the step stands in the history too.
+QString measureShape(PeerReport& report, gpu::GpuEngine& engine, const Shape& shape)
+{
+    constexpr int rounds = 3;
+    const glm::ivec3 size(shapeSide);
+    const std::vector<std::uint16_t> codes = codesOf(shape);
+    const std::vector<std::int16_t> values(codes.begin(), codes.end());
+    const std::array<glm::ivec3, 1> seed{size / 2};
+    std::vector<double> shown;
+    std::vector<double> kept;
+    std::vector<double> theirs;
+    for (int round = 0; round < rounds; ++round) {
+        if (!engine.edits().openVolume(size, codes))
+            return QStringLiteral("%1: no room").arg(QLatin1String(shape.id));
+        const test::GrownVoxels ours =
+            test::growToClosure(engine.edits(), size, seed, inShape, inShape);
+        const peer::ItkGrown itk =
+            peer::itkConnectedThreshold<std::int16_t>(size, values, seed, inShape, inShape);
+        if (ours.mask != itk.mask)
+            return QStringLiteral("%1: not what ITK grows").arg(QLatin1String(shape.id));
+        shown.push_back(ours.closureMilliseconds);
+        kept.push_back(ours.milliseconds);
+        theirs.push_back(itk.milliseconds);
+        if (round == 0)
+            std::fprintf(stderr, "%s: equal, %lld voxels in %u generations\n", shape.id,
+                static_cast<long long>(
+                    std::count(itk.mask.begin(), itk.mask.end(), std::uint8_t{1})),
+                ours.generation);
+    }
+    report.add({shape.id, "Ms", median(shown), "ITK ConnectedThreshold", median(theirs)});
+    report.add({std::string(shape.id) + ".kept", "Ms", median(kept), "ITK ConnectedThreshold",
+        median(theirs)});
+    return {};
+}
+
 } // namespace
+
+QString measureGrowth(PeerReport& report)
+{
+    const auto engine = gpu::GpuEngine::create();
+    if (!engine)
+        return QStringLiteral("grow: no engine");
+    for (const Shape& shape : shapes()) {
+        if (const QString why = measureShape(report, **engine, shape); !why.isEmpty())
+            return why;
+    }
+    return {};
+}
 
 std::vector<std::uint16_t> demoCodes(const core::DemoStudy& study)
 {

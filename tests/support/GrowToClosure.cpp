@@ -43,13 +43,18 @@ GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
     burst.lowCode = lowCode;
     burst.highCode = highCode;
     burst.limits = limits;
-    const core::Ticket ticket =
-        core::submitWhole(engine, burst, {core::GrowAdvance{core::GrowAdvance::toClosure}});
+    const auto spent = [start] {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+            .count();
+    };
+    engine.submit(core::BeginEdit{burst});
+    engine.submit(core::ExtendEdit{core::GrowAdvance{core::GrowAdvance::toClosure}});
+    engine.finish();
+    grown.closureMilliseconds = spent();
+    const core::Ticket ticket = engine.submit(core::EndEdit{core::Ending::Commit});
     engine.finish();
     const std::vector<core::EngineResult> results = engine.collect();
-    const std::chrono::duration<double, std::milli> spent =
-        std::chrono::steady_clock::now() - start;
-    grown.milliseconds = spent.count();
+    grown.milliseconds = spent();
 
     for (const core::EngineResult& result : results) {
         if (result.error)

@@ -12,6 +12,7 @@ namespace test {
 struct GrownVoxels {
     std::vector<std::uint8_t> mask; ///< label plane 0, x fastest
     std::uint32_t generation = 0;
+    double closureMilliseconds = 0.0; ///< until the last voxel was taken
     double milliseconds = 0.0; ///< wall clock from the first command to the last result
 };
 
