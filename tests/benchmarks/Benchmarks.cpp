@@ -6,6 +6,7 @@
 #include "tests/benchmarks/HistoryBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/benchmarks/SculptBenchmark.h"
+#include "tests/benchmarks/SteeringBenchmark.h"
 #include "ui/ErrorText.h"
 
 #include <QCoreApplication>
@@ -62,6 +63,8 @@ int main(int argc, char** argv)
         why = measurePeers(report);
     if (why.isEmpty() && (all || growOnly))
         why = bench::measureGrowth(report);
+    if (why.isEmpty() && (all || growOnly))
+        why = bench::measureSteering(report);
     if (why.isEmpty() && (all || sculptOnly))
         why = bench::measureSculpting(report);
     if (why.isEmpty() && (all || historyOnly))
