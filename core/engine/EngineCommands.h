@@ -126,8 +126,9 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // are not (areSound()); a layer folded into itself; a table of opacities of another length than
 // 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two labels;
 // TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of a label
-// without seeds. ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations and
-// DropTolerance are served while a transaction is open too.
+// without seeds; ForeseeCut while a transaction is open, or of a cut that could not begin.
+// ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and
+// DropForesight are served while a transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -190,6 +191,18 @@ struct TraceTolerance {
 /// No tolerance field is wanted any more. The result is empty.
 struct DropTolerance { };
 
+/// Find out what a CutGrowth would take if it began now. It changes nothing. The result tells it
+/// (`foreseen`); from then on it can be shown, until BeginEdit, SwapBricks or DropForesight is
+/// carried out, another ForeseeCut is answered or a volume is opened.
+struct ForeseeCut {
+    CutGrowth cut;
+    /// False: do not wait for it. A result without an error and without `foreseen` then means that
+    /// it is being worked out, beside other commands and pictures: ask again.
+    bool toTheEnd = true;
+};
+/// Nothing foreseen is to be shown any more. The result is empty.
+struct DropForesight { };
+
 /// How a ray finds what the user sees.
 enum class SeenBy : std::uint8_t {
     Surface, ///< first sample that is material (MaskFrame.h rule 3)
@@ -215,9 +228,9 @@ struct PickVoxels {
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
 };
 
-using EngineCommand =
-    std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers, ReadBricks, ProbeVoxels,
-        PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance, DropTolerance>;
+using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
+    ReadBricks, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance,
+    DropTolerance, ForeseeCut, DropForesight>;
 
 // --- Results
 // ----------------------------------------------------------------------------------------
@@ -258,6 +271,7 @@ struct EngineResult {
     std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
                                                 ///< last that has any
     std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
+    std::optional<ForeseenCut> foreseen{}; ///< ForeseeCut, once it is done
 };
 
 /// Where a running growth stands; a snapshot for the window.

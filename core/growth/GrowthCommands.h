@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
 
 #include <glm/glm.hpp>
@@ -167,6 +168,20 @@ struct CutGrowth {
     std::uint32_t generation = 0; ///< the counter at present
     std::bitset<256> frozen{};
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
+    bool operator==(const CutGrowth&) const = default;
+};
+
+/// What a CutGrowth would take, as it is told before it does.
+struct ForeseenCut {
+    struct Brick {
+        std::uint32_t brick = 0;
+        std::bitset<BrickGrid::voxelsPerBrick> taken; ///< the plane would lose its label here
+        bool operator==(const Brick&) const = default;
+    };
+    std::int64_t members = 0; ///< that would leave the growth; 0: it would do nothing
+    std::int64_t voxels = 0; ///< that the plane would lose a label at
+    std::vector<Brick> bricks{}; ///< ascending; those that hold any of these
+    bool operator==(const ForeseenCut&) const = default;
 };
 
 /// Shut places to growth along a path, or open them again. Looked at are the voxels inside

@@ -391,12 +391,11 @@ void write(CutWriting& writing, const WordBricks& words, const std::vector<std::
         writing.shutEmptyAround(place);
 }
 
-} // namespace
-
-GrowthCutOutcome cutGrowth(const WordBricks& words, const CutGrowth& command)
+/// @param marks of each voxel; LabelCut::leaves is set where it leaves
+LeavingVoxels markLeaving(
+    const WordBricks& words, const CutGrowth& command, std::vector<std::uint8_t>& marks)
 {
-    GrowthCutOutcome outcome{.bricks = {}, .generation = command.generation};
-    std::map<std::uint32_t, Voxels> sketches; // by label
+    LeavingVoxels leaving; // the sketches at first
     for (const glm::ivec3& place : command.voxels) {
         const Voxel voxel = words.find(place);
         if (voxel == WordBricks::none)
@@ -404,16 +403,32 @@ GrowthCutOutcome cutGrowth(const WordBricks& words, const CutGrowth& command)
         const std::uint32_t word = words[voxel];
         if (seedWord::isMember(word) && seedWord::generation(word) != 0
             && !command.frozen[seedWord::label(word)])
-            sketches[seedWord::label(word)].push_back(voxel);
+            leaving[seedWord::label(word)].push_back(voxel);
     }
+    if (leaving.empty())
+        return leaving;
     const Survey found = survey(words);
-    std::vector<std::uint8_t> marks(words.count(), 0);
-    std::map<std::uint32_t, Voxels> leaving;
-    for (auto& [label, sketch] : sketches) {
+    for (auto& [label, sketch] : leaving) {
         std::sort(sketch.begin(), sketch.end());
         sketch.erase(std::unique(sketch.begin(), sketch.end()), sketch.end());
-        leaving[label] = LabelCut(words, command, label, found, marks).run(sketch);
+        sketch = LabelCut(words, command, label, found, marks).run(sketch);
     }
+    return leaving;
+}
+
+} // namespace
+
+LeavingVoxels leavingVoxels(const WordBricks& words, const CutGrowth& command)
+{
+    std::vector<std::uint8_t> marks(words.count(), 0);
+    return markLeaving(words, command, marks);
+}
+
+GrowthCutOutcome cutGrowth(const WordBricks& words, const CutGrowth& command)
+{
+    GrowthCutOutcome outcome{.bricks = {}, .generation = command.generation};
+    std::vector<std::uint8_t> marks(words.count(), 0);
+    const LeavingVoxels leaving = markLeaving(words, command, marks);
     CutWriting writing(words);
     for (const auto& [label, voxels] : leaving)
         write(writing, words, marks, voxels, label, command.barrier);

@@ -4,6 +4,8 @@
 #include "core/growth/GrowthCommands.h"
 #include "core/growth/WordBricks.h"
 
+#include <map>
+
 namespace core {
 
 // What CutGrowth takes away. It is found for each label that is not frozen by itself, the lowest
@@ -58,6 +60,10 @@ struct GrowthCutOutcome {
     std::vector<CutBrick> bricks; ///< ascending; those that change
     std::uint32_t generation = 0; ///< the counter now
 };
+
+/// What leaves, by label (rules 1 … 9); each voxel once.
+using LeavingVoxels = std::map<std::uint32_t, std::vector<WordBricks::Voxel>>;
+[[nodiscard]] LeavingVoxels leavingVoxels(const WordBricks& words, const CutGrowth& command);
 
 /// @param words linked; all bricks that hold any. Cost ∝ what grew, and not on the volume.
 [[nodiscard]] GrowthCutOutcome cutGrowth(const WordBricks& words, const CutGrowth& command);

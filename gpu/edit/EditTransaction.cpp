@@ -43,13 +43,6 @@ core::Result<void> check(const core::ShrinkGrowth& edit, const core::BrickGrid&)
     return {};
 }
 
-core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid)
-{
-    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
-        return refusal("connectivity", "is not 6, 18 or 26");
-    return checkVoxels(edit.voxels, grid);
-}
-
 core::Result<void> check(const core::SpreadLabels& edit, const core::BrickGrid& grid)
 {
     if (!core::isSound(edit, grid.volumeSize))
@@ -156,6 +149,13 @@ core::Result<void> check(const core::FoldLayer& edit, const core::BrickGrid&)
 }
 
 } // namespace
+
+core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid)
+{
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refusal("connectivity", "is not 6, 18 or 26");
+    return checkVoxels(edit.voxels, grid);
+}
 
 tl::unexpected<core::Error> refusal(const char* field, const char* reason)
 {

@@ -103,6 +103,9 @@ private:
 /// Counts over the changes, as EditStatistics wants them.
 [[nodiscard]] core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes);
 
+/// Whether a cut of this volume could begin.
+[[nodiscard]] core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid);
+
 /// `failure(InvalidField, …)` in short.
 [[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const char* reason);
 

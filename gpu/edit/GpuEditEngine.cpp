@@ -31,6 +31,7 @@ GpuEditEngine::GpuEditEngine(const EditContext& context)
     , m_programs(context.shaders)
     , m_fieldPrograms(context.shaders)
     , m_picks(context.shaders)
+    , m_foresight(context.textures)
 {
 }
 
@@ -48,6 +49,7 @@ core::Result<void> GpuEditEngine::openVolume(
     m_thread.run([&] {
         m_transaction.reset();
         m_trace.reset();
+        m_foresight.forget();
         m_fields.reset();
         opened = m_textures.open(size, codes);
         if (!opened)
@@ -130,7 +132,7 @@ void GpuEditEngine::warmUp()
 
 std::size_t GpuEditEngine::brickBytes() const
 {
-    return m_fields ? m_fields->bytes() : 0;
+    return m_fields ? m_fields->bytes() + m_foresight.bytes() : 0;
 }
 
 bool GpuEditEngine::work()
@@ -272,6 +274,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
     if (m_transaction)
         return refusal("transaction", "another edit is open");
     hideTolerance();
+    m_foresight.forget();
     m_editMilliseconds = 0.0;
     auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
     if (!transaction)
@@ -329,6 +332,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(core::SwapBricks& command)
     if (const core::Result<void> checked = checkKeys(keys); !checked)
         return tl::unexpected(checked.error());
     hideTolerance();
+    m_foresight.forget();
     core::EngineResult result;
     result.changes = swapImages(*m_fields, std::move(command.bricks));
     result.statistics = statisticsOf(result.changes);
@@ -427,6 +431,23 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropTolerance&)
 {
     m_trace.reset();
     m_fields->dropTolerance();
+    return core::EngineResult{};
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ForeseeCut& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    if (const core::Result<void> checked = check(command.cut, m_fields->grid()); !checked)
+        return tl::unexpected(checked.error());
+    core::EngineResult result;
+    result.foreseen = m_foresight.ask(*m_fields, command);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropForesight&)
+{
+    m_foresight.forget();
     return core::EngineResult{};
 }
 

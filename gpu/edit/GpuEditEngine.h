@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/EditEngine.h"
+#include "gpu/edit/CutForesight.h"
 #include "gpu/edit/EditTransaction.h"
 #include "gpu/edit/EditWorker.h"
 #include "gpu/edit/KernelWarmUp.h"
@@ -76,6 +77,8 @@ private:
     Outcome carryOut(const core::CountGenerations& command);
     Outcome carryOut(const core::TraceTolerance& command);
     Outcome carryOut(const core::DropTolerance& command);
+    Outcome carryOut(const core::ForeseeCut& command);
+    Outcome carryOut(const core::DropForesight& command);
     /// What it reads is about to change.
     void hideTolerance();
 
@@ -89,6 +92,7 @@ private:
     bool m_warmedUp = false;
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
+    CutForesight m_foresight;
     std::unique_ptr<EditTransaction> m_transaction;
     std::bitset<256> m_shownLabels;
     std::vector<PieceSource> m_shownPieces;

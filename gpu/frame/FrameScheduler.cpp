@@ -191,8 +191,9 @@ void FrameScheduler::takeChanges()
     const core::VoxelBox segmentation = m_volume.takeDirty(VolumeField::Segmentation);
     const core::VoxelBox pieces = m_volume.takeDirty(VolumeField::Pieces);
     const core::VoxelBox barriers = m_volume.takeDirty(VolumeField::Barriers);
+    const core::VoxelBox foreseen = m_volume.takeDirty(VolumeField::Foreseen);
     if (labels.empty() && radiation.empty() && segmentation.empty() && pieces.empty()
-        && barriers.empty())
+        && barriers.empty() && foreseen.empty())
         return;
     m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
         radiation.united(segmentation));
@@ -202,6 +203,7 @@ void FrameScheduler::takeChanges()
                                                : radiation.united(segmentation);
         if (slice == nullptr && !std::get<VolumeScene>(view.request.scene).pieces.empty())
             seen = seen.united(pieces);
+        seen = seen.united(foreseen);
         if (seen.empty() || (slice != nullptr && !meetsPlane(*slice, m_volume.geometry(), seen)))
             continue;
         // A coarse picture under way is finished first, or a long edit would never show.

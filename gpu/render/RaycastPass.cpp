@@ -88,25 +88,27 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"WARNED", 0}}});
+                    {"SEEDS", 0}, {"WARNED", 0}, {"FORESEEN", 0}}});
     }
 }
 
-Program& RaycastPass::seldomProgram(const VolumeScene& scene, bool pieces, bool seeds, bool warned)
+Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with)
 {
     const auto mode = std::size_t(scene.mode);
     const bool clipped = scene.clip.any();
-    const bool home = pieces && m_pieces.anyAtHome();
-    const std::size_t variant = std::size_t(clipped) + 2 * std::size_t(pieces)
-        + 4 * std::size_t(seeds) + 8 * std::size_t(home) + 16 * std::size_t(warned);
-    Program& program = m_seldomPrograms[seldomVariants * mode + variant];
+    const bool home = with.pieces && m_pieces.anyAtHome();
+    std::size_t variant = mode;
+    for (const bool part : {clipped, home, with.pieces, with.seeds, with.warned, with.foreseen})
+        variant = 2 * variant + std::size_t(part);
+    Program& program = m_seldomPrograms[variant];
     if (!program)
         program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
-                    {"CLIPPED", int(clipped)}, {"PIECES", int(pieces)}, {"SEEDS", int(seeds)},
-                    {"HOME", int(home)}, {"WARNED", int(warned)}}});
+                    {"CLIPPED", int(clipped)}, {"HOME", int(home)}, {"PIECES", int(with.pieces)},
+                    {"SEEDS", int(with.seeds)}, {"WARNED", int(with.warned)},
+                    {"FORESEEN", int(with.foreseen)}}});
     return program;
 }
 
@@ -119,12 +121,14 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kin
         : index;
 }
 
-Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene, bool warned)
+Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with)
 {
-    if (kind == RayBlocks::Kind::Pieces)
-        return seldomProgram(scene, true, false, warned);
-    if (kind == RayBlocks::Kind::Sculpted && warned)
-        return seldomProgram(scene, false, false, true);
+    const bool marked = with.warned || with.foreseen;
+    if (kind == RayBlocks::Kind::Pieces || (kind == RayBlocks::Kind::Sculpted && marked))
+        return seldomProgram(scene,
+            {.pieces = kind == RayBlocks::Kind::Pieces,
+                .warned = with.warned,
+                .foreseen = with.foreseen});
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
@@ -150,12 +154,16 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
 {
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
-    const Tile seeded = seeds ? common(tile, m_seeds.blocksIn(scene, target)) : Tile{};
-    BrickField* words = palette.warns() ? volume.seedWords() : nullptr;
-    const bool warned = words != nullptr;
+    BrickField* words = volume.seedWords();
+    BrickField* foreseen = volume.foreseen();
+    const Seldom with{.pieces = pieces,
+        .seeds = seeds,
+        .warned = words && palette.warns(),
+        .foreseen = foreseen != nullptr};
+    const Tile overlaid = seeds ? common(tile, m_seeds.blocksIn(scene, target)) : Tile{};
     const bool sculpted = pieces || volume.cells().isSculpted();
     std::array<std::vector<Tile>, RayBlocks::kinds> parts;
-    for (const Tile& rest : around(tile, seeded)) {
+    for (const Tile& rest : around(tile, overlaid)) {
         if (!sculpted) {
             parts[std::size_t(RayBlocks::Kind::Plain)].push_back(rest);
             continue;
@@ -171,6 +179,10 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             words->pageTable().bindUnit(15);
             program.set("warnAfter", palette.warnAfterGeneration());
         }
+        if (foreseen) {
+            foreseen->pageTable().bindUnit(16);
+            foreseen->atlas().bindUnit(17);
+        }
         for (const Tile& part : tiles) {
             glScissor(part.minimum.x, part.minimum.y, part.size.x, part.size.y);
             noVertices.drawFullScreenTriangle();
@@ -180,17 +192,18 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     for (std::size_t kind = 0; kind < parts.size(); ++kind) {
         if (parts[kind].empty())
             continue;
-        Program& program = programFor(RayBlocks::Kind(kind), scene, warned);
+        Program& program = programFor(RayBlocks::Kind(kind), scene, with);
         if (RayBlocks::Kind(kind) == RayBlocks::Kind::Pieces)
             m_pieces.bind(program, volume);
         drawParts(program, parts[kind]);
     }
-    if (seeded.size.x > 0) {
-        Program& program = seldomProgram(scene, pieces, true, warned);
+    if (overlaid.size.x > 0) {
+        Program& program = seldomProgram(scene, with);
         if (pieces)
             m_pieces.bind(program, volume);
-        m_seeds.bind(program);
-        drawParts(program, {seeded});
+        if (seeds)
+            m_seeds.bind(program);
+        drawParts(program, {overlaid});
     }
     glDisable(GL_SCISSOR_TEST);
 }
@@ -203,7 +216,7 @@ void RaycastPass::warmUp(VolumeTextures& volume, const VolumeScene& scene, const
     for (const RayBlocks::Kind kind : {RayBlocks::Kind::Carved, RayBlocks::Kind::Sculpted}) {
         if (m_warm[variantOf(scene, kind)])
             continue;
-        prepare(programFor(kind, scene, false), volume, scene, palette, target);
+        prepare(programFor(kind, scene, {}), volume, scene, palette, target);
         noVertices.drawFullScreenTriangle();
     }
     glDisable(GL_SCISSOR_TEST);

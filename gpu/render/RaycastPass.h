@@ -12,6 +12,7 @@
 #include "gpu/render/TransferLookup.h"
 
 #include <array>
+#include <map>
 
 namespace gpu {
 
@@ -48,11 +49,19 @@ private:
     /// @return codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
+    /// What is seldom needed.
+    struct Seldom {
+        bool pieces = false;
+        bool seeds = false;
+        bool warned = false; ///< members warn
+        bool foreseen = false; ///< some members would go
+    };
+
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
-    [[nodiscard]] Program& programFor(RayBlocks::Kind kind, const VolumeScene& scene, bool warned);
-    /// What is seldom needed, as a program of its own: compiled when it first is.
-    [[nodiscard]] Program& seldomProgram(
-        const VolumeScene& scene, bool pieces, bool seeds, bool warned);
+    [[nodiscard]] Program& programFor(
+        RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with);
+    /// As a program of its own: compiled when it first is needed.
+    [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, const Seldom& with);
     [[nodiscard]] std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const;
     /// Of this picture; looked for anew only when something changed.
     [[nodiscard]] const RayBlocks& blocksOf(
@@ -63,10 +72,7 @@ private:
     const ShaderLibrary& m_library;
     PieceSet m_pieces;
     SeedDots m_seeds;
-    /// With pieces, seeds or both, clipped or not, some pieces at home or none; made when
-    /// first needed.
-    static constexpr std::size_t seldomVariants = 32;
-    std::array<Program, seldomVariants * renderModes> m_seldomPrograms;
+    std::map<std::size_t, Program> m_seldomPrograms; ///< by all that they are compiled for
     TransferLookup m_transfer;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three

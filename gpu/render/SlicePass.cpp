@@ -12,8 +12,9 @@ namespace {
 constexpr unsigned labeled = 1;
 constexpr unsigned carved = 2;
 constexpr unsigned barriers = 4;
-constexpr unsigned warned = 8; // this and the next when they are first needed
+constexpr unsigned warned = 8; // this and the next two when they are first needed
 constexpr unsigned atTolerance = 16;
+constexpr unsigned foreseen = 32;
 constexpr unsigned seldom = warned;
 
 } // namespace
@@ -35,7 +36,7 @@ Program& SlicePass::programFor(unsigned variant)
                 .fragmentPath = "render/slice.frag",
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
-                    {"AT_TOLERANCE", has(atTolerance)}}});
+                    {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)}}});
     return known;
 }
 
@@ -68,6 +69,11 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         }
         words->atlas().bindUnit(14);
         words->pageTable().bindUnit(15);
+    }
+    if (BrickField* marks = volume.foreseen()) {
+        variant += foreseen;
+        marks->pageTable().bindUnit(16);
+        marks->atlas().bindUnit(17);
     }
     Program& program = programFor(variant);
     if ((variant & atTolerance) != 0)

@@ -13,9 +13,9 @@ namespace gpu {
 class VolumeTextures;
 
 /// Draws any plane through the volume: window/level (DICOM LINEAR), fill and outline of segments,
-/// outline of what is carved away, stripes where growth is shut out, a colour for what warns; a
-/// segment as it would be at a tolerance where that is asked for and a field of it stands. Outside
-/// the volume it is black.
+/// outline of what is carved away, stripes where growth is shut out, a colour for what warns,
+/// hatching over what a cut would take; a segment as it would be at a tolerance where that is asked
+/// for and a field of it stands. Outside the volume it is black.
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -29,11 +29,11 @@ public:
 private:
     /// @param variant labels or none, plus twice carved or not, plus four times barriers or none,
     /// plus eight times members that warn or none, plus sixteen times a segment at a tolerance or
-    /// none
+    /// none, plus 32 times what a cut would take or none
     [[nodiscard]] Program& programFor(unsigned variant);
 
     const ShaderLibrary& m_library;
-    std::array<Program, 32> m_programs; ///< from eight on when they are first needed
+    std::array<Program, 64> m_programs; ///< from eight on when they are first needed
 };
 
 } // namespace gpu

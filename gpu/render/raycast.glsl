@@ -251,8 +251,11 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
             + c * texture(field, at + voxel * c).r + d * texture(field, at + voxel * d).r);
 }
 
-#if WARNED
+#if WARNED || FORESEEN
 #include "edit/memberWords.glsl"
+#endif
+#if FORESEEN
+#include "render/foreseen.glsl"
 #endif
 
 /// Colour of the shown segments around a point, weighted like interpolation weighs them.
@@ -263,21 +266,31 @@ vec3 segmentColour(vec3 at)
     const vec3 part = place - vec3(base);
     const ivec3 last = textureSize(labels, 0) - 1;
     vec4 sum = vec4(0.0);
+#if FORESEEN
+    float going = 0.0;
+#endif
     for (int corner = 0; corner < 8; ++corner) {
         const ivec3 offset = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
         const vec3 share = mix(1.0 - part, part, vec3(offset));
-        const uint label = texelFetch(labels, clamp(base + offset, ivec3(0), last), 0).r;
+        const ivec3 there = clamp(base + offset, ivec3(0), last);
+        const uint label = texelFetch(labels, there, 0).r;
         const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
         // Nothing shown may be within reach of a thin part: then any weight will do.
-        sum += vec4(entry.rgb, 1.0) * (entry.a * (share.x * share.y * share.z + 1e-4));
+        const float weight = entry.a * (share.x * share.y * share.z + 1e-4);
+        sum += vec4(entry.rgb, 1.0) * weight;
+#if FORESEEN
+        going += isForeseen(there) ? weight : 0.0;
+#endif
     }
-    const vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
+    vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
 #if WARNED
     const ivec3 nearestVoxel = clamp(ivec3(floor(place + 0.5)), ivec3(0), last);
-    return warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
-#else
-    return own;
+    own = warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
 #endif
+#if FORESEEN
+    own = going > 0.5 * sum.a ? foreseenAt(gl_FragCoord.xy * pixelScale) : own;
+#endif
+    return own;
 }
 
 /// Normal of the flat face that a ray enters by, world, towards the viewer: the end of the scan, or

@@ -1,16 +1,19 @@
-// One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED: whether there is anything of the kind
-// to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance.
+// One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN: whether there is anything of
+// the kind to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 7) uniform sampler2D palette;   // rgb, shown
-#if BARRIERS || WARNED || AT_TOLERANCE
+#if BARRIERS || WARNED || AT_TOLERANCE || FORESEEN
 #include "edit/memberWords.glsl"
 #endif
 #if AT_TOLERANCE
 #include "edit/toleranceLabel.glsl"
+#endif
+#if FORESEEN
+#include "render/foreseen.glsl"
 #endif
 
 /* Uniforms */
@@ -33,6 +36,7 @@ const vec3 carvedColour = vec3(0.94, 0.55, 0.29);
 const float carvedWidth = 1.5; // pixels
 const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
 const float barrierWidth = 1.2; // pixels
+const float foreseenWidth = 1.5; // pixels
 
 /// Index space at a pixel (centres at + 0.5).
 vec3 indexAt(vec2 pixel)
@@ -99,6 +103,16 @@ void main()
     const vec3 own = entry.rgb;
 #endif
     result = mix(result, own, entry.a * (edge ? 1.0 : fillOpacity));
+#endif
+#if FORESEEN
+    const bool goes = isForeseen(voxel);
+    bool border = false;
+    for (int i = 0; i < 8; i += 2) {
+        const vec3 there = indexAt(pixel + around(i) * foreseenWidth);
+        border = border || isForeseen(nearestVoxel(there)) != goes;
+    }
+    result = mix(result, border ? foreseenColour : foreseenAt(pixel),
+        goes ? (border ? 1.0 : 0.6) : 0.0);
 #endif
 #if CARVED
     float least = 1.0;

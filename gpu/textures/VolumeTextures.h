@@ -25,6 +25,7 @@ enum class VolumeField : std::uint8_t {
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
     Pieces, ///< footprints of pieces (PieceTextures)
     Barriers, ///< what is shut to growth: words of the seed map of plane 0
+    Foreseen, ///< what a cut would take
 };
 
 /// The dense textures of the open volume (DESIGN §4). Edit kernels write labels, radiation and
@@ -61,6 +62,9 @@ public:
     /// The seed map of plane 0, lent by whoever edits it; null: there is none.
     [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
     void setSeedWords(BrickField* words) { m_seedWords = words; }
+    /// What a cut of the growth of plane 0 would take (R8UI, 1: goes), likewise; null: nothing.
+    [[nodiscard]] BrickField* foreseen() { return m_foreseen; }
+    void setForeseen(BrickField* foreseen) { m_foreseen = foreseen; }
     /// The tolerance field of a label of plane 0 (R16UI, whole bricks), likewise; null: none
     /// stands.
     [[nodiscard]] const Texture3D* tolerances(int label) const
@@ -100,10 +104,12 @@ private:
     std::uint64_t m_revision = 0;
     PieceTextures m_pieces;
     BrickField* m_seedWords = nullptr;
+    BrickField* m_foreseen = nullptr;
     const Texture3D* m_tolerances = nullptr;
     int m_toleranceLabel = 0;
-    std::array<core::VoxelBox, 5> m_dirty;
-    std::array<bool, 5> m_touched{};
+    static constexpr std::size_t fields = 6;
+    std::array<core::VoxelBox, fields> m_dirty;
+    std::array<bool, fields> m_touched{};
     bool m_replaced = false;
 };
 

@@ -411,4 +411,35 @@ std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command)
     return greatest;
 }
 
+core::ForeseenCut foreseeCut(const DenseFields& fields, const core::CutGrowth& command)
+{
+    DenseFields before = fields;
+    DenseFields after = fields;
+    cutGrowth(after, command);
+    core::ForeseenCut foreseen;
+    const Words& words = before.seedWords(command.plane);
+    for (std::size_t voxel = 0; voxel < words.values.size(); ++voxel) {
+        const bool goes = seedWord::isMember(words.values[voxel])
+            && !seedWord::isMember(after.seedWords(command.plane).values[voxel]);
+        foreseen.members += goes ? 1 : 0;
+    }
+    const core::BrickGrid grid{fields.size()};
+    std::map<std::uint32_t, std::bitset<core::BrickGrid::voxelsPerBrick>> taken;
+    for (int z = 0; z < fields.size().z; ++z) {
+        for (int y = 0; y < fields.size().y; ++y) {
+            for (int x = 0; x < fields.size().x; ++x) {
+                const glm::ivec3 voxel(x, y, z);
+                if (before.labels(command.plane).at(voxel) == after.labels(command.plane).at(voxel))
+                    continue;
+                ++foreseen.voxels;
+                taken[std::uint32_t(grid.brickOf(voxel))].set(
+                    std::size_t(core::BrickGrid::offsetInBrick(voxel)));
+            }
+        }
+    }
+    for (const auto& [brick, voxels] : taken)
+        foreseen.bricks.push_back({.brick = brick, .taken = voxels});
+    return foreseen;
+}
+
 } // namespace reference

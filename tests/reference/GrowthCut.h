@@ -10,4 +10,7 @@ namespace reference {
 /// down as it stands there. @return the generation then
 std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command);
 
+/// What it would take: the cut is made in a copy, and the two are compared.
+core::ForeseenCut foreseeCut(const DenseFields& fields, const core::CutGrowth& command);
+
 } // namespace reference

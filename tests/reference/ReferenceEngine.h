@@ -68,6 +68,9 @@ private:
     [[nodiscard]] Outcome carryOut(core::CountGenerations& command);
     [[nodiscard]] Outcome carryOut(core::TraceTolerance& command);
     [[nodiscard]] Outcome carryOut(core::DropTolerance& command);
+    [[nodiscard]] Outcome carryOut(core::ForeseeCut& command);
+    [[nodiscard]] Outcome carryOut(core::DropForesight& command);
+    [[nodiscard]] core::Result<void> checkCut(const core::CutGrowth& edit) const;
 
     [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);

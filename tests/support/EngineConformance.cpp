@@ -22,6 +22,37 @@ QString describe(const core::BrickKey& key)
         .arg(key.brick);
 }
 
+QString differenceOfBricks(
+    const std::vector<core::BrickChange>& expected, const std::vector<core::BrickChange>& actual)
+{
+    for (std::size_t i = 0; i < std::min(expected.size(), actual.size()); ++i) {
+        const core::BrickChange& a = expected[i];
+        const core::BrickChange& b = actual[i];
+        if (a.key != b.key)
+            return QStringLiteral("expected %1, found %2").arg(describe(a.key), describe(b.key));
+        for (const auto& [which, x, y] :
+            {std::tuple{"before", &a.before, &b.before}, std::tuple{"after", &a.after, &b.after}}) {
+            if (x->size() != y->size())
+                return QStringLiteral("%1, %2: %3 bytes expected, %4 found")
+                    .arg(describe(a.key), QLatin1String(which))
+                    .arg(x->size())
+                    .arg(y->size());
+            const auto parting = std::mismatch(x->begin(), x->end(), y->begin());
+            if (parting.first != x->end())
+                return QStringLiteral("%1, %2, byte %3: %4 expected, %5 found")
+                    .arg(describe(a.key), QLatin1String(which))
+                    .arg(parting.first - x->begin())
+                    .arg(*parting.first)
+                    .arg(*parting.second);
+        }
+    }
+    if (expected.size() != actual.size())
+        return QStringLiteral("%1 bricks expected, %2 found")
+            .arg(expected.size())
+            .arg(actual.size());
+    return {};
+}
+
 /// Runs a case and keeps the books that a session would keep.
 class Runner {
 public:
@@ -184,8 +215,65 @@ private:
         settle();
         core::CutGrowth cut = step.cut;
         cut.generation = m_generations[cut.plane];
-        carryOut(core::EngineCommand(core::BeginEdit{std::move(cut)}));
+        const std::vector<core::BrickChange> before = bricksOfGrowth(cut.plane);
+        const bool wasOpen = m_isOpen;
+        const std::size_t question = submit(core::ForeseeCut{cut});
+        settle();
+        // A look ahead changes nothing, and takes what the cut then takes.
+        if (!differenceOfBricks(before, bricksOfGrowth(cut.plane)).isEmpty())
+            complain(QStringLiteral("foreseeing a cut changed something"));
+        carryOut(core::EngineCommand(core::BeginEdit{cut}));
+        const std::size_t end = m_commands;
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
+        settle();
+        const core::EngineResult foreseen = resultOf(question);
+        const core::EngineResult done = resultOf(end);
+        if (foreseen.error.has_value() != (done.error.has_value() || wasOpen))
+            complain(QStringLiteral("what is foreseen and what is done are not refused alike"));
+        else if (!foreseen.error && step.ending == core::Ending::Commit)
+            compareWithForeseen(foreseen, done);
+    }
+
+    void compareWithForeseen(const core::EngineResult& foreseen, const core::EngineResult& done)
+    {
+        if (!foreseen.foreseen)
+            return complain(QStringLiteral("a cut was not foreseen"));
+        std::vector<core::ForeseenCut::Brick> taken;
+        for (const core::BrickChange& change : done.changes) {
+            if (change.key.field != core::Field::Labels)
+                continue;
+            core::ForeseenCut::Brick& brick = taken.emplace_back();
+            brick.brick = change.key.brick;
+            for (std::size_t voxel = 0; voxel < change.before.size(); ++voxel) {
+                const int now = change.after.empty() ? 0 : change.after[voxel];
+                brick.taken[voxel] = change.before[voxel] != now;
+            }
+        }
+        if (taken != foreseen.foreseen->bricks
+            || done.statistics.voxelsChanged != foreseen.foreseen->voxels)
+            complain(QStringLiteral("a cut took %1 voxels where %2 were foreseen")
+                         .arg(done.statistics.voxelsChanged)
+                         .arg(foreseen.foreseen->voxels));
+        if ((foreseen.foreseen->members == 0) != done.changes.empty())
+            complain(QStringLiteral("whether a cut does anything was foreseen wrongly"));
+    }
+
+    /// Words and labels, asked aside: no result of the case.
+    std::vector<core::BrickChange> bricksOfGrowth(std::uint8_t plane)
+    {
+        core::ReadBricks read;
+        const core::BrickGrid grid{m_size};
+        for (const auto field : {core::Field::Labels, core::Field::SeedWords}) {
+            for (int brick = 0; brick < grid.brickCount(); ++brick)
+                read.keys.push_back({field, plane, std::uint32_t(brick)});
+        }
+        return resultOf(submitAndSettle(std::move(read))).changes;
+    }
+    std::size_t submitAndSettle(core::EngineCommand command)
+    {
+        const std::size_t place = submit(std::move(command));
+        settle();
+        return place;
     }
 
     void carryOut(const Undo&)
@@ -271,37 +359,6 @@ private:
     bool m_isOpen = false;
 };
 
-QString differenceOfBricks(
-    const std::vector<core::BrickChange>& expected, const std::vector<core::BrickChange>& actual)
-{
-    for (std::size_t i = 0; i < std::min(expected.size(), actual.size()); ++i) {
-        const core::BrickChange& a = expected[i];
-        const core::BrickChange& b = actual[i];
-        if (a.key != b.key)
-            return QStringLiteral("expected %1, found %2").arg(describe(a.key), describe(b.key));
-        for (const auto& [which, x, y] :
-            {std::tuple{"before", &a.before, &b.before}, std::tuple{"after", &a.after, &b.after}}) {
-            if (x->size() != y->size())
-                return QStringLiteral("%1, %2: %3 bytes expected, %4 found")
-                    .arg(describe(a.key), QLatin1String(which))
-                    .arg(x->size())
-                    .arg(y->size());
-            const auto parting = std::mismatch(x->begin(), x->end(), y->begin());
-            if (parting.first != x->end())
-                return QStringLiteral("%1, %2, byte %3: %4 expected, %5 found")
-                    .arg(describe(a.key), QLatin1String(which))
-                    .arg(parting.first - x->begin())
-                    .arg(*parting.first)
-                    .arg(*parting.second);
-        }
-    }
-    if (expected.size() != actual.size())
-        return QStringLiteral("%1 bricks expected, %2 found")
-            .arg(expected.size())
-            .arg(actual.size());
-    return {};
-}
-
 QString differenceOfResults(const core::EngineResult& a, const core::EngineResult& b)
 {
     const auto number = [](const char* name, auto expected, auto actual) {
@@ -336,6 +393,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
         return QStringLiteral("members of generations differ");
     if (a.tolerance != b.tolerance)
         return QStringLiteral("another curve of tolerances");
+    if (a.foreseen != b.foreseen)
+        return QStringLiteral("another cut is foreseen");
     for (std::size_t i = 0; i < a.probes.size(); ++i) {
         if (a.probes[i].code != b.probes[i].code || a.probes[i].label != b.probes[i].label)
             return QStringLiteral("probe %1 reads %2, %3 instead of %4, %5")

@@ -3,10 +3,22 @@
 
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
+#include "ui/tools/ShrinkForesight.h"
+#include "ui/tools/SketchedVoxels.h"
 
 #include <QPointer>
 
 namespace ui {
+
+ShrinkTool::ShrinkTool(Workspace& workspace, QObject* parent)
+    : SketchTool(workspace, parent)
+    , m_sketched(new SketchedVoxels(workspace, this))
+    , m_foresight(new ShrinkForesight(workspace, this))
+{
+    connect(m_sketched, &SketchedVoxels::grew, this,
+        [this] { m_foresight->follow(m_sketched->voxels()); });
+    connect(m_foresight, &ShrinkForesight::changed, this, &Tool::overlayChanged);
+}
 
 QString ShrinkTool::name() const
 {
@@ -32,6 +44,31 @@ QString ShrinkTool::target() const
 QString ShrinkTool::keys() const
 {
     return tr("Ctrl: only the sketched voxels · %1").arg(SketchTool::keys());
+}
+
+void ShrinkTool::sketchBegan(const ViewContext& view)
+{
+    // What is foreseen is said of a growth that stands; the edit would end it anyway.
+    workspace().session()->closeGrowth();
+    m_foresight->begin(modifiers().testFlag(Qt::ControlModifier));
+    m_sketched->begin(view);
+}
+
+void ShrinkTool::sketchGrew(const std::vector<glm::dvec2>& pixels)
+{
+    m_sketched->follow(pixels);
+}
+
+void ShrinkTool::sketchOver()
+{
+    m_sketched->end();
+    m_foresight->end();
+}
+
+QStringList ShrinkTool::cursorLines() const
+{
+    const QString foreseen = m_foresight->words();
+    return foreseen.isEmpty() ? QStringList{target()} : QStringList{foreseen};
 }
 
 void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)

@@ -5,13 +5,17 @@
 
 namespace ui {
 
+class ShrinkForesight;
+class SketchedVoxels;
+
 /// Takes back what grew through the sketched places (core::ShrinkAt): cut off at its narrowest
-/// passage, which is shut; with Ctrl only the sketched voxels.
+/// passage, which is shut; with Ctrl only the sketched voxels. While the pen is down it shows what
+/// that would be.
 class ShrinkTool : public SketchTool {
     Q_OBJECT
 
 public:
-    using SketchTool::SketchTool;
+    explicit ShrinkTool(Workspace& workspace, QObject* parent = nullptr);
 
     [[nodiscard]] QString name() const override;
     [[nodiscard]] QString iconName() const override;
@@ -19,11 +23,20 @@ public:
     [[nodiscard]] QString target() const override;
     [[nodiscard]] QString keys() const override;
 
+    [[nodiscard]] const ShrinkForesight& foresight() const { return *m_foresight; }
+
 private:
+    void sketchBegan(const ViewContext& view) override;
+    void sketchGrew(const std::vector<glm::dvec2>& pixels) override;
+    void sketchOver() override;
+    [[nodiscard]] QStringList cursorLines() const override;
     void commit(const std::vector<glm::ivec3>& voxels) override;
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;
     [[nodiscard]] QString nothingSeenText() const override;
+
+    SketchedVoxels* m_sketched;
+    ShrinkForesight* m_foresight;
 };
 
 } // namespace ui

@@ -3,38 +3,17 @@
 
 #include "ui/Workspace.h"
 #include "ui/tools/CursorLabel.h"
-#include "ui/tools/PickQuestion.h"
 #include "ui/tools/SeenVoxels.h"
+#include "ui/tools/SketchedVoxels.h"
 
 #include <QPainter>
 #include <QPointer>
 
-#include <algorithm>
-#include <array>
-#include <set>
+#include <utility>
 
 namespace ui {
 
 namespace {
-
-/// Each voxel once, in the order of the sketch.
-std::vector<glm::ivec3> unique(const std::vector<glm::ivec3>& voxels)
-{
-    std::set<std::array<int, 3>> seen;
-    std::vector<glm::ivec3> result;
-    for (const glm::ivec3& voxel : voxels) {
-        if (seen.insert({voxel.x, voxel.y, voxel.z}).second)
-            result.push_back(voxel);
-    }
-    return result;
-}
-
-/// Neighbouring points of a sketch lie at most half a voxel apart, so no voxel is stepped over.
-double pathStepPixels(const core::Volume& volume, const ViewContext& view)
-{
-    const glm::dvec3 spacing = volume.geometry.spacingMm();
-    return 0.5 * std::min({spacing.x, spacing.y, spacing.z}) / view.mmPerPixel();
-}
 
 glm::dvec2 pixelOf(const PointerSample& sample)
 {
@@ -50,6 +29,7 @@ SketchTool::SketchTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
         m_path.clear();
+        sketchOver();
         Q_EMIT overlayChanged();
     });
 }
@@ -77,6 +57,8 @@ void SketchTool::press(const PointerSample& sample, const ViewContext& view)
     m_withEraser = sample.eraserEnd;
     m_strokeView = view;
     m_path = {pixelOf(sample)};
+    sketchBegan(view);
+    sketchGrew(m_path);
     hover(sample, view);
 }
 
@@ -85,6 +67,7 @@ void SketchTool::drag(const PointerSample& sample, const ViewContext& view)
     if (!m_strokeView || view.view != m_strokeView->view)
         return;
     m_path.push_back(pixelOf(sample));
+    sketchGrew(m_path);
     hover(sample, view);
 }
 
@@ -92,16 +75,16 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
 {
     if (!m_strokeView)
         return;
-    if (!finishOtherwise(m_path, *m_strokeView)) {
-        if (m_strokeView->isSlice())
-            commitOnSlice();
-        else
-            askWhatIsSeen();
-    }
+    // On the 3D view the sketch is not over before it is known what was seen.
+    const bool waits = !finishOtherwise(m_path, *m_strokeView) && !commitOnSlice();
+    if (waits)
+        askWhatIsSeen();
     m_strokeView.reset();
     m_path.clear();
     m_modifiers = {};
     m_withEraser = false;
+    if (!waits)
+        sketchOver();
     Q_EMIT overlayChanged();
 }
 
@@ -111,6 +94,7 @@ void SketchTool::cancel()
         return;
     m_strokeView.reset();
     m_path.clear();
+    sketchOver();
     m_workspace.say(tr("The sketch was dropped"));
     Q_EMIT overlayChanged();
 }
@@ -128,47 +112,52 @@ void SketchTool::leave()
     Q_EMIT overlayChanged();
 }
 
-void SketchTool::commitOnSlice()
+bool SketchTool::commitOnSlice()
 {
-    const core::Volume& volume = *m_workspace.volume();
-    std::vector<glm::ivec3> voxels;
-    for (const glm::dvec2& pixel : alongPath(m_path, pathStepPixels(volume, *m_strokeView))) {
-        const glm::dvec3 lps = m_strokeView->toLps({pixel.x, pixel.y});
-        const glm::ivec3 voxel(glm::round(volume.geometry.toIndex(lps)));
-        if (volume.geometry.contains(voxel))
-            voxels.push_back(voxel);
-    }
+    if (!m_strokeView->isSlice())
+        return false;
+    const std::vector<glm::ivec3> voxels =
+        voxelsUnder(m_path, *m_strokeView, *m_workspace.volume());
     if (voxels.empty())
         m_workspace.say(outsideText());
     else
-        commit(unique(voxels));
+        commit(voxels);
+    return true;
 }
 
 void SketchTool::askWhatIsSeen()
 {
-    const core::Volume& volume = *m_workspace.volume();
-    std::vector<glm::dvec2> planeMm;
-    for (const glm::dvec2& pixel : alongPath(m_path, pathStepPixels(volume, *m_strokeView)))
-        planeMm.push_back(m_strokeView->toViewPlaneMm({pixel.x, pixel.y}));
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
-    ui::askWhatIsSeen(m_workspace, scene, planeMm,
-        [tool = QPointer<SketchTool>(this)](const core::Result<SeenVoxels>& seen) {
+    ui::askWhatIsSeen(m_workspace, scene,
+        planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
+        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser](
+            const core::Result<SeenVoxels>& seen) {
             if (!tool)
                 return;
-            if (!seen) {
-                tool->m_workspace.fail(seen.error());
-                return;
-            }
-            std::vector<glm::ivec3> voxels;
-            for (const auto& pick : *seen) {
-                if (pick)
-                    voxels.push_back(pick->voxel);
-            }
-            if (voxels.empty())
-                tool->m_workspace.say(tool->nothingSeenText());
-            else
-                tool->commit(unique(voxels));
+            // The next sketch may have begun, with other keys.
+            const auto nextModifiers = std::exchange(tool->m_modifiers, modifiers);
+            const bool nextEraser = std::exchange(tool->m_withEraser, eraser);
+            tool->commitSeen(seen);
+            tool->m_modifiers = nextModifiers;
+            tool->m_withEraser = nextEraser;
+            if (!tool->drawing())
+                tool->sketchOver();
         });
+}
+
+void SketchTool::commitSeen(const core::Result<SeenVoxels>& seen)
+{
+    if (!seen)
+        return m_workspace.fail(seen.error());
+    std::vector<glm::ivec3> voxels;
+    for (const auto& pick : *seen) {
+        if (pick)
+            voxels.push_back(pick->voxel);
+    }
+    if (voxels.empty())
+        m_workspace.say(nothingSeenText());
+    else
+        commit(uniqueVoxels(voxels));
 }
 
 void SketchTool::paintOverlay(QPainter& painter, const ViewContext& view) const
@@ -193,7 +182,7 @@ void SketchTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     painter.setPen(QPen(QColor(0, 0, 0, 180), 1.0));
     painter.setBrush(colour());
     painter.drawEllipse(m_cursor, 4.0, 4.0);
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0, {target()});
+    drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0, cursorLines());
 }
 
 } // namespace ui

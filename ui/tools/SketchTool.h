@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/tools/SeenVoxels.h"
 #include "ui/tools/Tool.h"
 
 #include <QColor>
+#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -41,6 +43,12 @@ protected:
     {
         return false;
     }
+    // While the pen is down, for tools that show what they will do.
+    virtual void sketchBegan(const ViewContext&) { }
+    virtual void sketchGrew(const std::vector<glm::dvec2>& /*pixels*/) { }
+    virtual void sketchOver() { } ///< dropped, or committed if it met anything
+    /// Words at the cursor, the most important ones first.
+    [[nodiscard]] virtual QStringList cursorLines() const { return {target()}; }
     /// Each voxel once, in the order of the sketch; at least one.
     virtual void commit(const std::vector<glm::ivec3>& voxels) = 0;
     /// What the sketch is drawn in.
@@ -56,8 +64,9 @@ protected:
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
 
 private:
-    void commitOnSlice();
+    [[nodiscard]] bool commitOnSlice(); ///< whether it is one
     void askWhatIsSeen();
+    void commitSeen(const core::Result<SeenVoxels>& seen);
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< the view of pen-down holds for the whole sketch

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
+#include "gpu/edit/CutForesight.h"
 #include "tests/support/FrameTest.h"
 
 #include <QTest>
@@ -51,6 +52,22 @@ SliceScene axial()
 bool isGreen(const glm::ivec3& colour)
 {
     return colour.g > 60 && colour.g > 3 * colour.r && colour.g > 3 * colour.b;
+}
+
+/// The voxels of the right half, one by one.
+core::ForeseeCut rightHalfGoes()
+{
+    core::ForeseeCut question{.cut = {.how = core::CutGrowth::How::Here, .generation = late}};
+    for (int z = 12; z < 36; ++z)
+        for (int y = 12; y < 36; ++y)
+            for (int x = 24; x < 36; ++x)
+                question.cut.voxels.emplace_back(x, y, z);
+    return question;
+}
+
+bool isMagenta(const glm::ivec3& colour)
+{
+    return colour.r > 40 && colour.r > 2 * colour.g && colour.b > 2 * colour.g;
 }
 
 bool warns(const glm::ivec3& colour)
@@ -133,6 +150,66 @@ private Q_SLOTS:
         const Frame frame = m_fixture->draw(scene, {96, 96}, segments);
         QVERIFY(isGreen(test::pixel(frame, 36, 48)));
         QVERIFY(warns(test::pixel(frame, 60, 48)));
+    }
+
+    void whatACutWouldTakeIsHatchedInSlices()
+    {
+        open();
+        SegmentDisplay segments = greenSegment();
+        const Frame plain = m_fixture->draw(axial(), {96, 96}, segments);
+        CutForesight foresight(m_fixture->volume);
+        const auto foreseen = foresight.ask(*m_fixture->edits.fields, rightHalfGoes());
+        QVERIFY(foreseen);
+        QCOMPARE(foreseen->voxels, std::int64_t(12 * 24 * 24));
+        const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
+        int bright = 0;
+        int dark = 0;
+        for (int y = 30; y < 66; ++y) {
+            for (int x = 52; x < 68; ++x) {
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY(!isGreen(colour));
+                bright += colour.r > 140 ? 1 : 0;
+                dark += colour.r < 110 ? 1 : 0;
+            }
+        }
+        QVERIFY(bright > 100);
+        QVERIFY(dark > 100);
+        for (int x = 28; x < 46; ++x)
+            QVERIFY(isGreen(test::pixel(frame, x, 48)));
+        // Whatever is shown of the segment.
+        segments.visible[label] = false;
+        QVERIFY(isMagenta(test::pixel(m_fixture->draw(axial(), {96, 96}, segments), 69, 48)));
+        segments.visible[label] = true;
+        foresight.forget();
+        QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
+    }
+
+    void whatACutWouldTakeIsHatchedIn3D_data() { whatCameLateWarnsIn3D_data(); }
+    void whatACutWouldTakeIsHatchedIn3D()
+    {
+        QFETCH(int, mode);
+        open();
+        m_fixture->fill(VolumeField::Segmentation, {{12, 12, 12}, {36, 36, 36}}, 255);
+        VolumeScene scene;
+        scene.eyeLps = {0, -300, 0};
+        scene.heightMm = side;
+        scene.mode = RenderMode(mode);
+        scene.surfaceThreshold = 1000.0;
+        scene.mipWindow = scene.xrayWindow = {2000.0, 1000.0};
+        scene.transferFunction.points = {{990.0, 0xFFFFFF, 0.0}, {1000.0, 0xFFFFFF, 0.9}};
+        const SegmentDisplay segments = greenSegment();
+        const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
+        CutForesight foresight(m_fixture->volume);
+        QVERIFY(foresight.ask(*m_fixture->edits.fields, rightHalfGoes()));
+        const Frame frame = m_fixture->draw(scene, {96, 96}, segments);
+        for (int y = 32; y < 64; ++y) {
+            for (int x = 28; x < 46; ++x)
+                QVERIFY(isGreen(test::pixel(frame, x, y)));
+            for (int x = 51; x < 68; ++x)
+                QVERIFY(isMagenta(test::pixel(frame, x, y)));
+        }
+        foresight.forget();
+        QCOMPARE(*m_fixture->draw(scene, {96, 96}, segments).rgba, *plain.rgba);
     }
 };
 

@@ -5,6 +5,8 @@
 #include "tests/support/LeakPhantoms.h"
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/tools/ShrinkForesight.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QtTest>
@@ -206,6 +208,79 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), rows);
         QCOMPARE(said.count(), 2);
         QVERIFY(said[1][0].toString().startsWith(QStringLiteral("Nothing was taken back")));
+    }
+
+    void beforePenUpItTellsWhatItTakes_data()
+    {
+        QTest::addColumn<bool>("inVolume");
+        QTest::addColumn<bool>("onlyHere");
+        QTest::newRow("slice") << false << false;
+        QTest::newRow("3D") << true << false;
+        QTest::newRow("slice, only here") << false << true;
+        QTest::newRow("3D, only here") << true << true;
+    }
+    void beforePenUpItTellsWhatItTakes()
+    {
+        QFETCH(bool, inVolume);
+        QFETCH(bool, onlyHere);
+        ShrinkFixture fixture;
+        ui::ImageView& where = inVolume ? static_cast<ui::ImageView&>(fixture.view) : fixture.slice;
+        const ui::ShrinkForesight& foresight = fixture.tool.foresight();
+        const std::size_t rows = fixture.rows();
+        const QByteArray leaked = fixture.session().stateHash();
+        const auto before = fixture.labels();
+        const QPoint at = where.context().toPixel(fixture.placeOf(phantom().click)).toPoint();
+        const Qt::KeyboardModifiers keys = onlyHere ? Qt::ControlModifier : Qt::NoModifier;
+        const auto sketch = [&] {
+            QTest::mousePress(&where, Qt::LeftButton, keys, at);
+            QTest::mouseMove(&where, at + QPoint(3, 1));
+            QTest::mouseMove(&where, at + QPoint(6, 2));
+            const auto answered = [&] {
+                fixture.session().poll();
+                return foresight.upToDate();
+            };
+            return QTest::qWaitFor(answered, 60000);
+        };
+        QVERIFY(foresight.words().isEmpty());
+        QVERIFY(sketch());
+        const std::int64_t voxels = foresight.voxels().value_or(0);
+        QVERIFY(onlyHere ? voxels > 0 && voxels < 100 : voxels > 10000);
+        const QString volume =
+            ui::millilitreText(voxels, fixture.workspace.volume()->geometry.voxelVolumeMm3());
+        QCOMPARE(foresight.words(),
+            onlyHere ? QStringLiteral("takes only this: %1").arg(volume)
+                     : QStringLiteral("takes %1").arg(volume));
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().stateHash(), leaked);
+        QCOMPARE(fixture.labels(), before);
+
+        QTest::keyClick(&where, Qt::Key_Escape);
+        QTest::mouseRelease(&where, Qt::LeftButton, keys, at + QPoint(6, 2));
+        fixture.answered();
+        QVERIFY(foresight.words().isEmpty() && !foresight.voxels());
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().stateHash(), leaked);
+
+        QVERIFY(sketch());
+        QCOMPARE(foresight.voxels().value_or(0), voxels);
+        QTest::mouseRelease(&where, Qt::LeftButton, keys, at + QPoint(6, 2));
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastShrink() && fixture.lastShrink()->onlyHere == onlyHere);
+        QCOMPARE(fixture.session().history().rows().back().statistics.voxelsChanged, voxels);
+        QVERIFY(foresight.words().isEmpty());
+    }
+
+    void whereNothingGrewTheCursorSaysSo()
+    {
+        ShrinkFixture fixture;
+        fixture.workspace.setCrosshairLps(fixture.placeOf({2, 93, 2}));
+        const QPoint at = fixture.slice.context().toPixel(fixture.placeOf({2, 93, 2})).toPoint();
+        QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
+        QTRY_VERIFY((fixture.session().poll(), fixture.tool.foresight().upToDate()));
+        QCOMPARE(fixture.tool.foresight().words(), QStringLiteral("nothing grown here"));
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
+        QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
     }
 
     void escapeDropsTheSketch()

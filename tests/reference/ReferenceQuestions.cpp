@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// ReferenceEngine: what changes nothing.
+#include "tests/reference/ReferenceEngine.h"
+
+#include "core/growth/SeedWord.h"
+#include "tests/reference/GrowthCut.h"
+
+#include <algorithm>
+
+namespace reference {
+
+namespace {
+
+auto refuse(const char* field, const char* reason)
+{
+    return core::failure(
+        core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+}
+
+} // namespace
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
+{
+    core::EngineResult result;
+    for (const glm::ivec3& voxel : command.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+        result.probes.push_back({m_codes.at(voxel), m_fields.labels(command.plane).at(voxel),
+            m_tolerance ? m_tolerance->at(voxel) : std::nullopt});
+    }
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeSeeds& command)
+{
+    const auto sums =
+        seedSums(m_codes, m_fields.seedWords(command.plane), command.lowCode, command.highCode);
+    core::EngineResult result;
+    for (std::size_t label = 0; label < sums.size(); ++label) {
+        if (sums[label].voxels > 0)
+            result.seeds.push_back({std::uint8_t(label), sums[label]});
+    }
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
+{
+    if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
+        return refuse("opacityOfCode", "has 256 entries");
+    const DenseArray<std::uint8_t> seen = carved();
+    core::EngineResult result;
+    for (const core::PickVoxels::Ray& ray : command.rays)
+        result.picks.push_back(pick({m_codes, seen}, command, ray));
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::CountGenerations& command)
+{
+    core::EngineResult result;
+    for (const std::uint32_t word : m_fields.seedWords(command.plane).values) {
+        if (!core::seedWord::isMember(word))
+            continue;
+        const std::size_t generation = core::seedWord::generation(word);
+        result.generationSizes.resize(std::max(result.generationSizes.size(), generation + 1));
+        ++result.generationSizes[generation];
+    }
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::TraceTolerance& command)
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    m_tolerance.reset();
+    auto traced =
+        traceTolerance(m_codes, m_fields.composedCoverage(m_muted), m_fields, command.rule);
+    if (!traced)
+        return tl::unexpected(traced.error());
+    m_tolerance = std::move(*traced);
+    core::EngineResult result;
+    result.tolerance = m_tolerance->curve;
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropTolerance&)
+{
+    m_tolerance.reset();
+    return core::EngineResult{};
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ForeseeCut& command)
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    if (const core::Result<void> checked = checkCut(command.cut); !checked)
+        return tl::unexpected(checked.error());
+    core::EngineResult result;
+    result.foreseen = foreseeCut(m_fields, command.cut);
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropForesight&)
+{
+    return core::EngineResult{};
+}
+
+} // namespace reference
