@@ -331,6 +331,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("showSegments"), options.showSegments},
         {QStringLiteral("showCarved"), options.showCarved},
         {QStringLiteral("carvedAsHole"), options.carvedAsHole},
+        {QStringLiteral("showBarriers"), options.showBarriers},
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
         {QStringLiteral("clip"), toJson(m_workspace.clip())},
         {QStringLiteral("pieces"), toJson(m_workspace.pieces().looks())},
@@ -376,6 +377,7 @@ void DisplayState::apply(const QJsonObject& state)
     read(state[QLatin1String("showSegments")], options.showSegments);
     read(state[QLatin1String("showCarved")], options.showCarved);
     read(state[QLatin1String("carvedAsHole")], options.carvedAsHole);
+    read(state[QLatin1String("showBarriers")], options.showBarriers);
     m_workspace.setViewOptions(options);
     Workspace::VolumeDisplay volume = m_workspace.volumeDisplay();
     read(state[QLatin1String("volume")], volume);

@@ -149,7 +149,8 @@ void MainWindow::buildMenus()
             "view.fromBelow"}));
     view->addSeparator();
     m_actions.fill(*view,
-        ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole", ""}));
+        ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole",
+            "view.barriers", ""}));
     m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
     m_actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
     m_actions.fill(*view, ids({"view.fullScreen"}));

@@ -267,6 +267,8 @@ void addViewActions(MainWindow& window)
     addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);
     addToggle(window, "view.carved", "Outline of carving in slices", "Shift+H",
         &Workspace::ViewOptions::showCarved);
+    addToggle(
+        window, "view.barriers", "Barriers of growth", "", &Workspace::ViewOptions::showBarriers);
     addToggle(window, "view.hole", "Carving as a hole in slices", "",
         &Workspace::ViewOptions::carvedAsHole);
     actions.add({.id = QStringLiteral("view.panels"),

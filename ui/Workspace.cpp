@@ -193,6 +193,7 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
     if (m_warnAfter)
         display.warnAfterGeneration = *m_warnAfter;
     display.atTolerance = m_atTolerance;
+    display.showBarriers = m_viewOptions.showBarriers;
     return display;
 }
 

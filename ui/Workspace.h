@@ -84,6 +84,7 @@ public:
         bool showSegments = true; ///< all segments at once; each keeps its own visibility
         bool showCarved = true; ///< in slices: what is carved away, as a tinted outline
         bool carvedAsHole = false; ///< in slices: what is carved away is black
+        bool showBarriers = true; ///< what is shut to growth, in slices and in the 3D view
         bool inverted = false; ///< of slices: grey scale the other way round
         bool operator==(const ViewOptions&) const = default;
     };

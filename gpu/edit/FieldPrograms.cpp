@@ -47,7 +47,15 @@ FieldPrograms::FieldPrograms(const ShaderLibrary& library)
     : copy(library)
     , radiation(library)
     , pieceCells(library, {.label = "piece cells", .path = "textures/pieceCells.comp"})
+    , m_library(library)
 {
+}
+
+Program& FieldPrograms::findBarriers()
+{
+    if (!m_findBarriers)
+        m_findBarriers = program(m_library, "edit/findBarriers.comp");
+    return m_findBarriers;
 }
 
 } // namespace gpu

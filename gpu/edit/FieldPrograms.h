@@ -44,6 +44,12 @@ struct FieldPrograms {
     CopyPrograms copy;
     RadiationPrograms radiation;
     Program pieceCells;
+    /// Of BarrierBricks; compiled when it is first needed.
+    [[nodiscard]] Program& findBarriers();
+
+private:
+    const ShaderLibrary& m_library;
+    Program m_findBarriers;
 };
 
 } // namespace gpu

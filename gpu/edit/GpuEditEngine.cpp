@@ -148,6 +148,10 @@ bool GpuEditEngine::work()
         publishProgress();
         return true;
     }
+    if (m_fields && m_fields->barriersStale()) {
+        m_fields->updateBarriers();
+        return true;
+    }
     if (m_fields && m_fields->segmentationStale()) {
         m_fields->updateSegmentation(segmentationBricksPerSlice);
         return true;

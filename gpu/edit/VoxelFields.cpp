@@ -10,17 +10,20 @@ VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
     , m_segmentation(shared.segmentation().view(GL_R8UI, "segmentation map, integer"))
     , m_copier(programs.copy, m_grid)
     , m_radiationKernel(programs.radiation, m_grid)
+    , m_barriers(programs, m_grid)
     , m_programs(programs)
 {
     // What a session begins with (core::initialDocument).
     coverage(1).reserve();
     seedWords(0).reserve();
     m_shared.setSeedWords(&seedWords(0));
+    m_shared.setBarriers(&m_barriers);
 }
 
 VoxelFields::~VoxelFields()
 {
     m_shared.setSeedWords(nullptr);
+    m_shared.setBarriers(nullptr);
     m_shared.setTolerances(nullptr, 0);
 }
 
@@ -131,6 +134,7 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
         noteCoverage(boxesOf(bricks));
     } else if (field == core::Field::SeedWords) {
         m_shared.markDirty(VolumeField::Barriers, boxOf(bricks));
+        m_barriers.note(bricks);
     } else if (field == core::Field::Labels) {
         m_labelledBricks.insert(bricks.begin(), bricks.end());
         m_shared.markDirty(VolumeField::Labels, boxOf(bricks));
@@ -221,6 +225,13 @@ void VoxelFields::setShownLabels(const std::bitset<256>& shown)
     const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
     for (const std::uint32_t brick : withNeighbours(labelled))
         m_staleSegmentation.insert(brick);
+}
+
+void VoxelFields::updateBarriers()
+{
+    const core::VoxelBox changed = m_barriers.update(seedWords(0));
+    if (!changed.empty())
+        m_shared.markDirty(VolumeField::BarrierBricks, changed);
 }
 
 void VoxelFields::updateSegmentation(std::size_t maxBricks)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/edit/BarrierBricks.h"
 #include "gpu/edit/BrickCopier.h"
 #include "gpu/edit/BrickField.h"
 #include "gpu/edit/RadiationKernel.h"
@@ -64,6 +65,10 @@ public:
     /// Brings up to @p maxBricks stale bricks up to date.
     void updateSegmentation(std::size_t maxBricks);
 
+    /// Where pictures look for barriers follows between edits, too.
+    [[nodiscard]] bool barriersStale() const { return m_barriers.stale(); }
+    void updateBarriers();
+
     /// What tracing works out; no truth.
     [[nodiscard]] ToleranceField& tolerance() { return m_tolerance; }
     /// It is worked out: from now on it is told and shown.
@@ -110,6 +115,7 @@ private:
     std::map<std::uint8_t, BrickField> m_seedWords;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
     SpreadField m_spread;
+    BarrierBricks m_barriers; ///< of plane 0
     ToleranceField m_tolerance;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::bitset<256> m_mutedLayers;

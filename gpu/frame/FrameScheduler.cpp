@@ -191,16 +191,18 @@ void FrameScheduler::takeChanges()
     const core::VoxelBox segmentation = m_volume.takeDirty(VolumeField::Segmentation);
     const core::VoxelBox pieces = m_volume.takeDirty(VolumeField::Pieces);
     const core::VoxelBox barriers = m_volume.takeDirty(VolumeField::Barriers);
+    const core::VoxelBox barrierBricks = m_volume.takeDirty(VolumeField::BarrierBricks);
     const core::VoxelBox foreseen = m_volume.takeDirty(VolumeField::Foreseen);
     if (labels.empty() && radiation.empty() && segmentation.empty() && pieces.empty()
-        && barriers.empty() && foreseen.empty())
+        && barriers.empty() && barrierBricks.empty() && foreseen.empty())
         return;
     m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
         radiation.united(segmentation));
     for (auto& [id, view] : m_views) {
         const auto* slice = std::get_if<SliceScene>(&view.request.scene);
-        core::VoxelBox seen = slice != nullptr ? labels.united(radiation).united(barriers)
-                                               : radiation.united(segmentation);
+        core::VoxelBox seen = slice != nullptr
+            ? labels.united(radiation).united(barriers)
+            : radiation.united(segmentation).united(barrierBricks);
         if (slice == nullptr && !std::get<VolumeScene>(view.request.scene).pieces.empty())
             seen = seen.united(pieces);
         seen = seen.united(foreseen);

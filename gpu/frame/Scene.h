@@ -38,6 +38,7 @@ struct SegmentDisplay {
     float outlineWidthPixels = 2.0f; ///< of slices
     /// Of one of them, while the engine has a tolerance field of it; else it is drawn as it is.
     std::optional<ToleranceDisplay> atTolerance{};
+    bool showBarriers = true; ///< what is shut to growth: stripes in slices, bodies in the 3D view
     bool operator==(const SegmentDisplay&) const = default;
 };
 

@@ -20,6 +20,7 @@ public:
     {
         return m_current.warnAfterGeneration;
     }
+    [[nodiscard]] bool showsBarriers() const { return m_current.showBarriers; }
 
 private:
     Texture2D m_texture;

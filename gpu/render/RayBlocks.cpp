@@ -218,4 +218,45 @@ std::array<std::vector<Tile>, RayBlocks::kinds> RayBlocks::split(const Tile& til
     return parts;
 }
 
+Tile blocksAround(const glm::vec3& low, const glm::vec3& high, const glm::dmat4& indexToWorld,
+    const VolumeScene& scene, const PassTarget& target)
+{
+    const ViewFrame view = ViewFrame::of(scene, target.frameSize);
+    const glm::dvec3 eye = scene.targetLps - view.forward * view.distanceMm;
+    glm::dvec2 least(1e9);
+    glm::dvec2 greatest(-1e9);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::bvec3 upper(corner & 1, corner & 2, corner & 4);
+        const glm::dvec3 index(glm::mix(low, high, upper));
+        const glm::dvec3 lps(indexToWorld * glm::dvec4(index, 1.0));
+        double mmPerPixel = view.mmPerPixel;
+        if (!scene.orthographic) {
+            const double depth = glm::dot(lps - eye, view.forward) / view.distanceMm;
+            if (depth < 1e-3)
+                return {glm::ivec2(0), target.frameSize}; // about the eye
+            mmPerPixel *= depth;
+        }
+        const glm::dvec3 from = lps - scene.targetLps;
+        const glm::dvec2 at(glm::dot(from, view.right), glm::dot(from, view.down));
+        const glm::dvec2 pixel = glm::dvec2(target.frameSize) * 0.5 + at / mmPerPixel;
+        least = glm::min(least, pixel);
+        greatest = glm::max(greatest, pixel);
+    }
+    constexpr double most = 1 << 20;
+    const double block = RayBlocks::block;
+    const auto inBlocks = [&](const glm::dvec2& pixel) {
+        return glm::clamp(pixel / double(target.pixelScale), -most, most) / block;
+    };
+    const glm::ivec2 first(glm::floor(inBlocks(least - 2.0)) * block);
+    const glm::ivec2 last(glm::ceil(inBlocks(greatest + 2.0)) * block);
+    return {first, last - first};
+}
+
+Tile blocksAround(const core::VoxelBox& voxels, const core::VolumeGeometry& geometry,
+    const VolumeScene& scene, const PassTarget& target)
+{
+    return blocksAround(glm::vec3(voxels.minimum) - 1.0f, glm::vec3(voxels.maximum),
+        geometry.indexToWorld, scene, target);
+}
+
 } // namespace gpu

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/VolumeGeometry.h"
 #include "gpu/frame/Scene.h"
 #include "gpu/frame/TilePlan.h"
 #include "gpu/render/PassTarget.h"
@@ -41,5 +42,12 @@ private:
     glm::ivec2 m_blocks{0};
     std::vector<Kind> m_kinds; ///< empty: all plain
 };
+
+/// The blocks of a picture in which a box of the volume is seen, as one rectangle of drawn pixels
+/// that may reach beyond it. @param low, high index space
+[[nodiscard]] Tile blocksAround(const glm::vec3& low, const glm::vec3& high,
+    const glm::dmat4& indexToWorld, const VolumeScene& scene, const PassTarget& target);
+[[nodiscard]] Tile blocksAround(const core::VoxelBox& voxels, const core::VolumeGeometry& geometry,
+    const VolumeScene& scene, const PassTarget& target);
 
 } // namespace gpu

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/RaycastPass.h"
 
+#include "gpu/edit/BarrierBricks.h"
 #include "gpu/edit/BrickField.h"
 #include "gpu/render/ViewFrame.h"
 #include "gpu/render/WindowMapping.h"
@@ -51,6 +52,13 @@ Tile common(const Tile& a, const Tile& b)
     return glm::all(glm::lessThan(low, high)) ? Tile{low, high - low} : Tile{};
 }
 
+/// What holds two rectangles.
+Tile united(const Tile& a, const Tile& b)
+{
+    const glm::ivec2 low = glm::min(a.minimum, b.minimum);
+    return {low, glm::max(a.minimum + a.size, b.minimum + b.size) - low};
+}
+
 /// What is left of a tile without a rectangle in it.
 std::vector<Tile> around(const Tile& tile, const Tile& hole)
 {
@@ -88,7 +96,7 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"WARNED", 0}, {"FORESEEN", 0}}});
+                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}}});
     }
 }
 
@@ -98,7 +106,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool clipped = scene.clip.any();
     const bool home = with.pieces && m_pieces.anyAtHome();
     std::size_t variant = mode;
-    for (const bool part : {clipped, home, with.pieces, with.seeds, with.warned, with.foreseen})
+    for (const bool part :
+        {clipped, home, with.pieces, with.seeds, with.barriers, with.warned, with.foreseen})
         variant = 2 * variant + std::size_t(part);
     Program& program = m_seldomPrograms[variant];
     if (!program)
@@ -107,8 +116,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
                     {"CLIPPED", int(clipped)}, {"HOME", int(home)}, {"PIECES", int(with.pieces)},
-                    {"SEEDS", int(with.seeds)}, {"WARNED", int(with.warned)},
-                    {"FORESEEN", int(with.foreseen)}}});
+                    {"SEEDS", int(with.seeds)}, {"BARRIERS", int(with.barriers)},
+                    {"WARNED", int(with.warned)}, {"FORESEEN", int(with.foreseen)}}});
     return program;
 }
 
@@ -156,11 +165,22 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     const bool seeds = m_seeds.set(volume, scene);
     BrickField* words = volume.seedWords();
     BrickField* foreseen = volume.foreseen();
+    const BarrierBricks* barriers = words && palette.showsBarriers() ? volume.barriers() : nullptr;
+    if (barriers && !barriers->any())
+        barriers = nullptr;
     const Seldom with{.pieces = pieces,
         .seeds = seeds,
+        .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
         .foreseen = foreseen != nullptr};
-    const Tile overlaid = seeds ? common(tile, m_seeds.blocksIn(scene, target)) : Tile{};
+    Tile over;
+    if (seeds)
+        over = m_seeds.blocksIn(scene, target);
+    if (barriers) {
+        const Tile blocks = blocksAround(barriers->box(), volume.geometry(), scene, target);
+        over = seeds ? united(over, blocks) : blocks;
+    }
+    const Tile overlaid = common(tile, over);
     const bool sculpted = pieces || volume.cells().isSculpted();
     std::array<std::vector<Tile>, RayBlocks::kinds> parts;
     for (const Tile& rest : around(tile, overlaid)) {
@@ -203,6 +223,11 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             m_pieces.bind(program, volume);
         if (seeds)
             m_seeds.bind(program);
+        if (barriers) {
+            barriers->texture().bindUnit(18);
+            program.set("barrierLow", glm::vec3(barriers->box().minimum) - 1.0f)
+                .set("barrierHigh", glm::vec3(barriers->box().maximum));
+        }
         drawParts(program, {overlaid});
     }
     glDisable(GL_SCISSOR_TEST);

@@ -21,7 +21,8 @@ struct ViewFrame;
 
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
 /// intensity or X-ray; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not
-/// seen; shown segments are, whole, pieces, each in its pose, and seeds as dots. Background black.
+/// seen; shown segments are, whole, pieces, each in its pose, seeds as dots, and barriers as
+/// translucent bodies. Background black.
 class RaycastPass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -53,6 +54,7 @@ private:
     struct Seldom {
         bool pieces = false;
         bool seeds = false;
+        bool barriers = false;
         bool warned = false; ///< members warn
         bool foreseen = false; ///< some members would go
     };

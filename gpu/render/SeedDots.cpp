@@ -2,7 +2,6 @@
 #include "gpu/render/SeedDots.h"
 
 #include "gpu/render/RayBlocks.h"
-#include "gpu/render/ViewFrame.h"
 #include "gpu/textures/VolumeTextures.h"
 
 #include <algorithm>
@@ -126,35 +125,7 @@ void SeedDots::radiate(const VolumeTextures& volume, const std::vector<SceneSeed
 
 Tile SeedDots::blocksIn(const VolumeScene& scene, const PassTarget& target) const
 {
-    const ViewFrame view = ViewFrame::of(scene, target.frameSize);
-    const glm::dvec3 eye = scene.targetLps - view.forward * view.distanceMm;
-    glm::dvec2 low(1e9);
-    glm::dvec2 high(-1e9);
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::bvec3 upper(corner & 1, corner & 2, corner & 4);
-        const glm::dvec3 index(glm::mix(m_low - 1.0f, m_high + 1.0f, upper));
-        const glm::dvec3 lps(m_indexToWorld * glm::dvec4(index, 1.0));
-        double mmPerPixel = view.mmPerPixel;
-        if (!scene.orthographic) {
-            const double depth = glm::dot(lps - eye, view.forward) / view.distanceMm;
-            if (depth < 1e-3)
-                return {glm::ivec2(0), target.frameSize}; // about the eye
-            mmPerPixel *= depth;
-        }
-        const glm::dvec3 from = lps - scene.targetLps;
-        const glm::dvec2 at(glm::dot(from, view.right), glm::dot(from, view.down));
-        const glm::dvec2 pixel = glm::dvec2(target.frameSize) * 0.5 + at / mmPerPixel;
-        low = glm::min(low, pixel);
-        high = glm::max(high, pixel);
-    }
-    constexpr double most = 1 << 20;
-    const double block = RayBlocks::block;
-    const auto inBlocks = [&](const glm::dvec2& pixel) {
-        return glm::clamp(pixel / double(target.pixelScale), -most, most) / block;
-    };
-    const glm::ivec2 first(glm::floor(inBlocks(low - 2.0)) * block);
-    const glm::ivec2 last(glm::ceil(inBlocks(high + 2.0)) * block);
-    return {first, last - first};
+    return blocksAround(m_low - 1.0f, m_high + 1.0f, m_indexToWorld, scene, target);
 }
 
 void SeedDots::bind(Program& program) const

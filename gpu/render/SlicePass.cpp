@@ -61,8 +61,8 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     unsigned variant = (volume.touched(VolumeField::Labels) ? labeled : 0)
         + (volume.touched(VolumeField::Radiation) ? carved : 0);
     if (words) {
-        variant +=
-            (volume.touched(VolumeField::Barriers) ? barriers : 0) + (palette.warns() ? warned : 0);
+        variant += (volume.touched(VolumeField::Barriers) && segments.showBarriers ? barriers : 0)
+            + (palette.warns() ? warned : 0);
         if (tolerances) {
             variant |= labeled | atTolerance;
             tolerances->bindUnit(13);

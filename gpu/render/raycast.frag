@@ -18,6 +18,9 @@
 #if SEEDS
 #include "render/seeds.glsl"
 #endif
+#if BARRIERS
+#include "render/barriers.glsl"
+#endif
 
 void main()
 {
@@ -25,6 +28,9 @@ void main()
     vec3 seen = seenAlong(ray);
 #if SEEDS
     seen = withSeeds(ray, seen);
+#endif
+#if BARRIERS
+    seen = withBarriers(ray, seen);
 #endif
     colour = vec4(seen, 1.0);
 }

@@ -59,7 +59,7 @@ const uint segmentFlag = 4u;
 
 const float nowhere = 1e30; // no t
 
-#if SEEDS
+#if SEEDS || BARRIERS
 float solidFrom = nowhere; // t from which on nothing behind is seen
 #endif
 
@@ -251,7 +251,7 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
             + c * texture(field, at + voxel * c).r + d * texture(field, at + voxel * d).r);
 }
 
-#if WARNED || FORESEEN
+#if WARNED || FORESEEN || BARRIERS
 #include "edit/memberWords.glsl"
 #endif
 #if FORESEEN

@@ -88,5 +88,6 @@ vec3 withSeeds(Ray ray, vec3 seen)
     const vec3 own = texelFetch(palette, ivec2(int(label + 0.5), 0), 0).rgb;
     const vec3 look = lit(own, lightOn(normal, -ray.world, 1.0, 0.35));
     const bool hidden = t > solidFrom + 2.0 * stepMm;
+    solidFrom = found && !hidden ? min(solidFrom, t) : solidFrom;
     return mix(seen, look, found ? (hidden ? 0.25 : 1.0) : 0.0);
 }

@@ -278,7 +278,7 @@ vec3 seenAlong(Ray ray)
         next = hits[i] < nearest ? i : next;
         nearest = min(nearest, hits[i]);
     }
-#if SEEDS
+#if SEEDS || BARRIERS
     solidFrom = nearest;
 #endif
     // Opaque ones are looked at once: what is drawn is worth many looks for what is next.
@@ -314,7 +314,7 @@ vec3 seenAlong(Ray ray)
 vec3 seenAlong(Ray ray)
 {
     const Hit hit = firstHit(ray);
-#if SEEDS
+#if SEEDS || BARRIERS
     solidFrom = hit.t;
 #endif
     const vec3 look = lookOf(ray, restOf, hit);

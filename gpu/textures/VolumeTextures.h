@@ -16,6 +16,7 @@
 
 namespace gpu {
 
+class BarrierBricks;
 class BrickField;
 
 /// What changes in an open volume, as the renderers see it.
@@ -25,6 +26,7 @@ enum class VolumeField : std::uint8_t {
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
     Pieces, ///< footprints of pieces (PieceTextures)
     Barriers, ///< what is shut to growth: words of the seed map of plane 0
+    BarrierBricks, ///< which bricks hold any of that
     Foreseen, ///< what a cut would take
 };
 
@@ -62,6 +64,9 @@ public:
     /// The seed map of plane 0, lent by whoever edits it; null: there is none.
     [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
     void setSeedWords(BrickField* words) { m_seedWords = words; }
+    /// Where barriers are among these, likewise.
+    [[nodiscard]] const BarrierBricks* barriers() const { return m_barriers; }
+    void setBarriers(const BarrierBricks* barriers) { m_barriers = barriers; }
     /// What a cut of the growth of plane 0 would take (R8UI, 1: goes), likewise; null: nothing.
     [[nodiscard]] BrickField* foreseen() { return m_foreseen; }
     void setForeseen(BrickField* foreseen) { m_foreseen = foreseen; }
@@ -104,10 +109,11 @@ private:
     std::uint64_t m_revision = 0;
     PieceTextures m_pieces;
     BrickField* m_seedWords = nullptr;
+    const BarrierBricks* m_barriers = nullptr;
     BrickField* m_foreseen = nullptr;
     const Texture3D* m_tolerances = nullptr;
     int m_toleranceLabel = 0;
-    static constexpr std::size_t fields = 6;
+    static constexpr std::size_t fields = 7;
     std::array<core::VoxelBox, fields> m_dirty;
     std::array<bool, fields> m_touched{};
     bool m_replaced = false;

@@ -7,8 +7,8 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/SmallStudy.h"
 #include "ui/DisplayState.h"
-#include "ui/MainWindow.h"
 #include "ui/LayerLooks.h"
+#include "ui/MainWindow.h"
 #include "ui/Pieces.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/ScissorsTool.h"
@@ -108,6 +108,7 @@ private:
             .showSegments = true,
             .showCarved = false,
             .carvedAsHole = true,
+            .showBarriers = false,
             .inverted = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;

@@ -12,6 +12,8 @@ namespace test {
 
 bool IdleEdits::work()
 {
+    if (fields && fields->barriersStale())
+        fields->updateBarriers();
     const bool stale = fields && fields->piecesStale();
     if (stale)
         fields->updatePieces(7);

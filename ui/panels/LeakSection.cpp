@@ -20,6 +20,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_guard(new QCheckBox(tr("stop at leaks"), this))
     , m_factor(new QDoubleSpinBox(this))
+    , m_barriers(new QCheckBox(tr("show barriers"), this))
     , m_offer(new QWidget(this))
     , m_text(new QLabel(m_offer))
 {
@@ -36,6 +37,9 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     m_factor->setSingleStep(0.1);
     m_factor->setPrefix(tr("at "));
     m_factor->setSuffix(tr(" × wider"));
+    m_barriers->setObjectName(QStringLiteral("growBarriers"));
+    m_barriers->setToolTip(
+        tr("What is shut to growth: stripes in slices, translucent in the 3D view"));
     m_text->setObjectName(QStringLiteral("leakText"));
     m_text->setFont(theme::smallFont());
     m_text->setWordWrap(true);
@@ -73,14 +77,28 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     guard->addWidget(m_guard, 1);
     guard->addWidget(m_factor);
     layout->addLayout(guard);
+    layout->addWidget(m_barriers);
     layout->addWidget(m_offer);
     m_offer->hide();
     connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);
     connect(m_factor, &QDoubleSpinBox::valueChanged, this, &LeakSection::takeSettings);
+    connect(m_barriers, &QCheckBox::toggled, this, [this](bool shown) {
+        Workspace::ViewOptions options = m_workspace.viewOptions();
+        options.showBarriers = shown;
+        m_workspace.setViewOptions(options);
+    });
+    connect(&workspace, &Workspace::viewOptionsChanged, this, &LeakSection::showBarriers);
     connect(&workspace, &Workspace::growSettingsChanged, this, &LeakSection::showSettings);
     connect(&workspace, &Workspace::sessionChanged, this, [this] { showAlarm({}); });
     connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
     showSettings();
+    showBarriers();
+}
+
+void LeakSection::showBarriers()
+{
+    const QSignalBlocker quiet(m_barriers);
+    m_barriers->setChecked(m_workspace.viewOptions().showBarriers);
 }
 
 void LeakSection::showSettings()

@@ -17,7 +17,8 @@ namespace ui {
 class Workspace;
 
 /// The leak guard of the growth panel: whether growth stops where a front bursts out of a narrow
-/// place, and, when it did, what is to become of it.
+/// place, and, when it did, what is to become of it; and whether the barriers that keep it out are
+/// shown.
 class LeakSection : public QWidget {
     Q_OBJECT
 
@@ -35,6 +36,7 @@ Q_SIGNALS:
 private:
     void showSettings();
     void takeSettings();
+    void showBarriers();
     void follow();
     void showPlace();
     void accept();
@@ -45,6 +47,7 @@ private:
     Workspace& m_workspace;
     QCheckBox* m_guard = nullptr;
     QDoubleSpinBox* m_factor = nullptr;
+    QCheckBox* m_barriers = nullptr;
     QWidget* m_offer = nullptr;
     QLabel* m_text = nullptr;
     std::optional<core::LeakAlarm> m_alarm;

@@ -197,7 +197,8 @@ private Q_SLOTS:
         scene.surfaceThreshold = 1000.0;
         scene.mipWindow = scene.xrayWindow = {2000.0, 1000.0};
         scene.transferFunction.points = {{990.0, 0xFFFFFF, 0.0}, {1000.0, 0xFFFFFF, 0.9}};
-        const SegmentDisplay segments = greenSegment();
+        SegmentDisplay segments = greenSegment();
+        segments.showBarriers = false;
         const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
         CutForesight foresight(m_fixture->volume);
         QVERIFY(foresight.ask(*m_fixture->edits.fields, rightHalfGoes()));

@@ -98,6 +98,17 @@ class LeakSectionUiTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
+    void barriersAreShownOrNot()
+    {
+        LeakyPanel fixture;
+        auto& shown = fixture.part<QCheckBox>("growBarriers");
+        QVERIFY(shown.isChecked() && fixture.workspace.segmentDisplay().showBarriers);
+        QTest::mouseClick(&shown, Qt::LeftButton, {}, {10, shown.height() / 2});
+        QVERIFY(!fixture.workspace.segmentDisplay().showBarriers);
+        fixture.workspace.setViewOptions({});
+        QVERIFY(shown.isChecked() && fixture.workspace.segmentDisplay().showBarriers);
+    }
+
     void theGuardIsASetting()
     {
         WorkspaceFixture fixture;
