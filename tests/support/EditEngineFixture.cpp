@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/EditEngineFixture.h"
 
+#include "gpu/edit/BarrierBricks.h"
 #include "gpu/gl/DebugOutput.h"
 #include "gpu/gl/EglContext.h"
 
@@ -77,9 +78,15 @@ reference::DenseArray<std::uint8_t> EditEngineFixture::read(gpu::VolumeField fie
     reference::DenseArray<std::uint8_t> bytes;
     m_thread->run([&] {
         gpu::VolumeTextures& textures = m_onThread->textures;
+        if (field == gpu::VolumeField::BarrierBricks && !textures.barriers()->texture()) {
+            bytes.size = textures.grid().bricks();
+            bytes.values.resize(std::size_t(textures.grid().brickCount()), 0);
+            return;
+        }
         const gpu::Texture3D& texture = field == gpu::VolumeField::Labels ? textures.labels()
             : field == gpu::VolumeField::Radiation                        ? textures.radiation()
-                                                                          : textures.segmentation();
+            : field == gpu::VolumeField::BarrierBricks ? textures.barriers()->texture()
+                                                       : textures.segmentation();
         bytes.size = texture.size();
         bytes.values.resize(texture.bytes());
         texture.read(glm::ivec3(0), bytes.size, std::as_writable_bytes(std::span(bytes.values)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/DrillPathSampler.h"
 #include "core/edits/EngineEdits.h"
+#include "core/growth/SeedWord.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -247,6 +248,15 @@ void EngineConformanceGlTest::derivedTexturesFollow()
     reference::DenseFields fields = oracle.fields();
     QVERIFY(m_gpu.read(gpu::VolumeField::Labels).values == fields.labels(0).values);
     QVERIFY(m_gpu.read(gpu::VolumeField::Radiation).values == oracle.carved().values);
+    const BrickGrid grid{engineCase.codes.size};
+    std::vector<std::uint8_t> shut(std::size_t(grid.brickCount()), 0);
+    const auto& words = fields.seedWords(0);
+    for (int z = 0; z < words.size.z; ++z)
+        for (int y = 0; y < words.size.y; ++y)
+            for (int x = 0; x < words.size.x; ++x)
+                if (words.at({x, y, z}) == seedWord::barrier)
+                    shut[std::size_t(grid.brickOf({x, y, z}))] = 1;
+    QVERIFY(m_gpu.read(gpu::VolumeField::BarrierBricks).values == shut);
     reference::DenseArray<std::uint8_t> members = fields.labels(0);
     for (std::uint8_t& value : members.values)
         value = shown.test(value) ? 255 : 0;
