@@ -26,7 +26,7 @@ template <class Settings> auto limitsOf(Settings& settings)
     return std::array{std::pair{"sigmas", &settings.sigmas},
         std::pair{"difference", &settings.difference}, std::pair{"gradient", &settings.gradient},
         std::pair{"gradientDifference", &settings.gradientDifference},
-        std::pair{"majority", &settings.majority}};
+        std::pair{"majority", &settings.majority}, std::pair{"passage", &settings.passage}};
 }
 
 std::optional<double> asked(const Limit& limit)
@@ -83,6 +83,7 @@ core::GrowCriteria criteriaOf(const GrowSettings& settings)
     criteria.gradientDifference = asked(settings.gradientDifference);
     if (settings.majority.on)
         criteria.majority = int(std::lround(settings.majority.value));
+    criteria.passage = asked(settings.passage);
     criteria.onlyVisible = settings.onlyVisible;
     if (settings.boxed)
         criteria.box = settings.box;
@@ -110,6 +111,11 @@ void chooseLimits(GrowSettings& settings, const core::Volume& volume)
         if (limit->value == 0.0)
             limit->value = roundNumber(width / (limit == &settings.difference ? 10.0 : 5.0));
     }
+    double& passage = settings.passage.value;
+    const double least = core::leastPassageMm(volume.geometry);
+    if (passage == 0.0)
+        passage = roundNumber(2.0 * least);
+    passage = std::clamp(passage, least, core::greatestPassageMm(volume.geometry));
 }
 
 std::optional<core::ClipRegion::Box> growBoxOf(

@@ -29,6 +29,7 @@ struct GrowSettings {
     Limit gradient{}; ///< modality units a millimetre
     Limit gradientDifference{};
     Limit majority{.on = false, .value = 14};
+    Limit passage{}; ///< mm
     /// Stops at leaks: the value is how many times as wide as a narrow place a front may get.
     Limit guard{.on = false, .value = 2.0};
     bool onlyVisible = false;
@@ -44,7 +45,8 @@ struct GrowSettings {
 /// How many limits are on; the guard is none.
 [[nodiscard]] int limitsOn(const GrowSettings& settings);
 
-/// Gives values to limits that never had one: tenths of what a window shows of the volume.
+/// Gives values to limits that never had one: tenths of what a window shows of the volume, and four
+/// voxels. A passage width becomes one that can be asked for in the volume.
 void chooseLimits(GrowSettings& settings, const core::Volume& volume);
 
 /// The box in index positions, from border to border of its voxels; none where growth is not bound

@@ -204,6 +204,9 @@ struct GrowCriteria {
     std::optional<double> gradient{}; ///< magnitude at most, per millimetre
     std::optional<double> gradientDifference{}; ///< of magnitudes, from the voxel before
     std::optional<int> majority{}; ///< so many of the 27 voxels around and at it in the interval
+    /// mm: growth goes only where a ball of this diameter can roll to from a seed (Passage.h). One
+    /// that holds no voxel but its centre asks nothing.
+    std::optional<double> passage{};
     bool onlyVisible = false; ///< not what is carved
     std::optional<GrowBox> box{};
     bool overwriteUnlocked = false;

@@ -14,6 +14,15 @@ constexpr double greatestPart = 32767.0;
 constexpr double greatestWeight = 65535.0;
 constexpr int greatestMagnitude = 65534;
 
+constexpr double unitsPerVoxel = 16.0; // Passage: of the finest spacing
+constexpr double greatestPassageSpacing = 256.0; // no ball reaches as far
+
+double finestSpacing(const VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    return std::min({spacing.x, spacing.y, spacing.z});
+}
+
 int magnitudeAtMost(double bound, const GradientScale& scale)
 {
     return int(std::clamp(std::floor(bound * scale.perUnit), 0.0, double(greatestMagnitude)));
@@ -61,6 +70,30 @@ Result<VoxelSpan> voxelsOf(const GrowBox& box, const VolumeGeometry& geometry, c
     return VoxelSpan{.from = glm::ivec3(from), .to = glm::ivec3(to)};
 }
 
+double greatestPassageMm(const VolumeGeometry& geometry)
+{
+    return (2.0 * greatestPassageReach + 1.0) * finestSpacing(geometry);
+}
+
+double leastPassageMm(const VolumeGeometry& geometry)
+{
+    return 2.0 * finestSpacing(geometry);
+}
+
+Passage passageOf(double widthMm, const VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const double unitsPerMm = unitsPerVoxel / finestSpacing(geometry);
+    Passage passage;
+    for (int axis = 0; axis < 3; ++axis)
+        passage.spacing[axis] =
+            int(std::min(std::floor(spacing[axis] * unitsPerMm + 0.5), greatestPassageSpacing));
+    const double half = 0.5 * widthMm * unitsPerMm;
+    // Squares are whole numbers: a half width that ends at a voxel's centre holds that voxel.
+    passage.reach = int(std::floor(half * half + 0.5));
+    return isAsked(passage) ? passage : Passage{};
+}
+
 Result<GrowLimits> growLimits(
     const GrowCriteria& criteria, const Volume& volume, const QString& edit)
 {
@@ -76,6 +109,14 @@ Result<GrowLimits> growLimits(
             limits.gradientDifference = magnitudeAtMost(*criteria.gradientDifference, scale);
     }
     limits.majority = criteria.majority.value_or(0);
+    if (criteria.passage) {
+        // A number typed from what the limit is shown as may be rounded up.
+        if (*criteria.passage > greatestPassageMm(volume.geometry) * (1.0 + 1e-9))
+            return failure(ErrorCode::InvalidField, edit + QStringLiteral(".passage"),
+                QStringLiteral("at most %1 mm, 31 times the finest spacing of this volume")
+                    .arg(greatestPassageMm(volume.geometry)));
+        limits.passage = passageOf(*criteria.passage, volume.geometry);
+    }
     limits.onlyVisible = criteria.onlyVisible;
     if (criteria.box) {
         const Result<VoxelSpan> span =

@@ -29,8 +29,16 @@ struct VoxelSpan {
 [[nodiscard]] Result<VoxelSpan> voxelsOf(
     const GrowBox& box, const VolumeGeometry& geometry, const QString& field);
 
+/// The widest passage that can be asked for in a volume, mm.
+[[nodiscard]] double greatestPassageMm(const VolumeGeometry& geometry);
+/// The least that asks for anything: narrower balls hold only their centre.
+[[nodiscard]] double leastPassageMm(const VolumeGeometry& geometry);
+/// A passage width in whole numbers: units are sixteenths of the finest spacing. Asks nothing where
+/// a ball holds only its centre. @param widthMm not above greatestPassageMm()
+[[nodiscard]] Passage passageOf(double widthMm, const VolumeGeometry& geometry);
+
 /// All criteria but interval, neighbours and labels. @param edit its name, for messages. Errors:
-/// those of voxelsOf().
+/// those of voxelsOf(), InvalidField (a passage that is too wide).
 [[nodiscard]] Result<GrowLimits> growLimits(
     const GrowCriteria& criteria, const Volume& volume, const QString& edit);
 

@@ -132,6 +132,9 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
     Result<GrowBurst> burst = burstOf(grow.criteria, document, QStringLiteral("grow"));
     if (!burst)
         return burst;
+    if (!grow.tellsHeld && isAsked(burst->limits.passage))
+        return failure(ErrorCode::InvalidField, QStringLiteral("grow.tellsHeld"),
+            QStringLiteral("must be true with a passage width"));
     burst->tellsHeld = grow.tellsHeld;
     if (grow.guardFactor)
         burst->guard = GuardRule{.factor256 = int(std::lround(*grow.guardFactor * 256.0)),
@@ -143,9 +146,12 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
 Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document)
 {
     Result<GrowBurst> burst = burstOf(change.criteria, document, QStringLiteral("interval"));
-    if (burst)
-        burst->opening =
-            change.fromSeeds.value_or(false) ? GrowOpening::Restart : GrowOpening::Narrow;
+    if (!burst)
+        return burst;
+    burst->opening = change.fromSeeds.value_or(false) ? GrowOpening::Restart : GrowOpening::Narrow;
+    if (burst->opening == GrowOpening::Narrow && isAsked(burst->limits.passage))
+        return failure(ErrorCode::InvalidField, QStringLiteral("interval.fromSeeds"),
+            QStringLiteral("must be true with a passage width"));
     return burst;
 }
 
@@ -157,11 +163,14 @@ Result<ToleranceRule> toleranceRule(
         return failure(ErrorCode::UnknownSegment, QString::number(segment));
     if (growing->locked)
         return failure(ErrorCode::SegmentLocked, growing->name);
-    // One that asks for one voxel of 27 asks for nothing.
-    const std::array<std::pair<const char*, bool>, 4> unknown{
+    // A majority of one voxel of 27 and a passage of one voxel ask for nothing.
+    const std::array<std::pair<const char*, bool>, 5> unknown{
         {{"sigmas", criteria.sigmas.has_value()}, {"difference", criteria.difference.has_value()},
             {"gradientDifference", criteria.gradientDifference.has_value()},
-            {"majority", criteria.majority.value_or(0) > 1}}};
+            {"majority", criteria.majority.value_or(0) > 1},
+            {"passage",
+                criteria.passage
+                    && isAsked(passageOf(*criteria.passage, document.volumes.front().geometry))}}};
     for (const auto& [name, asked] : unknown) {
         if (asked)
             return failure(ErrorCode::InvalidField,

@@ -12,7 +12,14 @@ bool isSound(const GrowLimits& limits)
     }
     return limits.difference.value_or(0) >= 0 && limits.gradient.value_or(0) >= 0
         && limits.gradientDifference.value_or(0) >= 0 && between(limits.majority, 0, 27)
-        && between(limits.sigmas256, 0, 25600);
+        && between(limits.sigmas256, 0, 25600) && isSound(limits.passage);
+}
+
+bool isSound(const GrowBurst& burst)
+{
+    const bool rolls = isAsked(burst.limits.passage);
+    return isSound(burst.limits)
+        && (!rolls || (burst.opening != GrowOpening::Narrow && burst.tellsHeld));
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "core/growth/Passage.h"
 #include "core/sculpt/CapsuleSweep.h"
 
 #include <glm/glm.hpp>
@@ -40,8 +41,9 @@ struct SeedPlacement {
 ///   within(label, q); magnitude(q) ≤ gradient; of the 27 voxels q + {−1, 0, 1}³ at least
 ///   `majority` are within(label, ·); with onlyVisible the coverage of the composed layers is below
 ///   128 at q; with boxed boxFrom ≤ q ≤ boxTo on each axis.
-/// follows(p, q), asked of a voxel q that is not a seed, p being the parent:
-///   |code(q) − code(p)| ≤ difference; |magnitude(q) − magnitude(p)| ≤ gradientDifference.
+/// follows(label, p, q), asked of a voxel q that is not a seed, p being the parent:
+///   |code(q) − code(p)| ≤ difference; |magnitude(q) − magnitude(p)| ≤ gradientDifference;
+///   passes(label, p, q) of Passage.h, where `passage` asks for anything.
 struct GrowLimits {
     std::optional<int> difference{};
     std::optional<int> gradient{};
@@ -53,6 +55,7 @@ struct GrowLimits {
     glm::ivec3 boxFrom{0};
     glm::ivec3 boxTo{0};
     int sigmas256 = 0; ///< 256ths of a standard deviation, to 25600; 0: the interval as given
+    Passage passage{};
     bool operator==(const GrowLimits&) const = default;
 };
 
@@ -125,6 +128,10 @@ struct GrowBurst {
     /// After a generation that alarms it no step is done any more, whatever is asked for.
     std::optional<GuardRule> guard{};
 };
+
+/// Whether its limits are, and with a passage width the opening is not Narrow (who stays would
+/// depend on rooms that change; Restart gives what would have grown) and tellsHeld is true.
+[[nodiscard]] bool isSound(const GrowBurst& burst);
 
 /// Take back what a growth added after generation `keep`, for every label but those in `frozen`:
 /// its exact inverse (seed A §5.3, shrinking). Of each member of a later generation

@@ -2,6 +2,7 @@
 #include "core/session/RecentGrowth.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/GrowLimits.h"
 
 #include <bitset>
 
@@ -27,6 +28,12 @@ bool segmentsCompete(const History& history, const Document& document)
         growing[label] = segment && !segment->locked;
     }
     return growing.count() > 1;
+}
+
+bool asksPassage(const GrowCriteria& criteria, const Document& document)
+{
+    return criteria.passage
+        && isAsked(passageOf(*criteria.passage, document.volumes.front().geometry));
 }
 
 /// The growth before, with its guard.
@@ -80,7 +87,8 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
         change->asBefore = false;
     }
     if (!change->fromSeeds)
-        change->fromSeeds = change->criteria.sigmas || segmentsCompete(history, document);
+        change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
+            || segmentsCompete(history, document);
     return {};
 }
 

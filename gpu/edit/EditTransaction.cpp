@@ -31,7 +31,7 @@ core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)
 {
     if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
         return refusal("connectivity", "is not 6, 18 or 26");
-    if (!core::isSound(edit.limits))
+    if (!core::isSound(edit))
         return refusal("limits", "are not sound");
     return {};
 }

@@ -60,7 +60,7 @@ FrontBitsPrograms::FrontBitsPrograms(
 
 bool FrontBits::isFor(const core::GrowLimits& limits)
 {
-    return !limits.difference && !limits.gradientDifference;
+    return !limits.difference && !limits.gradientDifference && !core::isAsked(limits.passage);
 }
 
 bool FrontBits::pays(std::uint32_t frontVoxels, std::size_t bricksInReach) const

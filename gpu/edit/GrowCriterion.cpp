@@ -49,7 +49,7 @@ unsigned kindOf(const core::GrowLimits& limits)
     unsigned kind = 0;
     for (const auto& question : questions(limits))
         kind = 2 * kind + (question.second ? 1 : 0);
-    return kind;
+    return 2 * kind + (core::isAsked(limits.passage) ? 1 : 0);
 }
 
 SeedSumsByLabel seedSums(

@@ -8,10 +8,11 @@
 
 namespace gpu {
 
-/// The defines that growCriterion.glsl wants for some limits; none where there are none.
+/// The defines that growCriterion.glsl wants for some limits; none where there are none. A passage
+/// width is no matter of it (passage.glsl).
 [[nodiscard]] ShaderDefines definesOf(const core::GrowLimits& limits);
 
-/// One number for each such set of defines.
+/// One number for each such set of defines, with a passage width or without.
 [[nodiscard]] unsigned kindOf(const core::GrowLimits& limits);
 
 /// What lies around the seeds of each label, by label (ProbeSeeds). Waits for the answer. Engine

@@ -38,6 +38,9 @@ GrowthPrograms::Rings::Rings(
     if (back)
         defines.emplace_back("BACK", 1);
     front = program(shaders, "edit/growFront.comp", defines);
+    // A front that cannot pass costs one look more, once; so only rings ask.
+    if (core::isAsked(limits.passage) && !back)
+        defines.emplace_back("PASSAGE", 1);
     ring = program(shaders, "edit/growRing.comp", defines);
     defines.emplace_back("SEVERAL_RINGS", 1);
     severalRings = program(shaders, "edit/growRing.comp", defines);
@@ -48,6 +51,7 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
     , label(program(shaders, "edit/growLabel.comp"))
     , seedStatistics(program(shaders, "edit/seedStatistics.comp"))
     , shrink(shaders)
+    , passage(shaders)
     , m_shaders(shaders)
 {
     (void)rings(6, {});
@@ -122,6 +126,8 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     for (Program* each :
         {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &programs.label})
         setUniforms(*each);
+    if (core::isAsked(burst.limits.passage))
+        m_passage.emplace(programs.passage, fields, burst);
     if (burst.guard)
         m_guard.emplace(fields.grid(), *burst.guard);
 }
@@ -144,6 +150,8 @@ void GrowthKernel::bind()
     m_fields.labels(m_burst.plane).bindImage(1, GL_READ_WRITE);
     m_fields.codes().bindImage(2, GL_READ_ONLY);
     m_criterion.bind(m_fields);
+    if (m_passage)
+        m_passage->bind();
     words.pageTable().bindImage(3, GL_READ_ONLY);
     words.pageOwners().bindBase(GL_SHADER_STORAGE_BUFFER, 5);
     m_state.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
@@ -272,6 +280,15 @@ void GrowthKernel::chooseForm(const std::vector<std::uint32_t>& bricks)
     }
 }
 
+void GrowthKernel::preparePassages()
+{
+    if (!m_passage)
+        return;
+    m_passage->prepare(m_criterion, m_frontBricks);
+    for (Program* each : {&m_rings->ring, &m_rings->severalRings})
+        m_passage->setUniforms(*each);
+}
+
 void GrowthKernel::runRings(int count)
 {
     GrowthPrograms& programs = m_programs;
@@ -363,6 +380,7 @@ int GrowthKernel::advanceBatch(int rings)
     int done = 0;
     if (m_frontCount > 0) {
         const std::vector<std::uint32_t> reachable = prepareBricks();
+        preparePassages();
         chooseForm(reachable);
         State state;
         state.counts[0] = m_frontCount;

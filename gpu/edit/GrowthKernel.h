@@ -6,6 +6,7 @@
 #include "gpu/edit/BeforeImages.h"
 #include "gpu/edit/FrontBits.h"
 #include "gpu/edit/GrowCriterion.h"
+#include "gpu/edit/PassageField.h"
 #include "gpu/edit/ShrinkKernel.h"
 #include "gpu/edit/VoxelFields.h"
 
@@ -57,6 +58,7 @@ struct GrowthPrograms {
     Program label;
     Program seedStatistics;
     ShrinkPrograms shrink;
+    PassagePrograms passage;
 
 private:
     const ShaderLibrary& m_shaders;
@@ -127,6 +129,7 @@ private:
     void findFront(const std::vector<std::uint32_t>& bricks);
     /// Bricks that a batch may reach, ready for it.
     std::vector<std::uint32_t> prepareBricks();
+    void preparePassages();
     void start(const State& state);
     /// Reads the counters and the bricks reached since start().
     State takeBatch();
@@ -147,6 +150,7 @@ private:
     BeforeImages& m_before;
     core::GrowBurst m_burst;
     GrowCriterion m_criterion;
+    std::optional<PassageField> m_passage; ///< none where growth goes through everything
     Buffer m_state;
     Buffer m_queues; ///< two, one behind the other
     Buffer m_reached;

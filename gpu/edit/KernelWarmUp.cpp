@@ -65,7 +65,7 @@ bool KernelWarmUp::runNext()
 {
     static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
         &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser, &KernelWarmUp::runPeel,
-        &KernelWarmUp::runScissors};
+        &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance};
     if (!m_fields || m_done == runs.size())
         return false;
     (this->*runs[m_done++])();
@@ -155,6 +155,16 @@ void KernelWarmUp::runGrowth()
     burst.opening = core::GrowOpening::Narrow;
     run(burst, {});
     run(core::ShrinkGrowth{.generation = core::seedWord::maxGeneration, .keep = 2}, {});
+}
+
+void KernelWarmUp::runTolerance()
+{
+    // What has grown stands on its seed.
+    auto kernel = ToleranceKernel::begin(
+        m_programs.tolerance, *m_fields, {.plane = 0, .label = label, .connectivity = 6});
+    while (kernel && !(*kernel)->done())
+        (*kernel)->advance(std::size_t(m_fields->grid().brickCount()));
+    m_fields->dropTolerance();
 }
 
 } // namespace gpu

@@ -29,6 +29,7 @@ private:
     void runScissors();
     void runBrushes();
     void runGrowth();
+    void runTolerance();
 
     EditPrograms& m_programs;
     VolumeTextures m_textures;

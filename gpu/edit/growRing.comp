@@ -20,6 +20,9 @@
 layout(local_size_x = 64) in;
 
 #include "edit/growth.glsl"
+#ifdef PASSAGE
+#include "edit/passage.glsl"
+#endif
 
 uniform uint baseGeneration; // before the batch
 #ifdef SEVERAL_RINGS
@@ -69,6 +72,13 @@ void growFrom(uint entry, uint ring)
     Parent parent = Parent(0u, 0u);
     if (open != 0u)
         parent = parentAt(voxel);
+#ifdef PASSAGE
+    uint room = noRoom;
+    if (open != 0u)
+        room = roomAt(label, voxel);
+    if (room == noRoom)
+        open = 0u; // nothing passes
+#endif
     if (open != 0u) do {
         uint direction = uint(findLSB(open));
         open &= open - 1u;
@@ -82,7 +92,11 @@ void growFrom(uint entry, uint ring)
         bool held = false;
         // A brick at the rim reaches beyond the volume.
         if (inside(neighbour, volumeSize) && accepts(label, neighbour, held)
-            && follows(parent, neighbour)) {
+            && follows(parent, neighbour)
+#ifdef PASSAGE
+            && passes(room, roomAt(label, neighbour))
+#endif
+        ) {
             uint there = neighbourEntry(page + 1u, neighbour, origin);
 #ifdef BACK
             uint before = imageAtomicAnd(words, atlasTexel(there, neighbour), ~notMember);

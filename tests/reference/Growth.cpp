@@ -96,6 +96,7 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
                 .keep = 0,
                 .keepSeeds = false,
                 .frozen = m_burst.frozen});
+    lookForPassages();
     if (m_burst.guard)
         m_watch.emplace(m_words.size, *m_burst.guard);
     std::vector<glm::ivec3> olderMembers;
@@ -114,6 +115,28 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
     if (!admitted.empty())
         finishGeneration(std::move(admitted));
     m_front.insert(m_front.end(), olderMembers.begin(), olderMembers.end());
+}
+
+void Growth::lookForPassages()
+{
+    auto passage = std::make_unique<Passage>(m_burst, m_words.size);
+    if (!passage->isAsked())
+        return;
+    for (const std::uint32_t word : m_words.values) {
+        const std::uint32_t label = seedWord::label(word);
+        if ((!seedWord::isMember(word) && !seedWord::isPendingSeed(word)) || passage->knows(label))
+            continue;
+        passage->look(
+            label, [&](const glm::ivec3& voxel) { return m_criterion.allows(label, voxel); },
+            m_words, m_labels);
+    }
+    m_passage = std::move(passage);
+}
+
+bool Growth::follows(std::uint32_t label, const glm::ivec3& parent, const glm::ivec3& voxel) const
+{
+    return m_criterion.follows(parent, voxel)
+        && (!m_passage || m_passage->passes(label, parent, voxel));
 }
 
 void Growth::narrow()
@@ -201,7 +224,7 @@ bool Growth::step()
             const std::array<int, 3>& offset = seedWord::offsets[direction];
             const glm::ivec3 child = parent + glm::ivec3(offset[0], offset[1], offset[2]);
             if (!m_words.contains(child) || !accepts(label, child)
-                || !m_criterion.follows(parent, child))
+                || !follows(label, parent, child))
                 continue;
             std::uint32_t& word = m_words.at(child);
             const std::uint32_t claim =

@@ -5,7 +5,9 @@
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/FrontWatch.h"
 #include "tests/reference/GrowCriterion.h"
+#include "tests/reference/Passage.h"
 
+#include <memory>
 #include <optional>
 
 namespace reference {
@@ -45,6 +47,10 @@ private:
     void narrow();
     /// The lowest direction from a member of the same label and of an earlier generation.
     [[nodiscard]] std::optional<std::uint32_t> parentDirection(const glm::ivec3& voxel) const;
+    /// Works out what the passage width asks, for every label that has a seed or a member.
+    void lookForPassages();
+    [[nodiscard]] bool follows(
+        std::uint32_t label, const glm::ivec3& parent, const glm::ivec3& voxel) const;
     /// True if anything was added.
     bool step();
     /// One more generation is finished: counts it and shows it in the label plane.
@@ -54,6 +60,7 @@ private:
     DenseArray<std::uint32_t>& m_words;
     DenseArray<std::uint8_t>& m_labels;
     GrowCriterion m_criterion;
+    std::unique_ptr<Passage> m_passage; ///< none where it asks nothing
     std::vector<glm::ivec3> m_front; ///< members that may have neighbours to take
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;

@@ -23,7 +23,7 @@ core::Result<void> check(const core::GrowBurst& burst)
 {
     if (burst.connectivity != 6 && burst.connectivity != 18 && burst.connectivity != 26)
         return refuse("connectivity", "is not 6, 18 or 26");
-    if (!core::isSound(burst.limits))
+    if (!core::isSound(burst))
         return refuse("limits", "are not sound");
     return {};
 }

@@ -338,6 +338,8 @@ private:
             grow.criteria.sigmas = between(10, 40) / 10.0;
         if (chance(15))
             grow.guardFactor = between(10, 40) / 10.0;
+        if (chance(10))
+            grow.criteria.passage = between(15, 60) / 10.0;
         return grow;
     }
     /// What is done to a growth that is there.

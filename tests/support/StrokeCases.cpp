@@ -230,6 +230,8 @@ void addRandomLimits(
         criteria.box =
             core::GrowBox{geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size))),
                 geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)))};
+    if (random() % 4 == 0)
+        criteria.passage = 6.0 * randomUnit(random) * geometry.spacingMm()[int(random() % 3)];
 }
 
 core::GrowSteps randomGrowth(const core::Document& document, Random& random)
@@ -452,6 +454,17 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         {"growth beside a locked one", volume, {first, seeds, some, second, others, lock}, over});
     cases.push_back({"seeds", volume, {first}, seeds});
     cases.push_back({"seeds beside seeds", volume, {first, second, seeds}, others});
+    core::SeedStroke moved = std::get<core::SeedStroke>(others);
+    moved.segment = 1;
+    moved.takenLps = std::get<core::SeedStroke>(seeds).pointsLps;
+    core::SeedStroke taken{1, {}};
+    taken.takenLps = {moved.takenLps->front()};
+    cases.push_back({"seeds taken away", volume, {first, seeds}, taken});
+    cases.push_back({"seeds moved", volume, {first, second, seeds, others}, moved});
+    cases.push_back(
+        {"seeds that have grown are not taken away", volume, {first, seeds, some}, taken});
+    cases.push_back(
+        {"growth from seeds that were moved", volume, {first, seeds, moved, taken}, some});
     cases.push_back({"growth in steps", volume, {first, seeds}, some});
     cases.push_back({"growth to closure", volume, {first, seeds, some}, all});
     cases.push_back({"growth of nothing", volume, {first, seeds}, none});
@@ -494,6 +507,19 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         change.criteria.upper = upper;
         return change;
     };
+    core::GrowSteps rolling = over;
+    rolling.criteria.passage = 2.5 * document.volumes.front().geometry.spacingMm().x;
+    cases.push_back({"growth through passages of a width", volume, {first, seeds}, rolling});
+    cases.push_back({"growth of two through passages of a width", volume,
+        {first, seeds, second, others}, rolling});
+    cases.push_back({"passages after growth without", volume, {first, seeds, some}, rolling});
+    cases.push_back(
+        {"interval through passages", volume, {first, seeds, rolling}, interval(0, 700)});
+    cases.push_back({"shrinking what passed", volume, {first, seeds, rolling}, three});
+    cases.push_back({"cutting what passed", volume, {first, seeds, rolling}, here});
+    cases.push_back({"resume through passages", volume,
+        {first, seeds, rolling, core::ShrinkSteps{.steps = 2}, second, others},
+        core::ResumeGrowth{}});
     core::ChangeInterval fewSteps = interval(0, 900);
     fewSteps.steps = 3;
     core::ChangeInterval anew = interval(100, 900);

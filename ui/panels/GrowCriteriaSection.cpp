@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/GrowCriteriaSection.h"
 
+#include "core/edits/GrowLimits.h"
 #include "ui/SeedBand.h"
 #include "ui/SeedStatistics.h"
 #include "ui/StudyTexts.h"
@@ -86,6 +87,9 @@ void GrowCriteriaSection::build()
     addRow(&GrowSettings::majority, "growMajority", tr("Neighbours"),
         tr("Of the 27 voxels around and at a voxel at least so many lie in the interval: keeps "
            "growth out of thin bridges and noise"));
+    addRow(&GrowSettings::passage, "growPassage", tr("Passage at least"),
+        tr("Growth goes only where a ball of this diameter can roll to from a seed: through no "
+           "narrower neck, and through no smaller hole in a wall, be it ever so thin"));
     m_onlyVisible = new QCheckBox(tr("Only what is not carved"), m_body);
     m_onlyVisible->setObjectName(QStringLiteral("growOnlyVisible"));
     m_onlyVisible->setMinimumHeight(theme::controlHeight); // as the rows with a value
@@ -202,6 +206,14 @@ void GrowCriteriaSection::showVolume()
                 row.value->setDecimals(0);
                 row.value->setRange(1.0, 27.0);
                 row.value->setSuffix(tr(" of 27"));
+            } else if (row.limit == &GrowSettings::passage) {
+                // A narrower one would ask nothing, a wider one is refused.
+                const double least = core::leastPassageMm(volume->geometry);
+                row.value->setDecimals(2);
+                row.value->setRange(std::ceil(least * 100.0) / 100.0,
+                    std::floor(core::greatestPassageMm(volume->geometry) * 100.0) / 100.0);
+                row.value->setSingleStep(least / 2.0);
+                row.value->setSuffix(tr(" mm"));
             } else {
                 const bool gradient = row.limit != &GrowSettings::difference;
                 row.value->setDecimals(decimalsFor(value));

@@ -36,6 +36,8 @@ QString nameOf(const QString& field)
         return ToleranceSection::tr("Gradient step");
     if (field == QLatin1String("tolerance.majority"))
         return ToleranceSection::tr("Neighbours");
+    if (field == QLatin1String("tolerance.passage"))
+        return ToleranceSection::tr("Passage at least");
     return {};
 }
 

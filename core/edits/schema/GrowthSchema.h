@@ -9,6 +9,8 @@ inline constexpr editFields::Number valueDifference{"modality units", 0.0, quant
 inline constexpr editFields::Number valuePerMillimetre{
     "modality units / mm", 0.0, quantum::unbounded, 0.0};
 
+inline constexpr editFields::Number passageWidth{"mm", 0.0, quantum::reachMm, 0.0};
+
 template <> inline constexpr const char* editName<SeedStroke> = "seed";
 template <>
 inline constexpr const char* editMeaning<SeedStroke> =
@@ -49,6 +51,10 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
         "of the gradient's magnitude, from the voxel it is reached from, at most", "any");
     visit.maybe("majority", criteria.majority, editFields::WholeNumber{1, 27},
         "of the 27 voxels around and at it at least so many lie in the interval", "any number");
+    visit.maybe("passage", criteria.passage, passageWidth,
+        "growth goes only where a ball of this diameter can roll to from a seed; at most 31 times "
+        "the volume's finest spacing, and nothing is asked below twice that",
+        "any width");
     visit.field("onlyVisible", Presence::Optional, criteria.onlyVisible, editFields::Flag{},
         "whether what is carved is closed to growth");
     visitBox(visit, criteria.box, "two opposite corners: growth stays between them",
@@ -102,7 +108,7 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
     visit.when(!edit.asBefore, [&] { visitOtherCriteria(visit, edit.criteria); });
     visit.maybe("fromSeeds", edit.fromSeeds, editFields::Flag{},
         "whether it is taken back to the seeds and grown anew; told once it is carried out",
-        "where several segments grow, or sigmas are asked for");
+        "where several segments grow, or sigmas or a passage are asked for");
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
         "rings to add after the change, or until nothing is left to add");
 }

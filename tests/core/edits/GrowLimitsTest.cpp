@@ -5,6 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EngineEdits.h"
+#include "core/session/RecentGrowth.h"
 #include "core/session/RowReach.h"
 #include "tests/support/FailingLog.h"
 
@@ -47,6 +48,7 @@ GrowCriteria everything()
         .gradient = 30.0,
         .gradientDifference = 7.75,
         .majority = 14,
+        .passage = 3.25,
         .onlyVisible = true,
         .box = GrowBox{{95.0, -48.0, 28.0}, {99.0, -40.0, 20.0}},
         .overwriteUnlocked = true};
@@ -169,13 +171,14 @@ private Q_SLOTS:
         const Edit edit = quantised(GrowSteps{.criteria = everything(), .steps = 7});
         const QJsonObject json = editToJson(edit);
         for (const char* name : {"sigmas", "difference", "gradient", "gradientDifference",
-                 "majority", "onlyVisible", "box"})
+                 "majority", "passage", "onlyVisible", "box"})
             QVERIFY2(json.contains(QLatin1String(name)), name);
         const Result<Edit> read = editFromJson(json);
         QVERIFY(read);
         QCOMPARE(std::get<GrowSteps>(*read).criteria, std::get<GrowSteps>(edit).criteria);
         for (const auto& [field, value] : {std::pair{"majority", QJsonValue(28)},
                  std::pair{"majority", QJsonValue(0)}, std::pair{"sigmas", QJsonValue(0)},
+                 std::pair{"passage", QJsonValue(-0.5)},
                  std::pair{"difference", QJsonValue(-1)}, std::pair{"gradient", QJsonValue(-0.5)},
                  std::pair{"box", QJsonValue(QStringLiteral("none"))}}) {
             QJsonObject wrong = json;
@@ -185,6 +188,74 @@ private Q_SLOTS:
             QCOMPARE(
                 refused.error().arguments.value(0), QStringLiteral("grow.") + QLatin1String(field));
         }
+    }
+
+    /// Half a millimetre is the finest spacing here.
+    void passagesAreCountedInSixteenthsOfAVoxel()
+    {
+        const VolumeGeometry geometry = smallVolume().geometry;
+        QCOMPARE(leastPassageMm(geometry), 1.0);
+        QCOMPARE(greatestPassageMm(geometry), 15.5);
+        const Passage passage = passageOf(3.0, geometry);
+        QVERIFY(passage.spacing == glm::ivec3(16, 32, 64));
+        QCOMPARE(passage.reach, 48 * 48);
+        QVERIFY(reachOf(passage) == glm::ivec3(3, 1, 0));
+        QCOMPARE(passageOf(15.5, geometry).reach, 248 * 248);
+        // A ball of only its centre asks nothing, whatever its width.
+        QCOMPARE(passageOf(0.0, geometry), Passage());
+        QCOMPARE(passageOf(0.99, geometry), Passage());
+        QVERIFY(isAsked(passageOf(1.0, geometry)));
+        Volume volume = smallVolume();
+        for (double spacing = 0.11; spacing < 3.0; spacing *= 1.37) {
+            for (int axis = 0; axis < 3; ++axis)
+                volume.geometry.indexToWorld[axis] =
+                    glm::dvec4(0.0, 0.0, 0.0, 0.0) + spacing * glm::dmat4(1.0)[axis];
+            for (int voxels = 1; voxels <= greatestPassageReach; ++voxels) {
+                const GrowLimits limits = limitsOf({.passage = 2.0 * voxels * spacing}, volume);
+                QVERIFY(isSound(limits));
+                QVERIFY(reachOf(limits.passage) == glm::ivec3(voxels));
+            }
+            QVERIFY(isSound(limitsOf({.passage = greatestPassageMm(volume.geometry)}, volume)));
+        }
+    }
+
+    void aPassageThatIsTooWideIsRefused()
+    {
+        const Document document = initialDocument(smallVolume());
+        GrowSteps grow;
+        grow.criteria.passage = 15.6;
+        const Result<GrowBurst> burst = growBurst(grow, document);
+        QVERIFY(!burst);
+        QCOMPARE(burst.error().arguments.value(0), QStringLiteral("grow.passage"));
+        QVERIFY2(burst.error().arguments.value(1).contains(QStringLiteral("15.5")),
+            qPrintable(burst.error().arguments.value(1)));
+        // It has to be told what the segment held.
+        grow.criteria.passage = 5.0;
+        QVERIFY(growBurst(grow, document));
+        grow.tellsHeld = false;
+        QVERIFY(!growBurst(grow, document));
+    }
+
+    /// Another interval begins at the seeds; a tolerance is not known.
+    void aPassageDependsOnTheInterval()
+    {
+        const Document document = initialDocument(smallVolume());
+        ChangeInterval change{.criteria = {.lower = 0.0, .upper = 1.0, .passage = 5.0},
+            .asBefore = false};
+        for (const auto& [width, opens] : {std::pair{5.0, GrowOpening::Restart},
+                 std::pair{0.5, GrowOpening::Narrow}}) {
+            change.criteria.passage = width;
+            Edit edit = change;
+            QVERIFY(nameWhatGrowthReads(edit, History(), document));
+            const Result<GrowBurst> burst = growBurst(std::get<ChangeInterval>(edit), document);
+            QVERIFY(burst);
+            QVERIFY(burst->opening == opens);
+        }
+        change.criteria.passage = 5.0;
+        change.fromSeeds = false;
+        const Result<GrowBurst> narrowed = growBurst(change, document);
+        QVERIFY(!narrowed);
+        QCOMPARE(narrowed.error().arguments.value(0), QStringLiteral("interval.fromSeeds"));
     }
 
     void whatIsCarvedMattersWhereOnlyTheVisibleGrows()

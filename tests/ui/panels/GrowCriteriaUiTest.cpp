@@ -73,24 +73,25 @@ private Q_SLOTS:
         QCOMPARE(fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria"));
         // Every value is one that could be meant.
         for (const char* name : {"growSigmasValue", "growDifferenceValue", "growGradientValue",
-                 "growGradientDifferenceValue", "growMajorityValue"})
+                 "growGradientDifferenceValue", "growMajorityValue", "growPassageValue"})
             QVERIFY2(fixture.part<QDoubleSpinBox>(name).value() > 0.0, name);
     }
 
     void ticksAreCriteria()
     {
         CriteriaPanel fixture;
-        for (const char* name : {"growSigmas", "growDifference", "growGradient",
-                 "growGradientDifference", "growMajority", "growOnlyVisible", "growBoxed"})
+        for (const char* name :
+            {"growSigmas", "growDifference", "growGradient", "growGradientDifference",
+                "growMajority", "growPassage", "growOnlyVisible", "growBoxed"})
             fixture.part<QCheckBox>(name).click();
         const core::GrowCriteria criteria = fixture.criteria();
         QCOMPARE(criteria.sigmas.value_or(0.0), 2.5);
         QCOMPARE(criteria.majority.value_or(0), 14);
         QVERIFY(criteria.difference && criteria.gradient && criteria.gradientDifference);
         QCOMPARE(*criteria.gradient, fixture.part<QDoubleSpinBox>("growGradientValue").value());
-        QVERIFY(criteria.onlyVisible && criteria.box);
+        QVERIFY(criteria.onlyVisible && criteria.box && criteria.passage);
         QCOMPARE(
-            fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria · 7 on"));
+            fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria · 8 on"));
         // The interval and what else the panel sets leave them alone.
         fixture.setInterval(0.0, 50.0);
         QMetaObject::invokeMethod(
@@ -138,6 +139,28 @@ private Q_SLOTS:
         QVERIFY(text.isHidden());
     }
 
+    /// Between what asks nothing and what is refused; as wide as the ventricle is, it holds no more
+    /// balls, and from narrower ones growth does not leave it.
+    void aPassageIsAskedFor()
+    {
+        CriteriaPanel fixture;
+        auto& width = fixture.part<QDoubleSpinBox>("growPassageValue");
+        QCOMPARE(width.minimum(), 2.0);
+        QCOMPARE(width.maximum(), 31.0);
+        QCOMPARE(width.suffix(), QStringLiteral(" mm"));
+        QCOMPARE(width.value(), 5.0);
+        fixture.setInterval(0.0, 20.0);
+        width.setValue(3.0);
+        QVERIFY(fixture.part<QCheckBox>("growPassage").isChecked());
+        QCOMPARE(fixture.criteria().passage.value_or(0.0), 3.0);
+        const std::int64_t grown = fixture.grown();
+        QVERIFY(grown > 1 && grown <= test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+        // Where no ball holds the seed, it stays alone.
+        width.setValue(31.0);
+        fixture.workspace().session();
+        QCOMPARE(fixture.grown(), std::int64_t(1));
+    }
+
     void aBoxBoundsGrowth()
     {
         CriteriaPanel fixture;
@@ -175,6 +198,7 @@ private Q_SLOTS:
         settings.difference = {.on = false, .value = 12.0};
         settings.gradient = {.on = true, .value = 80.5};
         settings.majority = {.on = true, .value = 27};
+        settings.passage = {.on = true, .value = 3.5};
         settings.onlyVisible = true;
         settings.boxed = true;
         settings.box = core::GrowBox{{1.5, -2.0, 3.0}, {9.0, 8.0, 7.25}};
