@@ -230,7 +230,8 @@ void LeakPhantomsGlTest::passageWidth()
     qInfo("a passage width kept %d of %d leaks out; body and neck lost: median %s, most %s",
         prevented, count(), percent(costs[costs.size() / 2]).constData(),
         percent(costs.back()).constData());
-    QVERIFY(prevented * 10 >= count() * 9);
+    QCOMPARE(prevented, count());
+    QVERIFY(costs[costs.size() / 2] < 0.08); // thin branches of airways are what it costs most
 }
 
 void LeakPhantomsGlTest::falseAlarms()

@@ -139,8 +139,7 @@ private Q_SLOTS:
         QVERIFY(text.isHidden());
     }
 
-    /// Between what asks nothing and what is refused; as wide as the ventricle is, it holds no more
-    /// balls, and from narrower ones growth does not leave it.
+    /// Between what asks nothing and what is refused.
     void aPassageIsAskedFor()
     {
         CriteriaPanel fixture;
@@ -156,9 +155,10 @@ private Q_SLOTS:
         const std::int64_t grown = fixture.grown();
         QVERIFY(grown > 1 && grown <= test::smallHead::voxelsOf(test::smallHead::ventricleHu));
         // Where no ball holds the seed, it stays alone.
-        width.setValue(31.0);
-        fixture.workspace().session();
-        QCOMPARE(fixture.grown(), std::int64_t(1));
+        CriteriaPanel alone;
+        alone.setInterval(0.0, 20.0);
+        alone.part<QDoubleSpinBox>("growPassageValue").setValue(31.0);
+        QCOMPARE(alone.grown(), std::int64_t(1));
     }
 
     void aBoxBoundsGrowth()
