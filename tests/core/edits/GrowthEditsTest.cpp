@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/DocumentEdits.h"
+#include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
+#include "core/recipe/Recipe.h"
 
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace core;
@@ -82,6 +86,44 @@ private Q_SLOTS:
         QCOMPARE(placement->voxels.size(), std::size_t(2));
         QVERIFY(placement->voxels[0] == glm::ivec3(0, 0, 0));
         QVERIFY(placement->voxels[1] == glm::ivec3(3, 4, 5));
+    }
+
+    /// A recipe may take seeds away, put others in their place, or only do the former.
+    void aRecipeTakesSeedsAway()
+    {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("taken.json")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"edits": [
+            {"edit": "seed", "segment": 2, "pointsLps": [[98.5, -48.0, 20.0]]},
+            {"edit": "seed", "segment": 2, "pointsLps": [[98.5, -48.0, 18.0]],
+             "takenLps": [[98.5, -48.0, 20.0]]},
+            {"edit": "seed", "segment": 2, "pointsLps": [], "takenLps": [[98.5, -48.0, 18.0]]},
+            {"edit": "seed", "segment": 2, "pointsLps": []}]})");
+        file.close();
+        const Result<Recipe> recipe = readRecipe(file.fileName());
+        QVERIFY2(recipe, recipe ? "" : qPrintable(recipe.error().arguments.join(u'\n')));
+        QCOMPARE(recipe->steps.size(), std::size_t(4));
+        const Document document = smallDocument();
+        std::vector<Result<SeedPlacement>> placements;
+        for (const RecipeStep& step : recipe->steps)
+            placements.push_back(
+                seedPlacement(std::get<SeedStroke>(std::get<Edit>(step)), document));
+        const glm::ivec3 first(3, 4, 5);
+        const glm::ivec3 second(3, 4, 6);
+        QVERIFY(placements[0] && placements[1] && placements[2]);
+        QVERIFY(placements[0]->voxels == std::vector{first} && placements[0]->taken.empty());
+        QVERIFY(placements[1]->voxels == std::vector{second});
+        QVERIFY(placements[1]->taken == std::vector{first});
+        QVERIFY(placements[2]->voxels.empty() && placements[2]->taken == std::vector{second});
+        QVERIFY(!placements[3]); // neither
+        // What is told again is the same.
+        for (const RecipeStep& step : recipe->steps) {
+            const Edit& edit = std::get<Edit>(step);
+            const Result<Edit> again = editFromJson(editToJson(edit));
+            QVERIFY(again);
+            QCOMPARE(editToJson(*again), editToJson(edit));
+        }
     }
 
     void seedsOutsideAreRefusedWithTheirPoint()
