@@ -46,7 +46,7 @@ std::vector<std::uint16_t> filled(int volumeSide, const std::function<int(glm::i
     return codes;
 }
 
-/// A bar of 100 × 100 voxels and a front across it.
+/// A bar of 99 × 99 voxels and a front across it.
 class Bar {
 public:
     explicit Bar(int volumeSide)
@@ -60,13 +60,13 @@ public:
             return false;
         m_engine = std::move(*engine);
         const auto codes = filled(m_side, [](const glm::ivec3& at) {
-            return at.x >= -50 && at.x < 50 && at.y >= -50 && at.y < 50 ? 1000 : 0;
+            return std::max(std::abs(at.x), std::abs(at.y)) < 50 && at.z >= -60 ? 1000 : 0;
         });
         if (!m_engine->edits().openVolume(glm::ivec3(m_side), codes))
             return false;
         core::SeedPlacement seeds{.label = 1};
-        for (int y = -50; y < 50; ++y)
-            for (int x = -50; x < 50; ++x)
+        for (int y = -49; y < 50; ++y)
+            for (int x = -49; x < 50; ++x)
                 seeds.voxels.push_back(glm::ivec3(x, y, -60) + m_side / 2);
         core::submitWhole(m_engine->edits(), seeds);
         m_engine->edits().submit(
@@ -108,7 +108,7 @@ QString measureGeneration(PeerReport& report)
         ratios.push_back(smallMs.back() / largeMs.back());
     }
     const std::vector<std::uint32_t> fronts = large.fronts();
-    if (fronts != small.fronts() || fronts.size() < 8 * rounds || fronts.back() != 10'000)
+    if (fronts != small.fronts() || fronts.size() < 8 * rounds || fronts.back() != 99 * 99)
         return QStringLiteral("steer.generation: not the same fronts");
     report.add({"steer.generation.512", "Ms", median(largeMs), "128 cubed",
         median(largeMs) * median(ratios)});
