@@ -30,12 +30,13 @@ namespace core {
 ///     room(p) < room(q)           it fills, outwards only, what it covers;
 ///     entry(q) < entry(p) ≠ nowhere   from a seed at its rim to its centre.
 ///
-/// So what is grown is what balls cover that can be rolled to from one that holds a seed. What a
-/// ball fills it cannot leave again: asking only for a ball that holds both p and q would lead
-/// through every hole in a thin wall, since balls on both sides of it meet in the hole. A seed that
-/// no ball holds stays alone. All of it depends on what stands at the opening and on nothing that
-/// grows, so the result is that of a flood, whatever its order. A ball of which only the centre is
-/// left asks nothing.
+/// So what is grown is what balls cover that can be rolled to from one that holds a seed; only
+/// where balls that can not be rolled to meet those, in a hole say, each voxel goes by the centre
+/// that is nearest. What a ball fills it cannot leave again: asking only for a ball that holds both
+/// p and q would lead through every hole in a thin wall, since balls on both sides of it meet in
+/// the hole. A seed that no ball holds stays alone. All of it depends on what stands at the opening
+/// and on nothing that grows, so the result is that of a flood, whatever its order. A ball of which
+/// only the centre is left asks nothing.
 struct Passage {
     glm::ivec3 spacing{0}; ///< of voxels, in units of which squares fit
     int reach = 0; ///< squared half width; 0: growth goes through everything
