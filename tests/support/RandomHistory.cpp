@@ -338,8 +338,10 @@ private:
             grow.criteria.sigmas = between(10, 40) / 10.0;
         if (chance(15))
             grow.guardFactor = between(10, 40) / 10.0;
-        if (chance(10))
-            grow.criteria.passage = between(15, 60) / 10.0;
+        // Of the row's number: the histories of before stay as they are but for this.
+        const std::size_t row = m_session->history().rows().size();
+        if (row % 7 == 0)
+            grow.criteria.passage = 1.5 + double(row % 10) / 2.0;
         return grow;
     }
     /// What is done to a growth that is there.
