@@ -242,22 +242,6 @@ core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& 
     return {};
 }
 
-core::Result<std::unique_ptr<core::EditSession>> Application::opened(
-    core::LoadedVolume loaded, const SessionPlan& plan)
-{
-    const auto wakeUp = [this] { wake(); };
-    m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
-    if (!plan.whyReadOnly.isEmpty())
-        return core::EditSession::view(
-            m_engine->edits(), std::move(loaded), plan.file, plan.whyReadOnly, wakeUp);
-    auto session = core::EditSession::open(m_engine->edits(), std::move(loaded), plan.file, wakeUp);
-    for (const auto& [row, hash] : plan.redo) {
-        if (session && (*session)->history().row(row).stateHash != hash)
-            return core::failure(core::ErrorCode::SessionDamaged, plan.damaged);
-    }
-    return session;
-}
-
 core::Result<void> Application::goOn(
     core::LoadedVolume loaded, const QString& file, const core::SessionContents& contents)
 {
@@ -267,7 +251,8 @@ core::Result<void> Application::goOn(
     if (!plan)
         return tl::unexpected(plan.error());
     const std::optional<core::Error> notFromStudy = loaded.notFromStudy;
-    auto session = opened(std::move(loaded), *plan);
+    m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
+    auto session = openPlanned(m_engine->edits(), std::move(loaded), *plan, [this] { wake(); });
     if (!session && !plan->redo.empty()) {
         withdraw(*plan, file);
         m_notRedone.insert(file);

@@ -53,8 +53,6 @@ private:
     /// An existing session file. Cancelled also where it is opened once more (SessionPlan::redo).
     core::Result<void> goOn(
         core::LoadedVolume loaded, const QString& file, const core::SessionContents& contents);
-    core::Result<std::unique_ptr<core::EditSession>> opened(
-        core::LoadedVolume loaded, const SessionPlan& plan);
     /// The engine holds one volume at a time: the old session closes its file first. Errors:
     /// Cancelled (it holds steps that are on no disk, and the user stays with them).
     core::Result<void> makeRoom();

@@ -2,8 +2,10 @@
 #include "app/HistoryCommand.h"
 
 #include "app/Arguments.h"
+#include "app/SessionProblems.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionFile.h"
+#include "core/session/SessionSalvage.h"
 #include "ui/report/WriteAudit.h"
 
 #include <QJsonDocument>
@@ -33,8 +35,13 @@ void printTable(const core::SessionContents& contents)
     }
 }
 
-int writeReport(core::SessionFile& file, const QString& target, bool force)
+int writeReport(const QString& path, const QString& target, bool force)
 {
+    // A report also tells of a damaged session what is left of it.
+    const auto opened = core::SessionFile::open(path, core::SessionFile::Access::SoundPart);
+    if (!opened)
+        return tellFailure(opened.error());
+    core::SessionFile& file = **opened;
     core::Result<core::AuditReport> report;
     file.audit([&report](const core::Result<core::AuditReport>& made) { report = made; });
     if (const core::Result<void> waited = file.flush(); !waited)
@@ -68,23 +75,23 @@ int runHistory(const QStringList& words)
     if (!target.isEmpty() && !ui::auditNameProblem(target).isEmpty())
         return tellUsage("history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
-    // A report also tells of a damaged session what is left of it.
-    using Access = core::SessionFile::Access;
-    const core::Result<std::unique_ptr<core::SessionFile>> file = core::SessionFile::open(
-        arguments.rest().first(), target.isEmpty() ? Access::ReadOnly : Access::SoundPart);
-    if (!file)
-        return tellFailure(file.error());
+    const QString path = arguments.rest().first();
     if (!target.isEmpty())
-        return writeReport(**file, target, arguments.has("force"));
-    const core::SessionContents& contents = (*file)->contents();
+        return writeReport(path, target, arguments.has("force"));
+    const core::Result<core::SessionContents> checked = core::checkSession(path);
+    if (!checked)
+        return tellFailure(checked.error());
+    const core::SessionContents& contents = *checked;
+    tellProblems(path, contents);
+    const int status = contents.damage ? 1 : 0;
     if (!asJson && !asRecipe) {
         printTable(contents);
-        return 0;
+        return status;
     }
     const QJsonObject object =
         asJson ? core::historyListing(contents) : core::historyAsRecipe(contents);
     std::fputs(QJsonDocument(object).toJson().constData(), stdout);
-    return 0;
+    return status;
 }
 
 } // namespace app

@@ -4,9 +4,10 @@
 #include "app/Arguments.h"
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
+#include "app/SessionProblems.h"
 #include "core/session/EditSession.h"
 #include "core/session/HistoryListing.h"
-#include "core/session/SessionFile.h"
+#include "core/session/SessionSalvage.h"
 #include "core/session/SessionStudy.h"
 #include "gpu/GpuEngine.h"
 
@@ -23,17 +24,33 @@ namespace {
 
 using core::Result;
 
+/// A session file as far as it is sound.
+struct Recorded {
+    QString path;
+    core::SessionContents contents;
+
+    /// Why what a row changed cannot be read; empty: it can.
+    [[nodiscard]] QString lostDifference(core::RowId row) const
+    {
+        for (const core::SessionDamage& lost : contents.redo) {
+            if (lost.row == row)
+                return lost.reason;
+        }
+        return {};
+    }
+};
+
 tl::unexpected<core::Error> disagrees(
-    const core::SessionFile& file, const core::HistoryRow& row, const QString& how)
+    const Recorded& recorded, const core::HistoryRow& row, const QString& how)
 {
-    return core::failure(core::ErrorCode::SessionDamaged, file.path(),
+    return core::failure(core::ErrorCode::SessionDamaged, recorded.path,
         QStringLiteral("row %1 ('%2') does not agree: %3").arg(row.id).arg(row.name, how));
 }
 
 /// Carries out one row in @p session and compares.
 /// @param numbers rows of the file and what they are in the session
 Result<void> replay(const core::HistoryRow& row, const std::map<core::RowId, core::RowId>& numbers,
-    core::SessionFile& file, core::EditSession& session)
+    const Recorded& recorded, core::EditSession& session)
 {
     if (const Result<void> moved = session.goTo(numbers.at(row.parent)); !moved)
         return moved;
@@ -41,28 +58,27 @@ Result<void> replay(const core::HistoryRow& row, const std::map<core::RowId, cor
         return settled;
     const std::size_t before = session.history().rows().size();
     if (const Result<void> applied = session.apply(core::renumbered(row.edit, numbers)); !applied)
-        return disagrees(file, row, QStringLiteral("it is refused now"));
+        return disagrees(recorded, row, QStringLiteral("it is refused now"));
     if (const Result<void> settled = session.settle(); !settled)
         return settled;
     const std::vector<core::HistoryRow>& rows = session.history().rows();
     if (rows.size() == before)
-        return disagrees(file, row, QStringLiteral("it changes nothing now"));
+        return disagrees(recorded, row, QStringLiteral("it changes nothing now"));
     const QByteArray hash = rows.back().stateHash;
     const bool finished = !row.stateHash.isEmpty();
     if (finished && hash != row.stateHash)
-        return disagrees(file, row,
+        return disagrees(recorded, row,
             QStringLiteral("recorded %1, replayed %2")
                 .arg(QString::fromLatin1(row.stateHash), QString::fromLatin1(hash)));
-    if (finished) {
-        if (const Result<core::BrickDelta> delta = file.readDelta(row.id); !delta)
-            return tl::unexpected(delta.error());
-    }
-    const QJsonObject line{
+    const QString lost = recorded.lostDifference(row.id);
+    QJsonObject line{
         {QStringLiteral("row"), qint64(row.id)},
         {QStringLiteral("name"), row.name},
         {QStringLiteral("hash"), QString::fromLatin1(hash)},
-        {QStringLiteral("agrees"), finished ? QJsonValue(true) : QJsonValue()},
+        {QStringLiteral("agrees"), finished ? QJsonValue(lost.isEmpty()) : QJsonValue()},
     };
+    if (!lost.isEmpty())
+        line[QStringLiteral("problem")] = lost;
     printJsonLine(line);
     return {};
 }
@@ -71,6 +87,7 @@ struct Task {
     std::optional<core::RowId> to; ///< none: every row, branches included
     std::vector<core::RecipeExport> exports;
     bool force = false;
+    bool verify = false;
 };
 
 /// The rows to carry out. Their parents come first, as ids ascend.
@@ -85,7 +102,7 @@ std::vector<core::RowId> rowsOf(const core::SessionContents& contents, const Tas
     return all;
 }
 
-int replayRows(core::SessionFile& file, core::LoadedVolume volume, const Task& task)
+int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& task)
 {
     const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
     if (!engine)
@@ -94,32 +111,53 @@ int replayRows(core::SessionFile& file, core::LoadedVolume volume, const Task& t
         core::EditSession::create((*engine)->edits(), std::move(volume), {});
     if (!session)
         return tellFailure(session.error());
-    const std::vector<core::RowId> rows = rowsOf(file.contents(), task);
+    const std::vector<core::RowId> rows = rowsOf(recorded.contents, task);
     // On a path rows are numbered anew; here is what became of each.
     std::map<core::RowId, core::RowId> replayed{{0, 0}};
     int unfinished = 0;
+    int damaged = 0;
     for (const core::RowId id : rows) {
-        const core::HistoryRow& row = file.contents().rows[std::size_t(id - 1)];
-        if (const Result<void> done = replay(row, replayed, file, **session); !done)
+        const core::HistoryRow& row = recorded.contents.rows[std::size_t(id - 1)];
+        if (const Result<void> done = replay(row, replayed, recorded, **session); !done)
             return tellFailure(done.error());
         replayed[id] = (*session)->history().position();
         unfinished += row.stateHash.isEmpty() ? 1 : 0;
+        damaged += recorded.lostDifference(id).isEmpty() ? 0 : 1;
     }
     const auto count = int(rows.size());
-    std::fprintf(
-        stderr, "%s: %d of %d rows agree", qUtf8Printable(file.path()), count - unfinished, count);
+    std::fprintf(stderr, "%s: %d of %d rows agree", qUtf8Printable(recorded.path),
+        count - unfinished - damaged, count);
     if (unfinished > 0)
         std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
     std::fprintf(stderr, "\n");
     if (const Result<void> exported = exportFiles(task.exports, **session, task.force); !exported)
         return tellFailure(exported.error());
-    return 0;
+    const bool lost = !task.to && recorded.contents.damage;
+    return lost || (task.verify && damaged > 0) ? 1 : 0;
+}
+
+/// Why the rows that are asked for cannot be carried out: they are lost with others.
+Result<void> checkSound(const Arguments& arguments, const Recorded& recorded)
+{
+    const std::optional<core::SessionDamage>& damage = recorded.contents.damage;
+    const qlonglong to = arguments.value("to").toLongLong();
+    if (damage && damage->row > 0 && arguments.has("to") && to >= damage->row
+        && (damage->after < 0 || to <= damage->row + damage->after))
+        return core::failure(core::ErrorCode::SessionDamaged, recorded.path, damage->text());
+    // Another state than the one that is asked for is not to go under its name.
+    if (recorded.contents.positionLost && arguments.has("export") && !arguments.has("to"))
+        return core::failure(core::ErrorCode::SessionDamaged, recorded.path,
+            QStringLiteral("%1; --to says which of the rows 0 to %2 is exported")
+                .arg(damage->text())
+                .arg(recorded.contents.rows.size()));
+    return {};
 }
 
 /// @return what is wrong with the words; empty if nothing
 QString readTask(const Arguments& arguments, const core::SessionContents& contents, Task& task)
 {
     task.force = arguments.has("force");
+    task.verify = arguments.has("verify");
     if (arguments.has("to")) {
         bool isNumber = false;
         const qlonglong row = arguments.value("to").toLongLong(&isNumber);
@@ -157,19 +195,23 @@ int runReplay(const QStringList& words)
     if (!arguments.has("verify") && !arguments.has("export"))
         return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
 
-    const Result<std::unique_ptr<core::SessionFile>> file =
-        core::SessionFile::open(arguments.rest().first(), core::SessionFile::Access::ReadOnly);
-    if (!file)
-        return tellFailure(file.error());
+    const QString path = arguments.rest().first();
+    Result<core::SessionContents> contents = core::checkSession(path);
+    if (!contents)
+        return tellFailure(contents.error());
+    const Recorded recorded{.path = path, .contents = *std::move(contents)};
+    if (const Result<void> sound = checkSound(arguments, recorded); !sound)
+        return tellFailure(sound.error());
     Task task;
-    if (const QString problem = readTask(arguments, (*file)->contents(), task); !problem.isEmpty())
+    if (const QString problem = readTask(arguments, recorded.contents, task); !problem.isEmpty())
         return tellUsage("replay", problem);
-    Result<core::LoadedVolume> volume = core::loadSessionStudy((*file)->path(),
-        (*file)->contents().source, arguments.value("study"), arguments.value("series"));
+    tellProblems(path, recorded.contents);
+    Result<core::LoadedVolume> volume = core::loadSessionStudy(
+        path, recorded.contents.source, arguments.value("study"), arguments.value("series"));
     if (!volume)
         return tellFailure(volume.error());
-    tellNotFromStudy(volume->notFromStudy, (*file)->path());
-    return replayRows(**file, *std::move(volume), task);
+    tellNotFromStudy(volume->notFromStudy, path);
+    return replayRows(recorded, *std::move(volume), task);
 }
 
 } // namespace app

@@ -5,12 +5,13 @@
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
 #include "app/RunKeyframes.h"
+#include "app/SessionPlan.h"
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
-#include "core/session/SessionFile.h"
 #include "core/session/SessionImages.h"
+#include "core/session/SessionSalvage.h"
 #include "core/session/SessionStudy.h"
 #include "core/session/SessionUse.h"
 #include "core/study/StudyLoader.h"
@@ -173,26 +174,59 @@ std::optional<std::vector<core::RecipeStep>> stepsFor(
     return {};
 }
 
-Result<core::LoadedVolume> load(const Arguments& arguments)
+Result<core::LoadedVolume> load(
+    const Arguments& arguments, const std::optional<core::SessionContents>& goesOn)
 {
-    if (!arguments.has("append"))
+    if (!goesOn)
         return core::loadVolume(arguments.value("study"), arguments.value("series"));
-    const Result<std::unique_ptr<core::SessionFile>> file =
-        core::SessionFile::open(arguments.value("session"), core::SessionFile::Access::ReadOnly);
-    if (!file)
-        return tl::unexpected(file.error());
-    return core::loadSessionStudy((*file)->path(), (*file)->contents().source,
+    return core::loadSessionStudy(arguments.value("session"), goesOn->source,
         arguments.value("study"), arguments.value("series"));
 }
 
-/// A new session, or one that goes on.
+/// A session that goes on, and how.
+struct Continued {
+    SessionPlan plan;
+    std::unique_ptr<core::EditSession> session;
+};
+
+/// As the window does: a damaged file keeps its bytes, and its sound rows go on in a new one.
+Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
+    const Arguments& arguments, const core::SessionContents& contents)
+{
+    const QString file = arguments.value("session");
+    const bool damaged = contents.damage || !contents.redo.empty();
+    if (!damaged) {
+        auto session = core::EditSession::open(engine, std::move(loaded), file);
+        if (!session)
+            return tl::unexpected(session.error());
+        return Continued{{.file = file}, *std::move(session)};
+    }
+    for (const bool redo : {true, false}) {
+        if (!redo) {
+            Result<core::LoadedVolume> again = load(arguments, contents);
+            if (!again)
+                return tl::unexpected(again.error());
+            loaded = *std::move(again);
+        }
+        const Result<SessionPlan> plan = planFor(file, contents, redo);
+        if (!plan)
+            return tl::unexpected(plan.error());
+        auto session = openPlanned(engine, std::move(loaded), *plan);
+        if (session)
+            return Continued{*plan, *std::move(session)};
+        withdraw(*plan, file);
+        if (plan->redo.empty())
+            return tl::unexpected(session.error());
+    }
+    return core::failure(core::ErrorCode::SessionDamaged, file);
+}
+
+/// A new session.
 Result<std::unique_ptr<core::EditSession>> begin(
     core::EditEngine& engine, core::LoadedVolume loaded, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
-    if (arguments.has("append"))
-        return core::EditSession::open(engine, std::move(loaded), file);
     if (!arguments.has("with-images"))
         return core::EditSession::create(
             engine, std::move(loaded), {.file = file, .replaceExisting = force});
@@ -213,8 +247,14 @@ int run(core::Recipe recipe, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
-    const bool append = arguments.has("append");
-    Result<core::LoadedVolume> loaded = load(arguments);
+    std::optional<core::SessionContents> goesOn;
+    if (arguments.has("append")) {
+        Result<core::SessionContents> contents = core::checkSession(file);
+        if (!contents)
+            return tellFailure(contents.error());
+        goesOn = *std::move(contents);
+    }
+    Result<core::LoadedVolume> loaded = load(arguments, goesOn);
     if (!loaded)
         return tellFailure(loaded.error());
     tellNotFromStudy(loaded->notFromStudy, file);
@@ -225,7 +265,7 @@ int run(core::Recipe recipe, const Arguments& arguments)
     const auto fits = [&](core::Document document) {
         return core::checkRecipe(recipe, std::move(document), force);
     };
-    if (!append) {
+    if (!goesOn) {
         if (const Result<void> fit = fits(core::initialDocument(loaded->volume)); !fit)
             return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
     }
@@ -234,33 +274,47 @@ int run(core::Recipe recipe, const Arguments& arguments)
     if (!engine)
         return tellFailure(engine.error());
     (*engine)->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
-    Result<std::unique_ptr<core::EditSession>> session =
-        begin((*engine)->edits(), *std::move(loaded), arguments);
-    if (!session)
-        return tellFailure(session.error());
-    (*session)->setOrigin(
-        [author = arguments.value("author")] { return core::presentOrigin(author); });
-    if (append) {
-        if (const Result<void> fit = fits((*session)->document()); !fit)
-            return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
+    SessionPlan plan;
+    std::unique_ptr<core::EditSession> session;
+    if (goesOn) {
+        Result<Continued> continued =
+            goOn((*engine)->edits(), *std::move(loaded), arguments, *goesOn);
+        if (!continued)
+            return tellFailure(continued.error());
+        plan = std::move(continued->plan);
+        session = std::move(continued->session);
+    } else {
+        auto begun = begin((*engine)->edits(), *std::move(loaded), arguments);
+        if (!begun)
+            return tellFailure(begun.error());
+        session = *std::move(begun);
     }
-    std::optional<RunKeyframes> keyframes;
-    keyframes.emplace((*engine)->frames(), **session);
-    const Result<void> done = carryOut(recipe.steps, **session, *keyframes);
-    keyframes.reset();
+    session->setOrigin(
+        [author = arguments.value("author")] { return core::presentOrigin(author); });
+    const std::size_t rowsBefore = session->history().rows().size();
+    Result<void> done = goesOn ? fits(session->document()) : Result<void>();
+    if (done) {
+        if (plan.damage)
+            tellFailure(*plan.damage);
+        RunKeyframes keyframes((*engine)->frames(), *session);
+        done = carryOut(recipe.steps, *session, keyframes);
+    }
     if (!done) {
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
         // A line that was printed is a promise: what it tells of stays.
-        const bool promised = !(*session)->history().rows().empty();
-        session->reset();
-        if (!append && !promised)
+        const bool promised = session->history().rows().size() > rowsBefore;
+        session.reset();
+        if (!goesOn && !promised)
             QFile::remove(file);
+        else if (!plan.damaged.isEmpty() && !promised)
+            withdraw(plan, file);
         return status;
     }
     // The session is whole by now and stays, whatever becomes of the exports.
-    if (const Result<void> exported = exportFiles(recipe.exports, **session, force); !exported)
+    if (const Result<void> exported = exportFiles(recipe.exports, *session, force); !exported)
         return tellFailure(exported.error());
-    return 0;
+    // The steps stand, but not where they were meant to.
+    return goesOn && goesOn->positionLost ? 1 : 0;
 }
 
 } // namespace

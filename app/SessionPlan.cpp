@@ -156,6 +156,20 @@ core::Result<SessionPlan> planFor(const QString& file, core::SessionContents con
         .redo = {}};
 }
 
+core::Result<std::unique_ptr<core::EditSession>> openPlanned(core::EditEngine& engine,
+    core::LoadedVolume loaded, const SessionPlan& plan, const std::function<void()>& wakeUp)
+{
+    if (!plan.whyReadOnly.isEmpty())
+        return core::EditSession::view(
+            engine, std::move(loaded), plan.file, plan.whyReadOnly, wakeUp);
+    auto session = core::EditSession::open(engine, std::move(loaded), plan.file, wakeUp);
+    for (const auto& [row, hash] : plan.redo) {
+        if (session && (*session)->history().row(row).stateHash != hash)
+            return core::failure(core::ErrorCode::SessionDamaged, plan.damaged);
+    }
+    return session;
+}
+
 void withdraw(const SessionPlan& plan, const QString& file)
 {
     core::removeSession(plan.file);

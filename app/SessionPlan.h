@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Result.h"
+#include "core/session/EditSession.h"
 
 #include <QByteArray>
 #include <QString>
@@ -37,6 +37,11 @@ struct SessionPlan {
 /// Errors: SessionDamaged where no place is left for the new file.
 [[nodiscard]] core::Result<SessionPlan> planFor(
     const QString& file, core::SessionContents contents, bool redo = true);
+
+/// Opens what a plan names. Errors: those of EditSession::open(), and SessionDamaged naming the
+/// damaged file where a row that was carried out again did not come to its hash.
+[[nodiscard]] core::Result<std::unique_ptr<core::EditSession>> openPlanned(core::EditEngine& engine,
+    core::LoadedVolume loaded, const SessionPlan& plan, const std::function<void()>& wakeUp = {});
 
 /// Everything as it was before a plan around damage was made. @pre its file is not in use
 void withdraw(const SessionPlan& plan, const QString& file);

@@ -102,7 +102,11 @@ QJsonObject historyListing(const SessionContents& contents)
             {QStringLiteral("current"), branch.current},
         });
     }
+    QJsonArray problems;
+    for (const QString& problem : contents.problems())
+        problems.append(problem);
     return {
+        {QStringLiteral("problems"), problems},
         {QStringLiteral("position"), qint64(contents.position)},
         {QStringLiteral("source"),
             QJsonObject{

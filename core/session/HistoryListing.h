@@ -24,8 +24,9 @@ struct HistoryBranch {
 /// What `burin history --json` prints: {"position", "source": {"studyUid", "seriesUid",
 /// "voxelsSha256"}, "commands": [{"seq", "parent", "name", "at", "author", "program", "edit",
 /// "voxels", "bytes", "hashBefore", "hashAfter"}], "branches": [{"tip", "forksAt", "seqs",
-/// "current"}]}. A row whose second half never reached the disk has null as its hash; one that a
-/// version without them wrote has null as at, author and program.
+/// "current"}], "problems": [text]}. Of a damaged session the rows that are sound are listed and
+/// the problems name the rest. A row whose second half never reached the disk has null as its hash;
+/// one that a version without them wrote has null as at, author and program.
 [[nodiscard]] QJsonObject historyListing(const SessionContents& contents);
 
 /// The rows up to the position as a recipe, with the study they were recorded on. Carried out on

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionContents.h"
 
+#include <QStringList>
+
 #include <algorithm>
 
 namespace core {
@@ -34,14 +36,38 @@ QString SessionDamage::text() const
     return QStringLiteral("%1 cannot be read: %2").arg(rows, reason);
 }
 
+std::vector<QString> SessionContents::problems() const
+{
+    std::vector<QString> sentences;
+    if (damage)
+        sentences.push_back(damage->text());
+    if (redo.size() == 1) {
+        sentences.push_back(
+            QStringLiteral("what row %1 '%2' changed cannot be read (%3); it can be carried out "
+                           "again")
+                .arg(redo.front().row)
+                .arg(shown(redo.front().name), redo.front().reason));
+    } else if (!redo.empty()) {
+        QStringList numbers;
+        for (const SessionDamage& row : redo)
+            numbers += QString::number(row.row);
+        sentences.push_back(
+            QStringLiteral("what the rows %1 changed cannot be read; they can be carried out again")
+                .arg(numbers.join(QStringLiteral(", "))));
+    }
+    return sentences;
+}
+
 void SessionContents::cut(const SessionDamage& at)
 {
     damage = at;
     if (at.row > 0)
         rows.resize(std::min(rows.size(), std::size_t(at.row - 1)));
     const auto last = RowId(rows.size());
-    if (position < 0 || position > last)
+    if (position < 0 || position > last) {
         position = last;
+        positionLost = true;
+    }
     visited.erase(std::remove_if(visited.begin(), visited.end(),
                       [this, last](const std::pair<RowId, RowId>& step) {
                           const auto [parent, child] = step;

@@ -39,6 +39,7 @@ struct SessionContents {
     std::vector<HistoryRow> rows; ///< those without second half have an empty stateHash
     std::vector<std::pair<RowId, RowId>> visited; ///< parent, child
     RowId position = 0;
+    bool positionLost = false; ///< it stood at a row that is lost, or nobody can tell where
     std::vector<int> hiddenSegments;
     std::vector<Keyframe> keyframes; ///< by row; without their pictures
     QString chainEnd; ///< hex; it covers the source and every row
@@ -48,6 +49,9 @@ struct SessionContents {
     /// Rows that lack a sound difference while their edit and their hash are sound: they can be
     /// carried out again. Told by checkSession() only.
     std::vector<SessionDamage> redo;
+
+    /// Every problem as a sentence without a stop, the rows that are lost first; empty: none.
+    [[nodiscard]] std::vector<QString> problems() const;
 
     /// Keeps what comes before the damage. A position behind it becomes the last row that is left.
     void cut(const SessionDamage& at);

@@ -26,8 +26,11 @@ QVariant sqlText(const QString& text, bool isThere)
 
 void takeState(const QString& key, const QString& value, SessionContents& contents)
 {
-    if (key == QLatin1String("position"))
-        contents.position = value.toLongLong();
+    if (key == QLatin1String("position")) {
+        bool isNumber = false;
+        const RowId position = value.toLongLong(&isNumber);
+        contents.position = isNumber ? position : -1;
+    }
     if (key == QLatin1String("hiddenSegments")) {
         const QJsonArray labels = QJsonDocument::fromJson(value.toUtf8()).array();
         for (const QJsonValue& label : labels)
@@ -341,12 +344,14 @@ tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer
 
 void SessionTables::readState(SessionContents& contents)
 {
-    const bool read =
-        m_database->query(QStringLiteral("SELECT key, value FROM state"), {},
-            [&contents](const QSqlQuery& answer) {
-                takeState(answer.value(0).toString(), answer.value(1).toString(), contents);
-                return true;
-            })
+    const bool placed = m_database->query(
+        QStringLiteral("SELECT key, value FROM state"), {}, [&contents](const QSqlQuery& answer) {
+            takeState(answer.value(0).toString(), answer.value(1).toString(), contents);
+            return true;
+        });
+    if (!placed)
+        contents.position = -1;
+    const bool read = placed
         && m_database->query(QStringLiteral("SELECT parent, child FROM visited"), {},
             [&contents](const QSqlQuery& answer) {
                 contents.visited.emplace_back(
