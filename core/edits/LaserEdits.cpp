@@ -72,7 +72,7 @@ Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
     cut.normalStep =
         std::max(mm16(normalReachMm(maskReachMm, geometry) / LaserCut::normalReach), 1);
     // A concave surface rises above the mask towards its rim.
-    cut.lift = std::max(mm16(maskReachMm / 2.0), 2 * frame->rampHalfWidth);
+    cut.lift = std::max(mm16(maskReachMm / 2.0), frame->front);
     cut.laying = stroke.restore ? Laying::Refill : Laying::Carve;
     return cut;
 }

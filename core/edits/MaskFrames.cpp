@@ -89,6 +89,9 @@ Result<MaskFrame> maskFrame(
     frame.planePerI = toFixed30(indexToPlane[0]);
     frame.planePerJ = toFixed30(indexToPlane[1]);
     frame.planePerK = toFixed30(indexToPlane[2]);
+    const std::int64_t acrossVoxel =
+        std::abs(frame.planePerI[2]) + std::abs(frame.planePerJ[2]) + std::abs(frame.planePerK[2]);
+    frame.front = std::max(2 * frame.rampHalfWidth, std::int32_t(fixedPoint::round14(acrossVoxel)));
 
     // The rounded pitch and steps are what the kernels use, so the rays are built from those.
     const double pitchMm = frame.pitch / fixed16;

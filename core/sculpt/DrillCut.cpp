@@ -38,10 +38,9 @@ MaskColumn drillColumn(const MaskFrame& frame, const SurfaceHit& hit, std::int32
 {
     if (hit.zSurface == SurfaceHit::none || depth <= 0)
         return {};
-    const std::int32_t r = frame.rampHalfWidth;
     if (frame.restore)
-        return {hit.zSurface - depth, hit.zSurface + 2 * r, 255};
-    return {hit.zSurface - 2 * r, std::min(hit.zSurface + depth, hit.zExit), 255};
+        return {hit.zSurface - depth, hit.zSurface + 2 * frame.rampHalfWidth, 255};
+    return {hit.zSurface - frame.front, std::min(hit.zSurface + depth, hit.zExit), 255};
 }
 
 ElementBox elementsUnder(const DrillCut& cut, const DrillSample& sample)

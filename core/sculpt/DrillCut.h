@@ -26,7 +26,7 @@ enum class DrillMode : std::uint8_t {
 ///       order samples come.
 ///    d. Depth D(a, b), of what an element receives: in mode Limit the greatest, in mode
 ///       Rate min(maxDepth, (their sum) >> 16), 64-bit.
-///    e. Column of an element with D > 0 and a surface, weight 255: (zSurface − 2r,
+///    e. Column of an element with D > 0 and a surface, weight 255: (zSurface − front,
 ///       min(zSurface + D, zExit)), or restoring (zSurface − D, zSurface + 2r).
 struct DrillCut {
     std::uint8_t layer = 0;

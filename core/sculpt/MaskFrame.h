@@ -77,6 +77,10 @@ struct MaskFrame {
     std::int32_t zPerSample = 0; ///< mm16
     std::int32_t sampleCount = 0; ///< up to behind the volume
     std::int32_t rampHalfWidth = 0; ///< mm16, half the finest spacing
+    /// mm16: a cut begins so far in front of the surface that the voxels on both sides of it are
+    /// cut, however far they lie apart along the view. Else what is interpolated between them would
+    /// stay as a skin, and the next press would meet that.
+    std::int32_t front = 0;
     std::int32_t thresholdCode = 0; ///< the surface: codes ≥ this are seen
     std::int32_t maxDepth = 0; ///< mm16, no cut reaches deeper
     std::int32_t gapSamples = 0; ///< ≥ 1

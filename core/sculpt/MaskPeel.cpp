@@ -250,11 +250,11 @@ std::vector<std::int32_t> offsetSurface(
 MaskColumn peelColumn(
     const MaskFrame& frame, const SurfaceHit& hit, std::int32_t end, std::int32_t weight)
 {
-    const std::int32_t r = frame.rampHalfWidth;
     const std::int32_t part = (weight * 255 + 128) >> 8;
     if (frame.restore)
-        return {std::max(end, hit.zSurface - frame.maxDepth), hit.zSurface + 2 * r, part};
-    return {hit.zSurface - 2 * r, std::min({end, hit.zExit, hit.zSurface + frame.maxDepth}), part};
+        return {std::max(end, hit.zSurface - frame.maxDepth),
+            hit.zSurface + 2 * frame.rampHalfWidth, part};
+    return {hit.zSurface - frame.front, std::min({end, hit.zExit, hit.zSurface + frame.maxDepth}), part};
 }
 
 } // namespace core

@@ -84,7 +84,7 @@ void Drill::extend(const std::vector<core::DrillSample>& samples)
         columns[place] = frame.restore
             ? MaskPlane::Column{hit.zSurface - element.depth, hit.zSurface + 2 * r}
             : MaskPlane::Column{
-                hit.zSurface - 2 * r, std::min(hit.zSurface + element.depth, hit.zExit)};
+                hit.zSurface - frame.front, std::min(hit.zSurface + element.depth, hit.zExit)};
     }
     m_plane.lay(columns, m_cut.laying);
 }

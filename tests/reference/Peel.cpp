@@ -125,7 +125,7 @@ void Peel::setDepth(std::int64_t depth)
             column.zFrom = std::max(end, hit.zSurface - frame.maxDepth);
             column.zTo = hit.zSurface + 2 * r;
         } else {
-            column.zFrom = hit.zSurface - 2 * r;
+            column.zFrom = hit.zSurface - frame.front;
             column.zTo = std::min({end, hit.zExit, hit.zSurface + frame.maxDepth});
         }
         columns[place] = column;
@@ -149,7 +149,7 @@ void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
             const auto hit = plane.cast(place.first, place.second);
             if (!hit || frame.maxDepth <= 0)
                 continue;
-            column.zFrom = frame.restore ? hit->zSurface - frame.maxDepth : hit->zSurface - 2 * r;
+            column.zFrom = frame.restore ? hit->zSurface - frame.maxDepth : hit->zSurface - frame.front;
             column.zTo = frame.restore ? hit->zSurface + 2 * r
                                        : std::min(hit->zSurface + frame.maxDepth, hit->zExit);
         }

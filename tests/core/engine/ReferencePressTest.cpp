@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/DrillPathSampler.h"
+#include "core/edits/EngineEdits.h"
+#include "core/edits/SculptEdits.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <variant>
+
+using namespace core;
+using reference::ReferenceEngine;
+using test::Bytes;
+
+namespace {
+
+constexpr double pressMm = 8.0;
+
+/// A block of tissue in a volume that is seen along +z, with whatever spacing that way.
+struct Bench {
+    glm::ivec3 size;
+    double sliceMm;
+    Document document;
+    OrthographicView view;
+    double threshold = 0.5 * test::tissueCode;
+    ReferenceEngine engine;
+
+    /// @param firstSlice of the tissue
+    Bench(const glm::ivec3& volumeSize, double slice, int firstSlice)
+        : size(volumeSize)
+        , sliceMm(slice)
+    {
+        Volume volume;
+        volume.geometry.size = size;
+        volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0),
+            glm::dvec4(0, 0, slice, 0), glm::dvec4(0, 0, 0, 1));
+        document = initialDocument(volume);
+        view.targetLps = glm::dvec3(glm::dvec2(size) / 2.0 - 0.5, firstSlice * slice);
+        view.eyeLps = view.targetLps - glm::dvec3(0, 0, 300);
+        view.up = {0.0, 1.0, 0.0};
+        (void)engine.openVolume(size, test::slab(size, 2, firstSlice, size.z - 1).values);
+    }
+
+    [[nodiscard]] SculptEdit edit(const QByteArray& tool) const
+    {
+        const std::vector<glm::dvec2> square{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
+        if (tool == "peel") {
+            PeelCut peel{.view = view, .polygonMm = square};
+            peel.depthMm = pressMm;
+            peel.surfaceThreshold = threshold;
+            return peel;
+        }
+        if (tool == "scissors") {
+            ScissorsCut scissors{.view = view, .polygonMm = square};
+            scissors.depthMm = pressMm;
+            scissors.surfaceThreshold = threshold;
+            return scissors;
+        }
+        if (tool == "laser")
+            return pressed(LaserStroke{});
+        return pressed(DrillStroke{});
+    }
+
+    EngineResult carryOut(const SculptEdit& edit)
+    {
+        std::visit([this](const auto& known) { submit(known); }, edit);
+        return test::lastResult(engine);
+    }
+
+    [[nodiscard]] Bytes coverage()
+    {
+        reference::DenseFields fields = engine.fields();
+        return fields.coverage(1);
+    }
+    /// Carved slices in the middle.
+    [[nodiscard]] std::vector<int> carved()
+    {
+        const Bytes cut = coverage();
+        std::vector<int> slices;
+        for (int z = 0; z < size.z; ++z) {
+            if (cut.at({size.x / 2, size.y / 2, z}) >= 128)
+                slices.push_back(z);
+        }
+        return slices;
+    }
+
+private:
+    template <class Pressed> [[nodiscard]] Pressed pressed(Pressed stroke) const
+    {
+        stroke.view = view;
+        stroke.mask.radiusMm = 6.0;
+        stroke.depthMm = pressMm;
+        stroke.surfaceThreshold = threshold;
+        stroke.samples = {{.pressure = 1.0}};
+        return stroke;
+    }
+    void submit(const DrillStroke& stroke)
+    {
+        const DrillCut cut = *drillCut(stroke, document);
+        submitWhole(engine, cut, {DrillPath{drillPath(stroke, cut)}});
+    }
+    void submit(const LaserStroke& stroke)
+    {
+        const LaserCut cut = *laserCut(stroke, document);
+        submitWhole(engine, cut, {DrillPath{laserPath(stroke, cut)}});
+    }
+    void submit(const PeelCut& peel)
+    {
+        submitWhole(engine, *maskPeel(peel, document), {peelDepth(peel)});
+    }
+    void submit(const ScissorsCut& cut) { submitWhole(engine, *maskScissors(cut, document)); }
+    void submit(const BrushStroke& stroke)
+    {
+        submitWhole(engine, *capsuleCut(stroke, document),
+            {CapsulePath{capsules(stroke.path, document.volumes.front().geometry)}});
+    }
+};
+
+} // namespace
+
+/// What tools do that are pressed again, and backwards, on voxels of any shape.
+class ReferencePressTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void goesDeeperEachTime_data()
+    {
+        QTest::addColumn<QByteArray>("tool");
+        QTest::addColumn<double>("sliceMm");
+        QTest::addColumn<double>("threshold");
+        for (const char* tool : {"drill", "peel", "scissors", "laser"}) {
+            for (const double slice : {1.0, 1.5, 3.0, 5.0, 8.0}) {
+                for (const double part : {0.2, 0.5, 0.8})
+                    QTest::addRow("%s, %g mm, threshold %g", tool, slice, part)
+                        << QByteArray(tool) << slice << part;
+            }
+        }
+    }
+    void goesDeeperEachTime()
+    {
+        QFETCH(QByteArray, tool);
+        QFETCH(double, sliceMm);
+        QFETCH(double, threshold);
+        constexpr int first = 4;
+        Bench bench({26, 26, first + int(40.0 / sliceMm) + 4}, sliceMm, first);
+        bench.threshold = threshold * test::tissueCode;
+        const double surfaceMm = (first - 1 + threshold) * sliceMm;
+        int deepest = first - 1;
+        for (int press = 1; press <= 3; ++press) {
+            (void)bench.carryOut(bench.edit(tool));
+            const std::vector<int> carved = bench.carved();
+            QVERIFY(!carved.empty());
+            // Nothing of what was passed stands; in front of the surface at most a slice.
+            QVERIFY(carved.front() >= first - 1 && carved.front() <= first);
+            QCOMPARE(carved.back() - carved.front() + 1, int(carved.size()));
+            QVERIFY2(carved.back() > deepest, qPrintable(QString::number(press)));
+            const double cutMm = (carved.back() + 0.5) * sliceMm - surfaceMm;
+            const double allowed = 0.5 * sliceMm * press + 0.2;
+            QVERIFY2(std::abs(cutMm - press * pressMm) <= allowed,
+                qPrintable(QStringLiteral("press %1: %2 mm").arg(press).arg(cutMm)));
+            deepest = carved.back();
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ReferencePressTest)
+#include "ReferencePressTest.moc"
