@@ -9,12 +9,12 @@ namespace core {
 
 namespace {
 
-/// Between 0 and size − 1 along every axis: where voxels' centres are.
-std::vector<HalfSpace> betweenCentres(const glm::ivec3& size)
+/// Half a voxel beyond the outermost centres along every axis: where the volume's border is.
+std::vector<HalfSpace> withinBorder(const glm::ivec3& size)
 {
-    ClipRegion centres;
-    centres.box = {glm::dvec3(0.0), glm::dvec3(size - 1), true};
-    return halfSpaces(centres, {});
+    ClipRegion border;
+    border.box = {glm::dvec3(-0.5), glm::dvec3(size) - 0.5, true};
+    return halfSpaces(border, {});
 }
 
 glm::ivec3 fixed16(const glm::dvec3& index)
@@ -37,7 +37,7 @@ PickRays pickRays(const OrthographicView& view, const std::vector<glm::dvec2>& p
     const glm::dmat4 toIndex = geometry.worldToIndex();
     const glm::dvec3 perSample(toIndex * glm::dvec4(forward * result.sampleMm, 0.0));
     result.rays.reserve(planeMm.size());
-    std::vector<HalfSpace> seen = betweenCentres(geometry.size);
+    std::vector<HalfSpace> seen = withinBorder(geometry.size);
     const std::vector<HalfSpace> unclipped = halfSpaces(clip, geometry);
     seen.insert(seen.end(), unclipped.begin(), unclipped.end());
     const LineStretch everywhere{

@@ -34,7 +34,9 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    ((q·zPerSample) >> 4).
 ///    Samples n whose P(n, 0) is hidden (HiddenHalf.h) are passed over by rules 4 and 5, as if the
 ///    ray had none there: it has those from the first that is seen to the last, f ≤ n < e.
-/// 3. Material at P (index16). Outside unless 0 ≤ P ≤ (size − 1)·2¹⁶ in every component.
+/// 3. Material at P (index16). Voxels reach half their spacing beyond their centres: outside unless
+///    −2¹⁵ ≤ P < (2·size − 1)·2¹⁵ in every component. P is clamped to 0 … (size − 1)·2¹⁶, so that
+///    the outermost voxels go on to the border of the volume.
 ///    i = P >> 16, f = (P & 0xFFFF) >> 8, neighbours clamped to size − 1. Codes are interpolated
 ///    along x, y, z: X = (c₀(256−f) + c₁f) >> 4, Y = (X₀(256−f) + X₁f) >> 4, Z = Y₀(256−f) + Y₁f,
 ///    all in unsigned 32 bits; dense iff Z ≥ thresholdCode·2¹⁶ (thresholdCode 65536: never dense).

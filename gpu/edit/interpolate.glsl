@@ -5,12 +5,18 @@ const uint carvedAt = 128u << 24;
 
 bool insideVolume(ivec3 p)
 {
-    return all(greaterThanEqual(p, ivec3(0))) && all(lessThanEqual(p, (volumeSize - 1) << 16));
+    return all(greaterThanEqual(p, ivec3(-(1 << 15)))) && all(lessThan(p, (2 * volumeSize - 1) << 15));
+}
+
+ivec3 betweenCentres(ivec3 p)
+{
+    return clamp(p, ivec3(0), (volumeSize - 1) << 16);
 }
 
 // Z of rule 3: the code at p (index16), in 1/65536 codes.
 uint interpolatedCode(ivec3 p)
 {
+    p = betweenCentres(p);
     ivec3 low = p >> 16;
     ivec3 high = min(low + 1, volumeSize - 1);
     uvec3 f = uvec3(p & 0xFFFF) >> 8;
@@ -27,6 +33,7 @@ uint interpolatedCode(ivec3 p)
 // Radiation at p, in 2⁻²⁴.
 uint interpolatedRadiation(ivec3 p)
 {
+    p = betweenCentres(p);
     ivec3 low = p >> 16;
     ivec3 high = min(low + 1, volumeSize - 1);
     uvec3 f = uvec3(p & 0xFFFF) >> 8;

@@ -36,8 +36,8 @@ ivec2 samplesInside(ivec3 origin, ivec2 range)
     ivec2 all = range;
     for (int axis = 0; axis < 3; ++axis) {
         float perSample = float(stepPerSample[axis]);
-        float low = float(-origin[axis]);
-        float high = low + float((volumeSize[axis] - 1) << 16);
+        float low = float(-origin[axis] - (1 << 15));
+        float high = low + float(volumeSize[axis] << 16);
         if (stepPerSample[axis] == 0) {
             if (low > 0.0 || high < 0.0)
                 return ivec2(0);

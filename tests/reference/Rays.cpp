@@ -18,7 +18,8 @@ Cell cellAt(const Index16& position, const glm::ivec3& size)
 {
     Cell cell;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::int64_t value = position[std::size_t(axis)];
+        const std::int64_t value = std::clamp<std::int64_t>(
+            position[std::size_t(axis)], 0, std::int64_t(size[axis] - 1) * 65536);
         cell.low[axis] = int(value >> 16);
         cell.high[axis] = std::min(cell.low[axis] + 1, size[axis] - 1);
         cell.fraction[std::size_t(axis)] = std::uint64_t((value & 0xFFFF) >> 8);
@@ -80,7 +81,7 @@ bool Tissue::inside(const Index16& position) const
 {
     for (int axis = 0; axis < 3; ++axis) {
         const std::int64_t value = position[std::size_t(axis)];
-        if (value < 0 || value > std::int64_t(codes.size[axis] - 1) << 16)
+        if (value < -32768 || value >= (2 * std::int64_t(codes.size[axis]) - 1) * 32768)
             return false;
     }
     return true;

@@ -167,6 +167,61 @@ private Q_SLOTS:
             deepest = carved.back();
         }
     }
+
+    void cutsUpToTheBorder_data()
+    {
+        QTest::addColumn<QByteArray>("tool");
+        QTest::addColumn<int>("slices");
+        QTest::addColumn<double>("offMm");
+        for (const char* tool : {"drill", "peel", "scissors", "laser"}) {
+            for (const int slices : {1, 2, 3}) {
+                for (const double off : {0.0, 0.1, 0.25, 0.5})
+                    QTest::addRow("%s, %d slices, %g mm", tool, slices, off)
+                        << QByteArray(tool) << slices << off;
+            }
+        }
+    }
+    /// All of it is tissue, and seen along x: there are `slices` columns of voxels side by side.
+    void cutsUpToTheBorder()
+    {
+        QFETCH(QByteArray, tool);
+        QFETCH(int, slices);
+        QFETCH(double, offMm);
+        Bench bench({20, 21, slices}, 1.0, 0);
+        bench.view.targetLps = glm::dvec3(0.0, 10.0, (slices - 1) / 2.0 + offMm);
+        bench.view.eyeLps = bench.view.targetLps - glm::dvec3(300, 0, 0);
+        (void)bench.carryOut(bench.edit(tool));
+        const Bytes cut = bench.coverage();
+        for (int z = 0; z < slices; ++z) {
+            for (int x = 0; x < 20; ++x) {
+                // From the border of the volume, half a voxel before the first centre.
+                const bool gone = cut.at({x, 10, z}) >= 128;
+                QVERIFY2(gone == (x + 0.5 < pressMm),
+                    qPrintable(QStringLiteral("slice %1, column %2").arg(z).arg(x)));
+            }
+        }
+    }
+
+    void cutsAllThereIs_data()
+    {
+        QTest::addColumn<QByteArray>("tool");
+        for (const char* tool : {"drill", "peel", "scissors", "laser"})
+            QTest::addRow("%s", tool) << QByteArray(tool);
+    }
+    /// Two slices of 6 mm are 12 mm of tissue.
+    void cutsAllThereIs()
+    {
+        QFETCH(QByteArray, tool);
+        for (const bool twice : {false, true}) {
+            Bench bench({20, 21, 2}, 6.0, 0);
+            (void)bench.carryOut(bench.edit(tool));
+            QCOMPARE(bench.carved(), std::vector<int>{0});
+            if (twice) {
+                (void)bench.carryOut(bench.edit(tool));
+                QCOMPARE(bench.carved(), (std::vector<int>{0, 1}));
+            }
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(ReferencePressTest)
