@@ -48,8 +48,8 @@ private Q_SLOTS:
                 const glm::dvec3 index =
                     (glm::dvec3(ray.origin) + double(sample) * glm::dvec3(ray.step)) / 65536.0;
                 for (int axis = 0; axis < 3; ++axis) {
-                    QVERIFY(index[axis] > -0.01);
-                    QVERIFY(index[axis] < geometry.size[axis] - 1 + 0.01);
+                    QVERIFY(index[axis] > -0.51); // to the border, not to the last centre
+                    QVERIFY(index[axis] < geometry.size[axis] - 0.49);
                 }
                 const glm::dvec3 offset = geometry.toWorld(index) - view.targetLps;
                 QVERIFY(std::abs(glm::dot(offset, right) - points[i].x) < 0.01);
@@ -61,7 +61,8 @@ private Q_SLOTS:
                     (glm::dvec3(ray.origin) + double(sample) * glm::dvec3(ray.step)) / 65536.0;
                 bool inside = true;
                 for (int axis = 0; axis < 3; ++axis)
-                    inside = inside && index[axis] >= 0.0 && index[axis] <= geometry.size[axis] - 1;
+                    inside =
+                        inside && index[axis] >= -0.5 && index[axis] <= geometry.size[axis] - 0.5;
                 QVERIFY(!inside);
             }
         }
