@@ -134,7 +134,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("tool");
         QTest::addColumn<double>("sliceMm");
         QTest::addColumn<double>("threshold");
-        for (const char* tool : {"drill", "peel", "scissors", "laser"}) {
+        for (const char* tool : {"drill", "peel", "scissors"}) {
             for (const double slice : {1.0, 1.5, 3.0, 5.0, 8.0}) {
                 for (const double part : {0.2, 0.5, 0.8})
                     QTest::addRow("%s, %g mm, threshold %g", tool, slice, part)
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("tool");
         QTest::addColumn<int>("slices");
         QTest::addColumn<double>("offMm");
-        for (const char* tool : {"drill", "peel", "scissors", "laser"}) {
+        for (const char* tool : {"drill", "peel", "scissors"}) {
             for (const int slices : {1, 2, 3}) {
                 for (const double off : {0.0, 0.1, 0.25, 0.5})
                     QTest::addRow("%s, %d slices, %g mm", tool, slices, off)
@@ -205,7 +205,7 @@ private Q_SLOTS:
     void cutsAllThereIs_data()
     {
         QTest::addColumn<QByteArray>("tool");
-        for (const char* tool : {"drill", "peel", "scissors", "laser"})
+        for (const char* tool : {"drill", "peel", "scissors"})
             QTest::addRow("%s", tool) << QByteArray(tool);
     }
     /// Two slices of 6 mm are 12 mm of tissue.
