@@ -222,15 +222,15 @@ QString measureSketch(PeerReport& report, Ball& ball)
 {
     core::PickVoxels pick{.thresholdCode = Ball::lowCode(radius)};
     for (int i = 0; i < 600; ++i)
-        pick.rays.push_back({.origin = glm::ivec3(106 + i / 2, side / 2, 0) * 16,
-            .step = {0, 0, 8},
+        pick.rays.push_back({.origin = glm::ivec3(106 + i / 2, side / 2, 0) << 16,
+            .step = {0, 0, 1 << 15},
             .samples = 2 * side});
     std::vector<double> times;
     core::EngineResult result;
     for (int round = 0; round < rounds; ++round)
         times.push_back(milliseconds([&] { result = ball.ended(ball.edits().submit(pick)); }));
     for (std::size_t i = 0; i < pick.rays.size(); ++i) {
-        const double aside = pick.rays[i].origin.x / 16 - side / 2;
+        const double aside = (pick.rays[i].origin.x >> 16) - side / 2;
         const double half = std::sqrt(std::max(0.0, radius * double(radius) - aside * aside));
         const bool seen = i < result.picks.size() && result.picks[i];
         if (seen ? std::abs(side / 2 - half - result.picks[i]->z) > 1.5 : half > 1.0)
