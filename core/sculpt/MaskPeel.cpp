@@ -254,7 +254,8 @@ MaskColumn peelColumn(
     if (frame.restore)
         return {std::max(end, hit.zSurface - frame.maxDepth),
             hit.zSurface + 2 * frame.rampHalfWidth, part};
-    return {hit.zSurface - frame.front, std::min({end, hit.zExit, hit.zSurface + frame.maxDepth}), part};
+    return {hit.zSurface - frame.front, std::min({end, hit.zExit, hit.zSurface + frame.maxDepth}),
+        part};
 }
 
 } // namespace core

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t wordsOfFront = 128; // frontBits.glsl
 constexpr std::size_t wordsOfOpen = 136;
-// A brick in reach costs about as much as three voxels of a queue, measured on llvmpipe.
+// By estimate, not by measure: on llvmpipe a brick in reach costs as much as a few queued voxels.
 constexpr std::size_t widePerBrick = 8;
 constexpr std::size_t narrowPerBrick = 3;
 

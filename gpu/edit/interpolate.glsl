@@ -5,7 +5,8 @@ const uint carvedAt = 128u << 24;
 
 bool insideVolume(ivec3 p)
 {
-    return all(greaterThanEqual(p, ivec3(-(1 << 15)))) && all(lessThan(p, (2 * volumeSize - 1) << 15));
+    return all(greaterThanEqual(p, ivec3(-(1 << 15))))
+        && all(lessThan(p, (2 * volumeSize - 1) << 15));
 }
 
 ivec3 betweenCentres(ivec3 p)

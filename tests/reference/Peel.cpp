@@ -149,7 +149,8 @@ void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
             const auto hit = plane.cast(place.first, place.second);
             if (!hit || frame.maxDepth <= 0)
                 continue;
-            column.zFrom = frame.restore ? hit->zSurface - frame.maxDepth : hit->zSurface - frame.front;
+            column.zFrom =
+                frame.restore ? hit->zSurface - frame.maxDepth : hit->zSurface - frame.front;
             column.zTo = frame.restore ? hit->zSurface + 2 * r
                                        : std::min(hit->zSurface + frame.maxDepth, hit->zExit);
         }

@@ -176,11 +176,11 @@ private Q_SLOTS:
         const Result<Edit> read = editFromJson(json);
         QVERIFY(read);
         QCOMPARE(std::get<GrowSteps>(*read).criteria, std::get<GrowSteps>(edit).criteria);
-        for (const auto& [field, value] : {std::pair{"majority", QJsonValue(28)},
-                 std::pair{"majority", QJsonValue(0)}, std::pair{"sigmas", QJsonValue(0)},
-                 std::pair{"passage", QJsonValue(-0.5)},
-                 std::pair{"difference", QJsonValue(-1)}, std::pair{"gradient", QJsonValue(-0.5)},
-                 std::pair{"box", QJsonValue(QStringLiteral("none"))}}) {
+        for (const auto& [field, value] :
+            {std::pair{"majority", QJsonValue(28)}, std::pair{"majority", QJsonValue(0)},
+                std::pair{"sigmas", QJsonValue(0)}, std::pair{"passage", QJsonValue(-0.5)},
+                std::pair{"difference", QJsonValue(-1)}, std::pair{"gradient", QJsonValue(-0.5)},
+                std::pair{"box", QJsonValue(QStringLiteral("none"))}}) {
             QJsonObject wrong = json;
             wrong[QLatin1String(field)] = value;
             const Result<Edit> refused = editFromJson(wrong);
@@ -240,10 +240,10 @@ private Q_SLOTS:
     void aPassageDependsOnTheInterval()
     {
         const Document document = initialDocument(smallVolume());
-        ChangeInterval change{.criteria = {.lower = 0.0, .upper = 1.0, .passage = 5.0},
-            .asBefore = false};
-        for (const auto& [width, opens] : {std::pair{5.0, GrowOpening::Restart},
-                 std::pair{0.5, GrowOpening::Narrow}}) {
+        ChangeInterval change{
+            .criteria = {.lower = 0.0, .upper = 1.0, .passage = 5.0}, .asBefore = false};
+        for (const auto& [width, opens] :
+            {std::pair{5.0, GrowOpening::Restart}, std::pair{0.5, GrowOpening::Narrow}}) {
             change.criteria.passage = width;
             Edit edit = change;
             QVERIFY(nameWhatGrowthReads(edit, History(), document));
