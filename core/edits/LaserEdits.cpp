@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core {
 
@@ -67,6 +68,8 @@ Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
     if (!mask)
         return tl::unexpected(mask.error());
     LaserCut cut{.layer = std::uint8_t(stroke.layer), .frame = *frame};
+    cut.restore = std::exchange(cut.frame.restore, false);
+    cut.frame.asWhole = cut.restore;
     cut.mask = *std::move(mask);
     cut.mode = stroke.mode;
     cut.normalStep =

@@ -39,7 +39,7 @@ MaskColumn drillColumn(const MaskFrame& frame, const SurfaceHit& hit, std::int32
     if (hit.zSurface == SurfaceHit::none || depth <= 0)
         return {};
     if (frame.restore)
-        return {hit.zSurface - depth, hit.zSurface + 2 * frame.rampHalfWidth, 255};
+        return restoringColumn(frame, hit, hit.zSurface - depth, 255);
     return {hit.zSurface - frame.front, std::min(hit.zSurface + depth, hit.zExit), 255};
 }
 

@@ -27,7 +27,7 @@ enum class DrillMode : std::uint8_t {
 ///    d. Depth D(a, b), of what an element receives: in mode Limit the greatest, in mode
 ///       Rate min(maxDepth, (their sum) >> 16), 64-bit.
 ///    e. Column of an element with D > 0 and a surface, weight 255: (zSurface − front,
-///       min(zSurface + D, zExit)), or restoring (zSurface − D, zSurface + 2r).
+///       min(zSurface + D, zExit)), or restoring as rule 7 of MaskFrame.h says.
 struct DrillCut {
     std::uint8_t layer = 0;
     MaskFrame frame;

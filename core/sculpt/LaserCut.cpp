@@ -31,6 +31,12 @@ std::int64_t dot(const Fixed3& a, const Fixed3& b)
 
 } // namespace
 
+std::int32_t restoredFrom(const LaserCut& cut, std::int32_t end, std::int32_t depth)
+{
+    const std::int32_t from = end - depth;
+    return from < cut.frame.front ? 0 : from;
+}
+
 glm::ivec3 footPosition(const MaskFrame& frame, const glm::ivec2& element, std::int32_t surface)
 {
     const std::int64_t t = std::int64_t(surface) - frame.zStart;

@@ -40,10 +40,15 @@ namespace core {
 /// 7. Gap. S = round14((N.x·(rayPerA·zPerSample / pitch) + N.y·(rayPerB·zPerSample / pitch)
 ///    + N.z·rayPerSample) >> 24). For n = 1, 2, … while n·zPerSample ≤ maxDepth: the first run of
 ///    gapSamples consecutive positions P + n·S that are hidden or without material ends the beam at
-///    E = (first of the run)·zPerSample. No such run, throughGaps, or restoring: E = 2³¹ − 1.
+///    E = (first of the run)·zPerSample. No such run, or throughGaps: E = 2³¹ − 1.
+///    Restoring, a beam is found as though nothing were carved (the frame is `asWhole`), and goes
+///    as far as something is: of P + n·S, n = 0, 1, 2, … while n < sampleCount, that is dense and
+///    not hidden, by the rule 3 of restoring, the first that is not carved is passed by none; with
+///    n_c the last carved one before it, E = (n_c + 1)·zPerSample. None: the beam does nothing.
 /// 8. Voxels. With d = (D · m(x / pitch, y / pitch)) >> 8: where d > 0,
-///    cut = min(ramp(min(d, E) − z), ramp(z + lift)), or restoring
-///    min(ramp(lift − z), ramp(z + d)). It is laid as rule 6 of MaskFrame.h says; of several beams
+///    cut = min(ramp(min(d, E) − z), ramp(z + lift)). Restoring, T = E − D, but 0 where that is
+///    < front: min(ramp(T + d + front/2 + r − z), ramp(z − T)), and ramp(z + lift) for the latter
+///    where T = 0. It is laid as rule 6 of MaskFrame.h says; of several beams
 ///    the greatest.
 struct LaserCut {
     static constexpr int normalReach = 7;
@@ -54,8 +59,12 @@ struct LaserCut {
     DrillMode mode = DrillMode::Limit;
     std::int32_t normalStep = 1; ///< mm16, ≥ 1
     std::int32_t lift = 0; ///< mm16, ≥ 0: the mask begins so far above the foot
+    bool restore = false; ///< backwards: rules 7 and 8; the frame's own `restore` is off
     Laying laying = Laying::Carve;
 };
+
+/// Rule 8: T. @param end E
+[[nodiscard]] std::int32_t restoredFrom(const LaserCut& cut, std::int32_t end, std::int32_t depth);
 
 /// Where a beam begins and which way it goes.
 struct LaserBeam {

@@ -41,20 +41,25 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    along x, y, z: X = (c₀(256−f) + c₁f) >> 4, Y = (X₀(256−f) + X₁f) >> 4, Z = Y₀(256−f) + Y₁f,
 ///    all in unsigned 32 bits; dense iff Z ≥ thresholdCode·2¹⁶ (thresholdCode 65536: never dense).
 ///    Radiation (see Radiation.h) *as it was when the edit began* is interpolated alike without the
-///    shifts; carved iff the result ≥ 128·2²⁴, while restoring ≥ 64·2²⁴ (beside a wall too, or the
-///    last row of a cut would never come back). Material = inside, dense and not carved.
+///    shifts; carved iff the result ≥ 128·2²⁴. Material = inside, dense and not carved.
+///    Restoring looks at voxels as a whole, so that it finds the walls where the cut left them:
+///    with v = (P + 2¹⁵) >> 16, dense iff the code of v ≥ thresholdCode, carved iff the radiation
+///    of v ≥ 128. Where `asWhole` is on nothing counts as carved.
 /// 4. Surface. n₀ = the first sample f ≤ n < e with material at (n, 0); none: the element cuts
 ///    nothing. For n₀ > f four bisections of [(n₀−1)·16, n₀·16] in sixteenths (middle =
 ///    (low + high) / 2; material → high, else low), else (0, 0);
 ///    zSurface = z(high / 16, high % 16).
-///    Restoring: n_c = the last sample before n₀ (before e where there is no n₀) that is
-///    inside, dense and carved at (n, 0); none: the element restores nothing. Where n₀ = n_c + 1,
-///    zSurface is as above; else, where what was carved ends at a gap or all is drilled through,
-///    zSurface = z(n_c + 1, 0).
+///    Restoring: n_c = the last sample before n₀ (before e where there is no n₀) that is *hollow*:
+///    inside, dense and carved at (n, 0); n_o = the first of the run of hollow ones that it ends.
+///    Four bisections each: of [n_c·16, (n_c+1)·16] (hollow → low, else high), zSurface = z(high);
+///    for n_o > f of [(n_o−1)·16, n_o·16] (hollow → high, else low), zOuter = z(high), else
+///    zOuter = z(n_o, 0). There being no n_c but an n₀, and before it a sample n ≥ f with z(n₀, 0)
+///    − z(n, 0) ≤ 2·front that is inside and carved (in front of the surface only): zSurface =
+///    zOuter = z(n₀, 0). Else the element restores nothing. zExit holds zOuter.
 /// 5. Gap. From n₀ + 1 on, while n < e and z(n, 0) ≤ zSurface + maxDepth: the first run
 ///    of gapSamples consecutive samples without material (at (n, 0)) ends the cut at
 ///    z(first of the run, 0) =: zExit. A run cut short by the end of the march does not count. No
-///    such run, throughGaps, or restoring: zExit = 2³¹ − 1.
+///    such run, or throughGaps: zExit = 2³¹ − 1.
 /// 6. Voxels. For a brick with first voxel o: base = round14(planeOrigin + o.x·planePerI +
 ///    o.y·planePerJ + o.z·planePerK), and for the voxel at local (i, j, k):
 ///    (x, y, z) = base + i·round14(planePerI) + j·round14(planePerJ) + k·round14(planePerK).
@@ -64,7 +69,14 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    cut = min(weight, ramp(zTo − z), ramp(z − zFrom)).
 ///    Nothing happens to a voxel that is hidden.
 ///    Laying::Carve: coverage = max(coverage, cut), unless the voxel is spared (SparedLabels.h).
-///    Laying::Refill: coverage = min(coverage, 255 − cut).
+///    Laying::Refill: with v = min(coverage, 255 − cut), coverage = v where v > cut, else 0. So
+///    what one cut had taken is gone, to the last bit, after the same was refilled; and the order
+///    in which ever greater cuts are refilled does not matter.
+/// 7. Columns while restoring D deep from what rule 4 found: (zFrom, zSurface + front/2 + r), zFrom
+/// =
+///    min(zSurface − D, zSurface − front/2 − r): the last voxel comes back in any case. But where
+///    zFrom − zOuter ≤ front − r/8, all that was taken does: zFrom = zOuter − 2·front − 2r. All
+///    divisions are by >>.
 struct MaskFrame {
     Fixed3 planeOrigin{}; ///< plane coordinates of voxel (0, 0, 0), mm · 2³⁰
     Fixed3 planePerI{}; ///< change per voxel along i, mm · 2³⁰
@@ -87,7 +99,8 @@ struct MaskFrame {
     std::int32_t maxDepth = 0; ///< mm16, no cut reaches deeper
     std::int32_t gapSamples = 0; ///< ≥ 1
     bool throughGaps = false;
-    bool restore = false; ///< the tool backwards: rule 4, and the columns that the tools make
+    bool restore = false; ///< the tool backwards: rules 3, 4 and 7
+    bool asWhole = false; ///< rule 3
     std::vector<HiddenHalf> hidden{}; ///< what a clip box or planes hide
     SparedLabels spared{}; ///< what is not carved
 };
@@ -96,7 +109,7 @@ struct MaskFrame {
 struct SurfaceHit {
     static constexpr std::int32_t none = 0x7FFFFFFF;
     std::int32_t zSurface = none; ///< none: nothing
-    std::int32_t zExit = none;
+    std::int32_t zExit = none; ///< restoring: zOuter
 };
 
 /// What an element does: rule 6.
@@ -109,6 +122,13 @@ struct MaskColumn {
 
 /// How a cut is laid into a layer.
 enum class Laying : std::uint8_t { Carve, Refill };
+
+/// Rule 6: what is left of coverage where a cut is refilled.
+[[nodiscard]] constexpr std::uint8_t refilled(std::uint8_t coverage, std::uint8_t cut)
+{
+    const int left = coverage < 255 - cut ? coverage : 255 - cut;
+    return std::uint8_t(left > cut ? left : 0);
+}
 
 /// A stretch of mask elements, both ends included.
 struct ElementBox {
@@ -139,6 +159,10 @@ namespace fixedPoint {
 [[nodiscard]] std::int64_t squareRoot(std::int64_t value);
 
 } // namespace fixedPoint
+
+/// Rule 7. @param from zSurface − D; @param weight of the column
+[[nodiscard]] MaskColumn restoringColumn(
+    const MaskFrame& frame, const SurfaceHit& hit, std::int32_t from, std::int32_t weight);
 
 /// Rule 6: plane coordinates of a brick's first voxel.
 [[nodiscard]] glm::ivec3 planeBase(const MaskFrame& frame, const glm::ivec3& firstVoxel);

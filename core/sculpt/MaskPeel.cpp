@@ -252,8 +252,7 @@ MaskColumn peelColumn(
 {
     const std::int32_t part = (weight * 255 + 128) >> 8;
     if (frame.restore)
-        return {std::max(end, hit.zSurface - frame.maxDepth),
-            hit.zSurface + 2 * frame.rampHalfWidth, part};
+        return restoringColumn(frame, hit, std::max(end, hit.zSurface - frame.maxDepth), part);
     return {hit.zSurface - frame.front, std::min({end, hit.zExit, hit.zSurface + frame.maxDepth}),
         part};
 }

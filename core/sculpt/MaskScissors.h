@@ -14,7 +14,7 @@ namespace core {
 /// 2. Through all of it (`fromSurface` is off): nothing is cast; the column is (zStart − 2r,
 ///    zStart + sampleCount·zPerSample + 2r), carving and restoring alike.
 /// 3. From the surface: as a drill pressed to maxDepth (DrillCut.h, rule 1e): (zSurface − front,
-///    min(zSurface + maxDepth, zExit)), or restoring (zSurface − maxDepth, zSurface + 2r).
+///    min(zSurface + maxDepth, zExit)), or restoring as rule 7 of MaskFrame.h says.
 ///    The frame's throughGaps says whether the first layer of material is all that is cut.
 struct MaskScissors {
     std::uint8_t layer = 0;

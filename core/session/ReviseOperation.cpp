@@ -3,6 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/SparedSegments.h"
+#include "core/sculpt/MaskFrame.h"
 #include "core/session/ProtectedVoxels.h"
 #include "core/session/RowReach.h"
 
@@ -291,7 +292,7 @@ void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
         std::vector<std::uint8_t>& held = found->second.bytes;
         if (restores(stroke.form)) {
             std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
-                [](std::uint8_t a, std::uint8_t b) { return std::min(a, std::uint8_t(255 - b)); });
+                [](std::uint8_t a, std::uint8_t b) { return refilled(a, b); });
             if (std::all_of(held.begin(), held.end(), [](std::uint8_t a) { return a == 0; }))
                 held.clear(); // an empty brick has no bytes
             continue;

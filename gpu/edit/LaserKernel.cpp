@@ -68,7 +68,8 @@ LaserKernel::LaserKernel(
         .set("pitch", cut.frame.pitch)
         .set("rampHalfWidth", cut.frame.rampHalfWidth)
         .set("lift", cut.lift)
-        .set("refillsUpwards", cut.frame.restore);
+        .set("restoring", cut.restore)
+        .set("beyond", (cut.frame.front >> 1) + cut.frame.rampHalfWidth);
     m_writer.prepare(m_programs.cut);
     setHidden(m_programs.cut, cut.frame.hidden);
 }
@@ -160,13 +161,14 @@ void LaserKernel::findGradients(std::vector<Beam>& fresh, const std::vector<std:
     for (std::size_t i = 0; i < fresh.size(); ++i)
         fresh[i].lies =
             core::laserBeam(m_cut.frame, fresh[i].element, surfaces[i], glm::ivec3(rows[i].sum));
-    if (!m_cut.frame.throughGaps && !m_cut.frame.restore)
+    if (!m_cut.frame.throughGaps || m_cut.restore)
         findExits(fresh, feet);
 }
 
 void LaserKernel::findExits(std::vector<Beam>& fresh, const std::vector<glm::ivec3>& feet)
 {
-    const int samples = m_cut.frame.maxDepth / m_cut.frame.zPerSample + 1;
+    const int samples =
+        m_cut.restore ? m_cut.frame.sampleCount : m_cut.frame.maxDepth / m_cut.frame.zPerSample + 1;
     std::vector<GpuExitBeam> rows;
     for (std::size_t i = 0; i < fresh.size(); ++i) {
         const glm::ivec3 step = core::beamStep(m_cut.frame, fresh[i].lies);
@@ -178,6 +180,9 @@ void LaserKernel::findExits(std::vector<Beam>& fresh, const std::vector<glm::ive
     std::vector<std::int32_t> exits(rows.size());
     const Buffer exitBuffer = bufferOf("laser exits", exits);
     m_caster.show(m_programs.exit);
+    m_programs.exit.set("restore", m_cut.restore)
+        .set("asWhole", false)
+        .set("restoring", m_cut.restore);
     m_programs.exit.set("beamCount", unsigned(rows.size()))
         .set("sampleCount", samples)
         .set("gapSamples", m_cut.frame.gapSamples);
@@ -190,6 +195,9 @@ void LaserKernel::findExits(std::vector<Beam>& fresh, const std::vector<glm::ive
         if (exits[i] > 0)
             fresh[i].exit = exits[i] * m_cut.frame.zPerSample;
     }
+    // Where nothing is carved there is nothing to restore.
+    if (m_cut.restore)
+        std::erase_if(fresh, [](const Beam& beam) { return beam.exit == core::SurfaceHit::none; });
 }
 
 /// Rule 1. The beams that went deeper.
@@ -225,10 +233,15 @@ std::vector<std::uint32_t> LaserKernel::bricksOf(const Beam& beam) const
     const glm::ivec2 low = m_cut.mask.first * pitch;
     const glm::ivec2 high = (m_cut.mask.first + m_cut.mask.size) * pitch;
     const int r = m_cut.frame.rampHalfWidth;
-    const int up = m_cut.frame.restore ? beam.depth : m_cut.lift;
-    const int down = m_cut.frame.restore ? m_cut.lift : beam.depth;
+    int from = -m_cut.lift;
+    int to = beam.depth;
+    if (m_cut.restore) {
+        const int shift = core::restoredFrom(m_cut, beam.exit, beam.depth);
+        from = shift == 0 ? from : shift;
+        to = shift + beam.depth + (m_cut.frame.front >> 1) + r;
+    }
     return bricksUnder(
-        axes, m_fields.grid(), {{glm::ivec3(low, -up - r), glm::ivec3(high, down + r)}});
+        axes, m_fields.grid(), {{glm::ivec3(low, from - r), glm::ivec3(high, to + r)}});
 }
 
 void LaserKernel::lay(const std::vector<std::size_t>& beams)
@@ -240,7 +253,8 @@ void LaserKernel::lay(const std::vector<std::size_t>& beams)
         for (const std::uint32_t brick : bricksOf(beam))
             near[brick].push_back(int(rows.size()));
         rows.push_back({glm::ivec4(round14(beam.lies.perI), beam.depth),
-            glm::ivec4(round14(beam.lies.perJ), beam.exit),
+            glm::ivec4(round14(beam.lies.perJ),
+                m_cut.restore ? core::restoredFrom(m_cut, beam.exit, beam.depth) : beam.exit),
             glm::ivec4(round14(beam.lies.perK), 0)});
     }
     std::vector<std::uint32_t> candidates;

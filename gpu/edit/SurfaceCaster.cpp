@@ -30,7 +30,8 @@ SurfaceCaster::SurfaceCaster(Program& cast, VoxelFields& fields, const core::Mas
         .set("zPerSample", frame.zPerSample)
         .set("maxDepth", frame.maxDepth)
         .set("gapSamples", frame.gapSamples)
-        .set("throughGaps", frame.throughGaps);
+        .set("throughGaps", frame.throughGaps)
+        .set("front", frame.front);
 }
 
 void SurfaceCaster::show(Program& program) const
@@ -38,7 +39,8 @@ void SurfaceCaster::show(Program& program) const
     program.set("volumeSize", m_fields.grid().volumeSize)
         .set("volumeBricks", m_fields.grid().bricks())
         .set("thresholdCode", m_frame.thresholdCode)
-        .set("restore", m_frame.restore);
+        .set("restore", m_frame.restore)
+        .set("asWhole", m_frame.asWhole);
     m_fields.codes().bindUnit(0);
     m_fields.radiation().bindUnit(1);
     m_snapshotSlots.bindBase(GL_SHADER_STORAGE_BUFFER, 2);

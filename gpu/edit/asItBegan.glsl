@@ -12,6 +12,7 @@ uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform int thresholdCode;
 uniform bool restore;
+uniform bool asWhole;
 
 uint codeAt(ivec3 voxel)
 {
@@ -30,12 +31,27 @@ uint radiationAt(ivec3 voxel)
 
 #include "edit/interpolate.glsl"
 
+ivec3 nearestTo(ivec3 p)
+{
+    return (p + (1 << 15)) >> 16;
+}
+
+bool denseHere(ivec3 p)
+{
+    if (!restore)
+        return dense(p, thresholdCode);
+    return insideVolume(p) && int(codeAt(nearestTo(p))) >= thresholdCode;
+}
+
+// Only inside.
 bool carvedHere(ivec3 p)
 {
-    return interpolatedRadiation(p) >= (restore ? 64u : 128u) << 24;
+    if (asWhole)
+        return false;
+    return restore ? radiationAt(nearestTo(p)) >= 128u : carved(p);
 }
 
 bool materialHere(ivec3 p)
 {
-    return dense(p, thresholdCode) && !carvedHere(p);
+    return denseHere(p) && !carvedHere(p);
 }

@@ -13,7 +13,8 @@ bool writeCut(uint entry, ivec3 voxel, uint cut)
 {
     ivec3 texel = atlasTexel(entry, voxel);
     uint held = imageLoad(coverage, texel).r;
-    uint value = refill ? min(held, 255u - cut) : max(held, cut);
+    uint left = min(held, 255u - cut);
+    uint value = refill ? (left > cut ? left : 0u) : max(held, cut);
     if (value == held || (!refill && isSpared(voxel)))
         return false;
     imageStore(coverage, texel, uvec4(value));

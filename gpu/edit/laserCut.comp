@@ -15,7 +15,7 @@ struct Visit {
 };
 struct Beam {
     ivec4 perI; // mm16; w: how deep
-    ivec4 perJ; // w: where it ends
+    ivec4 perJ; // w: where it ends; restoring: where it begins
     ivec4 perK;
 };
 layout(binding = 0, std430) readonly buffer Candidates { Candidate candidates[]; };
@@ -31,7 +31,8 @@ uniform ivec2 maskSize;
 uniform int pitch;
 uniform int rampHalfWidth;
 uniform int lift;
-uniform bool refillsUpwards; // the frame restores
+uniform bool restoring;
+uniform int beyond; // a restored voxel may lie so far behind the depth
 
 uint ramp(int t)
 {
@@ -64,8 +65,9 @@ uint cutAt(Candidate candidate, ivec3 local)
         if (depth <= 0)
             continue;
         cut = max(cut,
-            refillsUpwards ? min(ramp(lift - p.z), ramp(p.z + depth))
-                           : min(ramp(min(depth, beam.perJ.w) - p.z), ramp(p.z + lift)));
+            restoring ? min(ramp(beam.perJ.w + depth + beyond - p.z),
+                ramp(p.z - beam.perJ.w + (beam.perJ.w == 0 ? lift : 0)))
+                      : min(ramp(min(depth, beam.perJ.w) - p.z), ramp(p.z + lift)));
     }
     return cut;
 }

@@ -15,6 +15,21 @@ layout(binding = 1, std430) writeonly buffer Exits { int exits[]; }; // first sa
 uniform uint beamCount;
 uniform int sampleCount;
 uniform int gapSamples;
+uniform bool restoring; // looks for the end of what is carved
+
+int endOfCarved(Beam beam)
+{
+    int end = 0;
+    for (int n = max(beam.foot.w, 0); n < min(beam.perStep.w, sampleCount); ++n) {
+        ivec3 p = beam.foot.xyz + n * beam.perStep.xyz;
+        if (!denseHere(p))
+            continue;
+        if (!carvedHere(p))
+            break;
+        end = n + 1;
+    }
+    return end;
+}
 
 void main()
 {
@@ -22,6 +37,10 @@ void main()
     if (i >= beamCount)
         return;
     Beam beam = beams[i];
+    if (restoring) {
+        exits[i] = endOfCarved(beam);
+        return;
+    }
     int exit = 0;
     int run = 0;
     for (int n = 1; n < sampleCount; ++n) {

@@ -17,6 +17,7 @@ uniform int zPerSample;
 uniform int maxDepth;
 uniform int gapSamples;
 uniform bool throughGaps;
+uniform int front;
 
 const int nowhere = 0x7FFFFFFF;
 
@@ -70,6 +71,55 @@ int samplesInEmptyCell(ivec3 p)
     return samples;
 }
 
+bool hollow(ivec3 p)
+{
+    return denseHere(p) && carvedHere(p);
+}
+
+bool holds(ivec3 p, bool whereHollow, bool expected)
+{
+    return (whereHollow ? hollow(p) : materialHere(p)) == expected;
+}
+
+// Where being hollow, or else material, turns to what is expected, between two samples; the height.
+int turnsAt(ivec3 origin, int after, bool whereHollow, bool expected)
+{
+    int low = (after - 1) * 16;
+    int high = after * 16;
+    for (int halving = 0; halving < 4; ++halving) {
+        int middle = (low + high) / 2;
+        if (holds(at(origin, middle / 16, middle % 16), whereHollow, expected))
+            high = middle;
+        else
+            low = middle;
+    }
+    return heightAt(high / 16, high % 16);
+}
+
+// Restoring, with nothing hollow before the first sample of material: whether what lies right before
+// it is carved.
+bool carvedInFront(ivec3 origin, int first, int seenFrom)
+{
+    for (int n = first - 1; n >= seenFrom && heightAt(first, 0) - heightAt(n, 0) <= 2 * front; --n) {
+        ivec3 p = at(origin, n, 0);
+        if (insideVolume(p) && carvedHere(p))
+            return true;
+    }
+    return false;
+}
+
+// Restoring: zSurface and zOuter. `first`: the first sample of material, or beyond the last.
+ivec2 hollowOf(ivec3 origin, int first, int last, ivec2 hollowSamples, int seenFrom)
+{
+    if (hollowSamples.y >= 0)
+        return ivec2(turnsAt(origin, hollowSamples.y + 1, true, false),
+            hollowSamples.x > seenFrom ? turnsAt(origin, hollowSamples.x, true, true)
+                                       : heightAt(hollowSamples.x, 0));
+    if (first < last && carvedInFront(origin, first, seenFrom))
+        return ivec2(heightAt(first, 0));
+    return ivec2(nowhere);
+}
+
 void main()
 {
     uint ray = gl_GlobalInvocationID.x;
@@ -78,7 +128,7 @@ void main()
     ivec3 origin = rays[ray].xyz;
     ivec2 range = samplesInside(origin, seen[ray]);
     int first = range.x;
-    int lastCarved = -1;
+    ivec2 run = ivec2(-1); // of hollow samples, the last one so far
     for (; first < range.y; ++first) {
         ivec3 p = at(origin, first, 0);
         int empty = samplesInEmptyCell(p);
@@ -86,39 +136,31 @@ void main()
             first += empty - 1;
             continue;
         }
-        if (!dense(p, thresholdCode))
+        if (!denseHere(p))
             continue;
         if (!carvedHere(p))
             break;
-        lastCarved = first;
+        run = ivec2(run.y >= 0 && run.y == first - 1 ? run.x : first, first);
     }
-    if (restore && lastCarved >= 0 && (first >= range.y || lastCarved + 1 < first)) {
-        hits[ray] = ivec2(heightAt(lastCarved + 1, 0), nowhere);
+    if (restore) {
+        hits[ray] = hollowOf(origin, first, range.y, run, seen[ray].x);
         return;
     }
-    if (first >= range.y || (restore && lastCarved < 0)) {
+    if (first >= range.y) {
         hits[ray] = ivec2(nowhere);
         return;
     }
-    int low = (first - 1) * 16;
-    int high = first * 16;
-    for (int halving = 0; halving < 4 && first > seen[ray].x; ++halving) {
-        int middle = (low + high) / 2;
-        if (materialHere(at(origin, middle / 16, middle % 16)))
-            high = middle;
-        else
-            low = middle;
-    }
-    int surface = heightAt(high / 16, high % 16);
+    int surface =
+        first > seen[ray].x ? turnsAt(origin, first, false, true) : heightAt(first, 0);
 
     int exit = nowhere;
-    int run = 0;
-    for (int n = first + 1; !throughGaps && !restore && n < seen[ray].y && heightAt(n, 0) <= surface + maxDepth;
+    int gap = 0;
+    for (int n = first + 1; !throughGaps && n < seen[ray].y && heightAt(n, 0) <= surface + maxDepth;
          ++n) {
         if (materialHere(at(origin, n, 0))) {
-            run = 0;
-        } else if (++run == gapSamples) {
-            exit = heightAt(n - run + 1, 0);
+            gap = 0;
+        } else if (++gap == gapSamples) {
+            exit = heightAt(n - gap + 1, 0);
             break;
         }
     }

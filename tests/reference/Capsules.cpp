@@ -2,6 +2,7 @@
 #include "tests/reference/Capsules.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/reference/MaskPlane.h"
 #include "tests/reference/Rays.h"
 
 #include <algorithm>
@@ -18,16 +19,6 @@ using Position = std::array<std::int64_t, 3>;
 std::int64_t round14(std::int64_t value)
 {
     return (value + 8192) >> 14;
-}
-
-std::int64_t squareRoot(std::int64_t value)
-{
-    std::int64_t root = 0;
-    for (std::int64_t bit = std::int64_t(1) << 20; bit > 0; bit /= 2) {
-        if ((root + bit) * (root + bit) <= value)
-            root += bit;
-    }
-    return root;
 }
 
 bool bears(std::uint32_t word, std::uint32_t label)
@@ -150,7 +141,7 @@ void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::in
     const std::int64_t t = m_frame.radius - (squareRoot(squared) << m_frame.shift);
     const std::int64_t value = (std::clamp(t, -r, r) + r) * 255 / (2 * r);
     std::uint8_t& coverage = m_fields.coverage(cut.layer).at(voxel);
-    coverage = cut.restore ? std::min(coverage, std::uint8_t(255 - value))
+    coverage = cut.restore ? refilled(coverage, std::uint8_t(value))
                            : std::max(coverage, std::uint8_t(value));
 }
 

@@ -76,15 +76,13 @@ void Drill::extend(const std::vector<core::DrillSample>& samples)
     }
 
     std::map<MaskPlane::Place, MaskPlane::Column> columns;
-    const std::int64_t r = frame.rampHalfWidth;
     for (const auto& [place, element] : m_elements) {
         if (!element.hit || element.depth <= 0)
             continue;
         const MaskPlane::Hit& hit = *element.hit;
-        columns[place] = frame.restore
-            ? MaskPlane::Column{hit.zSurface - element.depth, hit.zSurface + 2 * r}
-            : MaskPlane::Column{
-                hit.zSurface - frame.front, std::min(hit.zSurface + element.depth, hit.zExit)};
+        columns[place] = frame.restore ? m_plane.restoring(hit, hit.zSurface - element.depth, 255)
+                                       : MaskPlane::Column{hit.zSurface - frame.front,
+                                           std::min(hit.zSurface + element.depth, hit.zExit)};
     }
     m_plane.lay(columns, m_cut.laying);
 }

@@ -36,7 +36,7 @@ Laser::Laser(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> ra
 
 bool Laser::materialAt(const Index16& position) const
 {
-    const Tissue tissue{m_codes, m_radiation, m_cut.frame.restore ? 64 : 128};
+    const Tissue tissue{m_codes, m_radiation, m_cut.frame.restore, m_cut.frame.asWhole};
     return tissue.material(position, m_cut.frame.thresholdCode);
 }
 
@@ -125,7 +125,7 @@ std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b) const
     beam.up = {twist, whole - floorDivide(beam.normal.y * beam.normal.y, c), -beam.normal.y};
 
     // Rule 7.
-    if (frame.throughGaps || frame.restore)
+    if (frame.throughGaps && !m_cut.restore)
         return beam;
     Index16 step;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -134,6 +134,25 @@ std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b) const
                     + beam.normal.y * floorDivide(frame.rayPerB[axis] * frame.zPerSample, pitch)
                     + beam.normal.z * frame.rayPerSample[axis],
                 whole));
+    if (m_cut.restore) {
+        const Tissue tissue{m_codes, m_radiation, true};
+        std::int64_t end = 0;
+        for (std::int64_t i = 0; i < frame.sampleCount; ++i) {
+            Index16 at = foot;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                at[axis] += i * step[axis];
+            if (!tissue.inside(at) || !tissue.dense(at, frame.thresholdCode)
+                || hidesPosition(frame.hidden, at))
+                continue;
+            if (!tissue.carved(at))
+                break;
+            end = i + 1;
+        }
+        if (end == 0)
+            return std::nullopt;
+        beam.exit = end * frame.zPerSample;
+        return beam;
+    }
     int run = 0;
     for (std::int64_t i = 1; i * frame.zPerSample <= frame.maxDepth; ++i) {
         Index16 at = foot;
@@ -219,14 +238,15 @@ void Laser::lay(const Beam& beam, std::int64_t depth)
                 if (m_cut.laying == core::Laying::Carve
                     && frame.spared.labels.test(m_labels.at(voxel)))
                     continue;
-                const auto cut = std::uint8_t(frame.restore
-                        ? std::min(ramp(m_cut.lift - p[2], r), ramp(p[2] + d, r))
+                const std::int64_t from = beam.exit - depth < frame.front ? 0 : beam.exit - depth;
+                const auto cut = std::uint8_t(m_cut.restore
+                        ? std::min(ramp(from + d + floorDivide(frame.front, 2) + r - p[2], r),
+                            ramp(p[2] - from + (from == 0 ? m_cut.lift : 0), r))
                         : std::min(
                             ramp(std::min(d, beam.exit) - p[2], r), ramp(p[2] + m_cut.lift, r)));
                 std::uint8_t& coverage = m_coverage.at(voxel);
-                coverage = m_cut.laying == core::Laying::Carve
-                    ? std::max(coverage, cut)
-                    : std::min(coverage, std::uint8_t(255 - cut));
+                coverage = m_cut.laying == core::Laying::Carve ? std::max(coverage, cut)
+                                                               : refilled(coverage, cut);
             }
         }
     }

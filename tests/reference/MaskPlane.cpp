@@ -50,7 +50,7 @@ MaskPlane::MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
 
 std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) const
 {
-    const Tissue tissue{m_codes, m_radiation, m_frame.restore ? 64 : 128};
+    const Tissue tissue{m_codes, m_radiation, m_frame.restore, m_frame.asWhole};
     Index16 start;
     Index16 step;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -58,29 +58,34 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) co
             m_frame.rayOrigin[axis] + a * m_frame.rayPerA[axis] + b * m_frame.rayPerB[axis]);
         step[axis] = round14(m_frame.rayPerSample[axis]);
     }
-    const auto materialAt = [&](std::int64_t n, std::int64_t q) {
+    const auto placeAt = [&](std::int64_t n, std::int64_t q) {
         Index16 position;
         for (std::size_t axis = 0; axis < 3; ++axis)
             position[axis] = start[axis] + n * step[axis] + ((q * step[axis]) >> 4);
-        return tissue.material(position, m_frame.thresholdCode);
+        return position;
+    };
+    const auto materialAt = [&](std::int64_t n, std::int64_t q) {
+        return tissue.material(placeAt(n, q), m_frame.thresholdCode);
+    };
+    const auto hollowAt = [&](std::int64_t n, std::int64_t q) {
+        const Index16 position = placeAt(n, q);
+        return tissue.inside(position) && tissue.dense(position, m_frame.thresholdCode)
+            && tissue.carved(position);
     };
     const auto seenAt = [&](std::int64_t n) {
-        Index16 position;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] = start[axis] + n * step[axis];
-        return !hidesPosition(m_frame.hidden, position);
+        return !hidesPosition(m_frame.hidden, placeAt(n, 0));
     };
     const auto height = [&](std::int64_t n, std::int64_t q) {
         return m_frame.zStart + n * m_frame.zPerSample + ((q * m_frame.zPerSample) >> 4);
     };
 
-    const auto carvedAt = [&](std::int64_t n) {
-        Index16 position;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] = start[axis] + n * step[axis];
-        return tissue.inside(position) && tissue.carved(position)
-            && std::int64_t(tissue.density(position))
-            >= std::int64_t(m_frame.thresholdCode) * 65536;
+    // Where a test that fails at `before` and holds at `after`, in sixteenths, begins to hold.
+    const auto turnsTrue = [](std::int64_t before, std::int64_t after, const auto& holds) {
+        for (int bisection = 0; bisection < 4; ++bisection) {
+            const std::int64_t middle = (before + after) / 2;
+            (holds(middle / 16, middle % 16) ? after : before) = middle;
+        }
+        return after;
     };
     for (const std::int64_t coordinate : start) {
         if (std::abs(coordinate) > std::int64_t(1) << 30)
@@ -97,28 +102,36 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) co
     while (first < end && !materialAt(first, 0))
         ++first;
     if (m_frame.restore) {
-        std::int64_t carved = first - 1;
-        while (carved >= begin && !carvedAt(carved))
-            --carved;
-        if (carved < begin)
+        std::int64_t last = first - 1;
+        while (last >= begin && !hollowAt(last, 0))
+            --last;
+        if (last >= begin) {
+            std::int64_t outer = last;
+            while (outer > begin && hollowAt(outer - 1, 0))
+                --outer;
+            const std::int64_t wall = turnsTrue(last * 16, (last + 1) * 16,
+                [&](std::int64_t n, std::int64_t q) { return !hollowAt(n, q); });
+            const std::int64_t rim =
+                outer > begin ? turnsTrue((outer - 1) * 16, outer * 16, hollowAt) : outer * 16;
+            return Hit{height(wall / 16, wall % 16), height(rim / 16, rim % 16)};
+        }
+        if (first >= end)
             return std::nullopt;
-        if (first >= end || carved + 1 < first)
-            return Hit{height(carved + 1, 0), never};
+        for (std::int64_t n = first - 1;
+             n >= begin && height(first, 0) - height(n, 0) <= 2 * m_frame.front; --n) {
+            const Index16 position = placeAt(n, 0);
+            if (tissue.inside(position) && tissue.carved(position))
+                return Hit{height(first, 0), height(first, 0)};
+        }
+        return std::nullopt;
     }
     if (first >= end)
         return std::nullopt;
 
-    std::int64_t high = first * 16;
-    if (first > begin) {
-        std::int64_t low = (first - 1) * 16;
-        for (int bisection = 0; bisection < 4; ++bisection) {
-            const std::int64_t middle = (low + high) / 2;
-            (materialAt(middle / 16, middle % 16) ? high : low) = middle;
-        }
-    }
-
-    Hit hit{height(high / 16, high % 16), never};
-    if (m_frame.throughGaps || m_frame.restore)
+    const std::int64_t met =
+        first > begin ? turnsTrue((first - 1) * 16, first * 16, materialAt) : first * 16;
+    Hit hit{height(met / 16, met % 16), never};
+    if (m_frame.throughGaps)
         return hit;
     int run = 0;
     for (std::int64_t n = first + 1; n < end && height(n, 0) <= hit.zSurface + m_frame.maxDepth;
@@ -130,6 +143,21 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b) co
         }
     }
     return hit;
+}
+
+MaskPlane::Column MaskPlane::restoring(const Hit& hit, std::int64_t from, std::int64_t weight) const
+{
+    const std::int64_t r = m_frame.rampHalfWidth;
+    from = std::min(from, hit.zSurface - floorDivide(m_frame.front, 2) - r);
+    if (from <= hit.zExit + m_frame.front - floorDivide(r, 8))
+        from = hit.zExit - 2 * m_frame.front - 2 * r;
+    return {from, hit.zSurface + floorDivide(m_frame.front, 2) + r, weight};
+}
+
+std::uint8_t refilled(std::uint8_t coverage, std::uint8_t cut)
+{
+    const int left = std::min<int>(coverage, 255 - cut);
+    return std::uint8_t(left > cut ? left : 0);
 }
 
 void MaskPlane::lay(const std::map<Place, Column>& columns, core::Laying laying)
@@ -170,9 +198,8 @@ void MaskPlane::lay(const std::map<Place, Column>& columns, core::Laying laying)
                     const auto cut = std::uint8_t(
                         std::min({c.weight, ramp(c.zTo - z, r), ramp(z - c.zFrom, r)}));
                     std::uint8_t& coverage = m_coverage.at(o + glm::ivec3(i, j, k));
-                    coverage = laying == core::Laying::Carve
-                        ? std::max(coverage, cut)
-                        : std::min(coverage, std::uint8_t(255 - cut));
+                    coverage = laying == core::Laying::Carve ? std::max(coverage, cut)
+                                                             : refilled(coverage, cut);
                 }
             }
         }

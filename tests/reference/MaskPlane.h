@@ -19,7 +19,7 @@ public:
     /// Rules 4 and 5 for one element.
     struct Hit {
         std::int64_t zSurface = 0;
-        std::int64_t zExit = 0;
+        std::int64_t zExit = 0; ///< restoring: zOuter
     };
     struct Column {
         std::int64_t zFrom = 0;
@@ -34,6 +34,8 @@ public:
 
     [[nodiscard]] const core::MaskFrame& frame() const { return m_frame; }
     [[nodiscard]] std::optional<Hit> cast(std::int64_t a, std::int64_t b) const;
+    /// Rule 7.
+    [[nodiscard]] Column restoring(const Hit& hit, std::int64_t from, std::int64_t weight) const;
     /// Rule 6.
     void lay(const std::map<Place, Column>& columns, core::Laying laying);
 
@@ -45,6 +47,8 @@ private:
     core::MaskFrame m_frame;
 };
 
+/// What is left of coverage where a cut is refilled: rule 6.
+[[nodiscard]] std::uint8_t refilled(std::uint8_t coverage, std::uint8_t cut);
 /// Rounds down.
 [[nodiscard]] std::int64_t floorDivide(std::int64_t value, std::int64_t divisor);
 /// ⌊√value⌋, by other means than core's.

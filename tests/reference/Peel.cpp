@@ -100,7 +100,6 @@ Peel::Peel(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radi
 void Peel::setDepth(std::int64_t depth)
 {
     const core::MaskFrame& frame = m_peel.frame;
-    const std::int64_t r = frame.rampHalfWidth;
     const std::int64_t sign = frame.restore ? -1 : 1;
     const std::int64_t pitch = frame.pitch;
     m_coverage = m_before;
@@ -122,8 +121,8 @@ void Peel::setDepth(std::int64_t depth)
         MaskPlane::Column column;
         column.weight = part(m_peel.mask.at({int(place.first), int(place.second)}));
         if (frame.restore) {
-            column.zFrom = std::max(end, hit.zSurface - frame.maxDepth);
-            column.zTo = hit.zSurface + 2 * r;
+            column =
+                m_plane.restoring(hit, std::max(end, hit.zSurface - frame.maxDepth), column.weight);
         } else {
             column.zFrom = hit.zSurface - frame.front;
             column.zTo = std::min({end, hit.zExit, hit.zSurface + frame.maxDepth});
@@ -149,10 +148,13 @@ void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
             const auto hit = plane.cast(place.first, place.second);
             if (!hit || frame.maxDepth <= 0)
                 continue;
-            column.zFrom =
-                frame.restore ? hit->zSurface - frame.maxDepth : hit->zSurface - frame.front;
-            column.zTo = frame.restore ? hit->zSurface + 2 * r
-                                       : std::min(hit->zSurface + frame.maxDepth, hit->zExit);
+            if (frame.restore) {
+                columns[place] =
+                    plane.restoring(*hit, hit->zSurface - frame.maxDepth, column.weight);
+                continue;
+            }
+            column.zFrom = hit->zSurface - frame.front;
+            column.zTo = std::min(hit->zSurface + frame.maxDepth, hit->zExit);
         }
         columns[place] = column;
     }

@@ -94,14 +94,23 @@ std::uint64_t Tissue::density(const Index16& position) const
 
 bool Tissue::carved(const Index16& position) const
 {
-    return interpolated(radiation, position, 0) >= std::uint64_t(carvedFrom) << 24;
+    if (asWhole)
+        return false;
+    if (byVoxels)
+        return radiation.at(nearestVoxel(position)) >= 128;
+    return interpolated(radiation, position, 0) >= std::uint64_t(128) << 24;
+}
+
+bool Tissue::dense(const Index16& position, int thresholdCode) const
+{
+    if (byVoxels)
+        return int(codes.at(nearestVoxel(position))) >= thresholdCode;
+    return std::int64_t(density(position)) >= std::int64_t(thresholdCode) * 65536;
 }
 
 bool Tissue::material(const Index16& position, int thresholdCode) const
 {
-    return inside(position)
-        && std::int64_t(density(position)) >= std::int64_t(thresholdCode) * 65536
-        && !carved(position);
+    return inside(position) && dense(position, thresholdCode) && !carved(position);
 }
 
 std::optional<glm::ivec3> pick(

@@ -24,9 +24,11 @@ struct Tissue {
     [[nodiscard]] std::uint64_t density(const Index16& position) const;
     /// Only inside.
     [[nodiscard]] bool carved(const Index16& position) const;
+    [[nodiscard]] bool dense(const Index16& position, int thresholdCode) const;
     [[nodiscard]] bool material(const Index16& position, int thresholdCode) const;
 
-    int carvedFrom = 128; ///< of radiation
+    bool byVoxels = false; ///< as restoring sees
+    bool asWhole = false; ///< nothing counts as carved
 };
 
 /// core/sculpt/HiddenHalf.h.

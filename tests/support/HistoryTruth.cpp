@@ -7,6 +7,7 @@
 #include "core/edits/EngineEdits.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/StateHash.h"
+#include "tests/reference/MaskPlane.h"
 #include "tests/reference/ReferenceEngine.h"
 
 #include <QJsonDocument>
@@ -333,8 +334,8 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
             std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
             for (std::size_t i = 0; i < bytes.size(); ++i)
-                held[i] = restore ? std::min(held[i], std::uint8_t(255 - bytes[i]))
-                                  : std::max(held[i], bytes[i]);
+                held[i] =
+                    restore ? reference::refilled(held[i], bytes[i]) : std::max(held[i], bytes[i]);
         }
     }
     std::erase_if(carved, [](const auto& each) {

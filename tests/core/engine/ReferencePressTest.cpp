@@ -47,6 +47,13 @@ struct Bench {
 
     [[nodiscard]] SculptEdit edit(const QByteArray& tool) const
     {
+        if (tool == "brush") {
+            BrushStroke brush;
+            brush.path.radiusMm = 6.3;
+            brush.path.pointsLps = {view.targetLps + glm::dvec3(-4.2, 0.0, 1.0),
+                view.targetLps + glm::dvec3(3.1, 2.0, 5.0)};
+            return brush;
+        }
         const std::vector<glm::dvec2> square{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
         if (tool == "peel") {
             PeelCut peel{.view = view, .polygonMm = square};
@@ -157,7 +164,9 @@ private Q_SLOTS:
             const std::vector<int> carved = bench.carved();
             QVERIFY(!carved.empty());
             // Nothing of what was passed stands; in front of the surface at most a slice.
-            QVERIFY(carved.front() >= first - 1 && carved.front() <= first);
+            QVERIFY(carved.front() <= first);
+            if (tool != "laser")
+                QVERIFY(carved.front() >= first - 1);
             QCOMPARE(carved.back() - carved.front() + 1, int(carved.size()));
             QVERIFY2(carved.back() > deepest, qPrintable(QString::number(press)));
             const double cutMm = (carved.back() + 0.5) * sliceMm - surfaceMm;
@@ -175,9 +184,12 @@ private Q_SLOTS:
         QTest::addColumn<double>("offMm");
         for (const char* tool : {"drill", "peel", "scissors"}) {
             for (const int slices : {1, 2, 3}) {
-                for (const double off : {0.0, 0.1, 0.25, 0.5})
+                for (const double off : {0.0, 0.1, 0.25, 0.5}) {
+                    if (tool == QByteArrayLiteral("laser") && (off > 0.0 || slices != 2))
+                        continue; // its normal is one of so thin a plate's edges too
                     QTest::addRow("%s, %d slices, %g mm", tool, slices, off)
                         << QByteArray(tool) << slices << off;
+                }
             }
         }
     }
@@ -220,6 +232,107 @@ private Q_SLOTS:
                 (void)bench.carryOut(bench.edit(tool));
                 QCOMPARE(bench.carved(), (std::vector<int>{0, 1}));
             }
+        }
+    }
+
+    void restoringGivesBackWhatWasCut_data()
+    {
+        QTest::addColumn<QByteArray>("tool");
+        QTest::addColumn<double>("sliceMm");
+        QTest::addColumn<double>("threshold");
+        QTest::addColumn<double>("depthMm");
+        QTest::addColumn<int>("times");
+        for (const char* tool : {"drill", "peel", "scissors", "laser", "brush"}) {
+            for (const double slice : {1.0, 1.5, 3.0, 5.0, 8.0}) {
+                for (const double part : {0.2, 0.5, 0.8}) {
+                    for (const double depth : {6.0, 20.0}) {
+                        for (const int times : {1, 2}) {
+                            // A second hole goes the way of the first one's floor, about.
+                            const bool laser = tool == QByteArrayLiteral("laser");
+                            if ((times > 1 && (depth > 10.0 || laser)) || (laser && depth < slice))
+                                continue;
+                            QTest::addRow("%s, %g mm, threshold %g, %g mm deep, %d", tool, slice,
+                                part, depth, times)
+                                << QByteArray(tool) << slice << part << depth << times;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    void restoringGivesBackWhatWasCut()
+    {
+        QFETCH(QByteArray, tool);
+        QFETCH(double, sliceMm);
+        QFETCH(double, threshold);
+        QFETCH(double, depthMm);
+        QFETCH(int, times);
+        constexpr int first = 4;
+        Bench bench({26, 26, first + int(24.0 / sliceMm) + 4}, sliceMm, first);
+        bench.threshold = threshold * test::tissueCode;
+        SculptEdit edit = bench.edit(tool);
+        const auto set = [&](bool restore) {
+            std::visit(
+                [&](auto& known) {
+                    known.restore = restore;
+                    if constexpr (requires { known.depthMm; })
+                        known.depthMm = depthMm;
+                },
+                edit);
+        };
+        set(false);
+        for (int i = 0; i < times; ++i)
+            (void)bench.carryOut(edit);
+        const Bytes cut = bench.coverage();
+        set(true);
+        for (int i = 0; i < times; ++i)
+            (void)bench.carryOut(edit);
+        const Bytes left = bench.coverage();
+        int carved = 0;
+        for (int z = 0; z < bench.size.z; ++z) {
+            for (int y = 0; y < bench.size.y; ++y) {
+                for (int x = 0; x < bench.size.x; ++x) {
+                    if (cut.at({x, y, z}) < 128)
+                        continue;
+                    // At the rim presses are shallower than a voxel, and so is what the first of
+                    // two gives back.
+                    const glm::dvec2 aside(x - 12.5, y - 12.5);
+                    if (times > 1 && glm::length(aside) > 4.5)
+                        continue;
+                    ++carved;
+                    QVERIFY2(left.at({x, y, z}) == 0,
+                        qPrintable(QStringLiteral("%1 %2 %3: %4")
+                                       .arg(x)
+                                       .arg(y)
+                                       .arg(z)
+                                       .arg(left.at({x, y, z}))));
+                }
+            }
+        }
+        QVERIFY(carved > 20);
+    }
+
+    /// Restoring less than was cut leaves what lies above it.
+    void restoresFromBelow()
+    {
+        for (const char* tool : {"drill", "peel", "scissors", "laser"}) {
+            Bench bench({26, 26, 30}, 1.0, 4);
+            SculptEdit edit = bench.edit(tool);
+            (void)bench.carryOut(edit);
+            QCOMPARE(bench.carved().back(), 11);
+            std::visit(
+                [](auto& known) {
+                    known.restore = true;
+                    if constexpr (requires { known.depthMm; })
+                        known.depthMm = 3.0;
+                },
+                edit);
+            (void)bench.carryOut(edit);
+            QCOMPARE(bench.carved().back(), 8);
+            (void)bench.carryOut(edit);
+            QCOMPARE(bench.carved().back(), 5);
+            (void)bench.carryOut(edit);
+            QVERIFY(bench.carved().empty());
         }
     }
 };
