@@ -59,8 +59,8 @@ struct PaintLabel {
 };
 
 /// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5; to
-/// restore, coverage = min(coverage, 255 − cut). Nothing happens to voxels that are hidden, and
-/// those that are spared are not carved.
+/// restore, it is refilled as the end of rule 6 of MaskFrame.h says. Nothing happens to voxels that
+/// are hidden, and those that are spared are not carved.
 struct CapsuleCut {
     std::uint8_t layer = 0;
     bool restore = false;
