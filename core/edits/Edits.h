@@ -309,7 +309,7 @@ struct DrillStroke {
     double guardMm = 0.0;
     bool restore = false; ///< fills again what was carved, from the surface towards the viewer
     /// Resampled by time, so that the device's report rate does not matter. Mode Rate always is.
-    bool byTime = false;
+    bool byTime = true;
     std::vector<PenSample> samples{};
     HiddenSides hidden{};
     SparedSegments spared{};
@@ -327,7 +327,7 @@ struct LaserStroke {
     double surfaceThreshold = 0.0; ///< modality units: what is seen
     bool throughGaps = false;
     bool restore = false;
-    bool byTime = false; ///< as DrillStroke's
+    bool byTime = true; ///< as DrillStroke's
     std::vector<PenSample> samples{};
     HiddenSides hidden{};
     SparedSegments spared{};

@@ -92,8 +92,9 @@ void visitSamples(Visitor& visit, Stroke& edit, const char* samplesMeaning)
 {
     using namespace editFields;
     visit.field("byTime", Presence::Optional, edit.byTime, Flag{},
-        "whether samples are points of a path in time, as a pen reports them, rather than its "
-        "corners; in mode rate they always are");
+        "whether samples are points of a path in time, as a pen reports them, so that how often it "
+        "reports does not matter, rather than its corners as they are; in mode rate they always "
+        "are");
     visit.field("samples", Presence::Required, edit.samples, SampleList{}, samplesMeaning);
     visitHidden(visit, edit.hidden);
     visitSpared(visit, edit.spared);

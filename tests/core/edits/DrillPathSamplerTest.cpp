@@ -20,8 +20,7 @@ DrillStroke strokeIn(DrillMode mode)
 {
     DrillStroke stroke = test::drillAt(0);
     stroke.mode = mode;
-    stroke.byTime = true;
-    stroke.samples.clear();
+    stroke.samples.clear(); // by time, unless it says otherwise
     return stroke;
 }
 

@@ -71,6 +71,22 @@ private Q_SLOTS:
         QVERIFY(!std::get<GrowSteps>(back->edit).tellsHeld);
     }
 
+    /// The first drills took every sample for a corner of the path, and their rows do not say so.
+    void aDrillFromBeforeKeepsItsCorners()
+    {
+        HistoryRow row = grownRow(growth(true));
+        row.edit = DrillStroke{.view = {.targetLps = {0, 0, 9}}, .samples = {{.pressure = 1.0}}};
+        RowText text = RowText::of(row);
+        QVERIFY(std::get<DrillStroke>(text.row()->edit).byTime);
+        QJsonObject edit = parsed(text.edit);
+        QVERIFY(edit.value(QStringLiteral("byTime")).toBool());
+        edit.remove(QStringLiteral("byTime"));
+        text.edit = compact(edit);
+        const Result<HistoryRow> back = text.row();
+        QVERIFY(back);
+        QVERIFY(!std::get<DrillStroke>(back->edit).byTime);
+    }
+
     void anUnknownEditIsRefused()
     {
         RowText text = RowText::of(grownRow(growth(true)));
