@@ -415,6 +415,10 @@ struct RevertRows {
 struct ReviseStroke {
     std::int64_t row = 0; ///< RowId
     std::optional<double> radiusMm{};
+    std::optional<double> sideMm{}; ///< of a square mask
+    std::optional<double> widthMm{}; ///< of an ellipse, a rectangle or a rounded one
+    std::optional<double> heightMm{};
+    std::optional<double> factor{}; ///< of a drawn outline: so many times as large
     std::optional<double> depthMm{};
     std::optional<double> softnessMm{};
     std::optional<int> layer{};

@@ -68,12 +68,38 @@ Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document,
 }
 
 /// Shows the layer of a cut, and what else of it can be revised, to a visitor: layer(), radius(),
-/// depth(), softness(), throughGaps().
+/// side(), width(), height(), outline() with what stays in place, depth(), softness(),
+/// throughGaps().
+template <class Visitor> void visitSize(Visitor& visit, MaskShape& mask)
+{
+    using Kind = MaskShape::Kind;
+    if (mask.polygonMm) {
+        visit.outline(*mask.polygonMm, glm::dvec2(0.0));
+    } else if (mask.kind == Kind::Circle) {
+        visit.radius(mask.radiusMm);
+    } else if (mask.kind == Kind::Square) {
+        visit.side(mask.widthMm);
+    } else {
+        visit.width(mask.widthMm);
+        visit.height(mask.heightMm);
+    }
+}
+
+template <class Visitor> void visitOutline(Visitor& visit, std::vector<glm::dvec2>& outline)
+{
+    glm::dvec2 low(outline.empty() ? glm::dvec2(0.0) : outline.front());
+    glm::dvec2 high = low;
+    for (const glm::dvec2& point : outline) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    visit.outline(outline, (low + high) / 2.0);
+}
+
 template <class Visitor, class Pressed> void visitPressed(Visitor& visit, Pressed& stroke)
 {
     visit.layer(stroke.layer);
-    if (isRound(stroke.mask))
-        visit.radius(stroke.mask.radiusMm);
+    visitSize(visit, stroke.mask);
     visit.depth(stroke.depthMm);
     visit.softness(stroke.mask.softnessMm);
     visit.throughGaps(stroke.throughGaps);
@@ -98,6 +124,7 @@ template <class Visitor> void visitParameters(Visitor& visit, BrushStroke& strok
 template <class Visitor> void visitParameters(Visitor& visit, PeelCut& peel)
 {
     visit.layer(peel.layer);
+    visitOutline(visit, peel.polygonMm);
     visit.depth(peel.depthMm);
     visit.throughGaps(peel.throughGaps);
 }
@@ -105,6 +132,7 @@ template <class Visitor> void visitParameters(Visitor& visit, PeelCut& peel)
 template <class Visitor> void visitParameters(Visitor& visit, ScissorsCut& cut)
 {
     visit.layer(cut.layer);
+    visitOutline(visit, cut.polygonMm);
     if (cut.depthMm)
         visit.depth(*cut.depthMm);
 }
@@ -112,6 +140,10 @@ template <class Visitor> void visitParameters(Visitor& visit, ScissorsCut& cut)
 struct ParameterReader {
     void layer(int value) { read.layer = value; }
     void radius(double value) { read.radiusMm = value; }
+    void side(double value) { read.sideMm = value; }
+    void width(double value) { read.widthMm = value; }
+    void height(double value) { read.heightMm = value; }
+    void outline(const std::vector<glm::dvec2>&, const glm::dvec2&) { read.factor = 1.0; }
     void depth(double value) { read.depthMm = value; }
     void softness(double value) { read.softnessMm = value; }
     void throughGaps(bool value) { read.throughGaps = value; }
@@ -122,6 +154,17 @@ struct ParameterReader {
 struct ParameterWriter {
     void layer(int& value) { value = std::exchange(revision.layer, {}).value_or(value); }
     void radius(double& value) { value = std::exchange(revision.radiusMm, {}).value_or(value); }
+    void side(double& value) { value = std::exchange(revision.sideMm, {}).value_or(value); }
+    void width(double& value) { value = std::exchange(revision.widthMm, {}).value_or(value); }
+    void height(double& value) { value = std::exchange(revision.heightMm, {}).value_or(value); }
+    void outline(std::vector<glm::dvec2>& points, const glm::dvec2& middle)
+    {
+        const double factor = std::exchange(revision.factor, {}).value_or(1.0);
+        if (factor == 1.0)
+            return;
+        for (glm::dvec2& point : points)
+            point = middle + (point - middle) * factor;
+    }
     void depth(double& value) { value = std::exchange(revision.depthMm, {}).value_or(value); }
     void softness(double& value) { value = std::exchange(revision.softnessMm, {}).value_or(value); }
     void throughGaps(bool& value)
@@ -192,6 +235,10 @@ Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
     std::visit([&writer](auto& known) { visitParameters(writer, known); }, edit);
     const ReviseStroke& left = writer.revision;
     const char* missing = left.radiusMm ? "radiusMm"
+        : left.sideMm                   ? "sideMm"
+        : left.widthMm                  ? "widthMm"
+        : left.heightMm                 ? "heightMm"
+        : left.factor                   ? "factor"
         : left.depthMm                  ? "depthMm"
         : left.softnessMm               ? "softnessMm"
         : left.throughGaps              ? "throughGaps"

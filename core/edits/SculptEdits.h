@@ -26,6 +26,10 @@ using SculptEdit = std::variant<DrillStroke, BrushStroke, PeelCut, ScissorsCut, 
 struct StrokeParameters {
     int layer = 1;
     std::optional<double> radiusMm{};
+    std::optional<double> sideMm{};
+    std::optional<double> widthMm{};
+    std::optional<double> heightMm{};
+    std::optional<double> factor{}; ///< of its outline as it is: 1
     std::optional<double> depthMm{};
     std::optional<double> softnessMm{};
     std::optional<bool> throughGaps{};

@@ -379,6 +379,17 @@ QString revisionName(
         if (edit.radiusMm)
             changes +=
                 QStringLiteral("radius %1 → %2 mm").arg(mm(*drawn.radiusMm), mm(*edit.radiusMm));
+        if (edit.sideMm)
+            changes += QStringLiteral("side %1 → %2 mm").arg(mm(*drawn.sideMm), mm(*edit.sideMm));
+        if (edit.widthMm)
+            changes +=
+                QStringLiteral("width %1 → %2 mm").arg(mm(*drawn.widthMm), mm(*edit.widthMm));
+        if (edit.heightMm)
+            changes +=
+                QStringLiteral("height %1 → %2 mm").arg(mm(*drawn.heightMm), mm(*edit.heightMm));
+        if (edit.factor)
+            changes +=
+                QStringLiteral("outline × %1").arg(QString::number(*edit.factor, 'g', 4));
         if (edit.depthMm)
             changes +=
                 QStringLiteral("depth %1 → %2 mm").arg(mm(*drawn.depthMm), mm(*edit.depthMm));
