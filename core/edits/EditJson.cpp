@@ -2,7 +2,9 @@
 #include "core/edits/EditJson.h"
 
 #include "core/edits/EditSchema.h"
+#include "core/edits/ToolMasks.h"
 
+#include <QJsonArray>
 #include <QStringList>
 
 #include <utility>
@@ -231,6 +233,55 @@ Result<Edit> readAny(const QString& name, const QJsonObject& object, const std::
             .arg(namesOf(static_cast<Edit*>(nullptr)).join(QStringLiteral(", "))));
 }
 
+Error notUnderstood(const QString& field, const QString& reason)
+{
+    return {ErrorCode::InvalidField, {field, reason}};
+}
+
+/// {"edit": "restore", "as": "drill", …} is a drill that restores.
+Result<QString> toolRestoredAs(QJsonObject& object)
+{
+    const QJsonValue as = object.take(QStringLiteral("as"));
+    static const QStringList tools{QLatin1String(editSchema::editName<DrillStroke>),
+        QLatin1String(editSchema::editName<LaserStroke>),
+        QLatin1String(editSchema::editName<PeelCut>),
+        QLatin1String(editSchema::editName<ScissorsCut>),
+        QLatin1String(editSchema::editName<BrushStroke>)};
+    if (!tools.contains(as.toString()))
+        return tl::unexpected(notUnderstood(QStringLiteral("restore.as"),
+            as.isUndefined() ? QStringLiteral("missing")
+                             : QStringLiteral("must be ") + tools.join(QStringLiteral(" or "))));
+    if (!object.value(QStringLiteral("restore")).toBool(true))
+        return tl::unexpected(
+            notUnderstood(QStringLiteral("restore.restore"), QStringLiteral("is never false")));
+    object.insert(QStringLiteral("restore"), true);
+    return as.toString();
+}
+
+/// What a peel or scissors may write instead of polygonMm: a mask as a drill has it, at the target.
+Result<void> maskToPolygon(const QString& name, QJsonObject& object)
+{
+    constexpr double fineMm = 0.25;
+    if (object.contains(QStringLiteral("polygonMm")))
+        return tl::unexpected(notUnderstood(name + QStringLiteral(".mask"),
+            QStringLiteral("and polygonMm are two ways to say the same")));
+    MaskShape mask;
+    Reader reader(name, QJsonObject{{QStringLiteral("mask"), object.take(QStringLiteral("mask"))}});
+    editSchema::visitMask(reader, mask);
+    Checker checker(name, false);
+    editSchema::visitMask(checker, mask);
+    if (reader.error() || checker.error())
+        return tl::unexpected(reader.error() ? *reader.error() : *checker.error());
+    if (mask.softnessMm > 0.0)
+        return tl::unexpected(notUnderstood(name + QStringLiteral(".mask.softnessMm"),
+            QStringLiteral("this tool has no soft edge")));
+    QJsonArray polygon;
+    for (const glm::dvec2& point : outlineMm(mask, fineMm))
+        polygon.append(QJsonArray{point.x, point.y});
+    object.insert(QStringLiteral("polygonMm"), polygon);
+    return {};
+}
+
 } // namespace
 
 QJsonObject editToJson(const Edit& edit)
@@ -252,7 +303,20 @@ Result<Edit> editFromJson(const QJsonValue& json)
     if (!name.isString())
         return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
             name.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a text"));
-    return readAny(name.toString(), object, static_cast<Edit*>(nullptr));
+    QString known = name.toString();
+    if (known == QLatin1String("restore")) {
+        const Result<QString> tool = toolRestoredAs(object);
+        if (!tool)
+            return tl::unexpected(tool.error());
+        known = *tool;
+    }
+    const bool outlined = known == QLatin1String(editSchema::editName<PeelCut>)
+        || known == QLatin1String(editSchema::editName<ScissorsCut>);
+    if (outlined && object.contains(QStringLiteral("mask"))) {
+        if (const Result<void> told = maskToPolygon(known, object); !told)
+            return tl::unexpected(told.error());
+    }
+    return readAny(known, object, static_cast<Edit*>(nullptr));
 }
 
 Result<void> checkFields(const Edit& edit)

@@ -103,6 +103,15 @@ bool isBoundToStudy(const RecipeStep& step)
 std::vector<EditDocumentation> recipeStepDocumentation()
 {
     std::vector<EditDocumentation> all = editDocumentation();
+    all.push_back({.name = QStringLiteral("restore"),
+        .meaning = QStringLiteral("A cut backwards: fills again what was carved. The fields of the "
+                                  "tool beside 'as'; the same as that tool with restore true."),
+        .fields = {{.name = QStringLiteral("as"),
+            .type =
+                QStringLiteral("\"drill\" or \"laser\" or \"peel\" or \"scissors\" or \"brush\""),
+            .unit = {},
+            .fallback = {},
+            .meaning = QStringLiteral("the tool")}}});
     for (const MoveWord& word : moveWords) {
         EditDocumentation entry{.name = QLatin1String(word.name),
             .meaning = QString::fromUtf8(word.meaning),

@@ -172,7 +172,8 @@ template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
         "the sculpt layer that is carved; not a muted one");
     visitView(visit, edit.view);
     visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
-        "a closed curve in the view plane, relative to the target: right, up");
+        "a closed curve in the view plane, relative to the target: right, up; a recipe may write a "
+        "drill's mask instead");
     visit.field(
         "depthMm", Presence::Required, edit.depthMm, peelDepth, "thickness of what is taken off");
     visitSurface(visit, edit.surfaceThreshold);
@@ -198,7 +199,8 @@ template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
         "the sculpt layer that is carved; not a muted one");
     visitView(visit, edit.view);
     visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
-        "a closed curve in the view plane, relative to the target: right, up");
+        "a closed curve in the view plane, relative to the target: right, up; a recipe may write a "
+        "drill's mask instead");
     visit.maybe(
         "depthMm", edit.depthMm, drillDepth, "depth below the surface", "through everything");
     visit.field("firstLayerOnly", Presence::Optional, edit.firstLayerOnly, Flag{},

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace core;
@@ -294,6 +295,58 @@ private Q_SLOTS:
         QVERIFY(again);
         QCOMPARE(editToJson(*again), written);
         QCOMPARE(written.value(QStringLiteral("edit")).toString(), QStringLiteral("drill"));
+    }
+
+    void restoreIsAToolBackwards()
+    {
+        QJsonObject drill = parse(drillText);
+        drill.insert(QStringLiteral("restore"), true);
+        QJsonObject restore = parse(drillText);
+        restore.insert(QStringLiteral("edit"), QStringLiteral("restore"));
+        QCOMPARE(editFromJson(restore).error().arguments.front(), QStringLiteral("restore.as"));
+        restore.insert(QStringLiteral("as"), QStringLiteral("grow"));
+        QVERIFY(!editFromJson(restore));
+        restore.insert(QStringLiteral("as"), QStringLiteral("drill"));
+        QCOMPARE(editToJson(*editFromJson(restore)), editToJson(*editFromJson(drill)));
+        restore.insert(QStringLiteral("restore"), false);
+        QVERIFY(!editFromJson(restore));
+    }
+
+    /// A peel and scissors take a mask as a drill has it, and keep its outline.
+    void outlinedToolsTakeMasks()
+    {
+        const QJsonObject drill = parse(drillText);
+        for (const char* tool : {"peel", "scissors"}) {
+            QJsonObject cut{{QStringLiteral("edit"), QLatin1String(tool)},
+                {QStringLiteral("view"), drill.value(QStringLiteral("view"))},
+                {QStringLiteral("surface"), drill.value(QStringLiteral("surface"))},
+                {QStringLiteral("depthMm"), 5}};
+            const auto outlineOf = [](const Edit& edit) {
+                const auto* peel = std::get_if<PeelCut>(&edit);
+                return peel ? peel->polygonMm : std::get<ScissorsCut>(edit).polygonMm;
+            };
+            QVERIFY(!editFromJson(cut));
+            cut.insert(QStringLiteral("mask"), parse("{'polygonMm':[[0,0],[9,0],[0,9]]}"));
+            const Result<Edit> drawn = editFromJson(cut);
+            QVERIFY(drawn);
+            QCOMPARE(outlineOf(*drawn).size(), std::size_t(3));
+            QVERIFY(!editToJson(*drawn).contains(QStringLiteral("mask")));
+            cut.insert(QStringLiteral("mask"), parse("{'shape':'circle','radiusMm':8}"));
+            const Result<Edit> round = editFromJson(cut);
+            QVERIFY(round);
+            const std::vector<glm::dvec2> circle = outlineOf(*round);
+            QVERIFY(circle.size() > 20);
+            for (const glm::dvec2& point : circle)
+                QVERIFY(std::abs(glm::length(point) - 8.0) < 1e-6);
+            cut.insert(
+                QStringLiteral("mask"), parse("{'shape':'circle','radiusMm':8,'softnessMm':2}"));
+            QVERIFY(!editFromJson(cut));
+            cut.insert(QStringLiteral("mask"), parse("{'shape':'circle','radiusMm':-8}"));
+            QVERIFY(editFromJson(cut).error().arguments.front().startsWith(QLatin1String(tool)));
+            cut.insert(QStringLiteral("mask"), parse("{'shape':'circle','radiusMm':8}"));
+            cut.insert(QStringLiteral("polygonMm"), QJsonArray{});
+            QVERIFY(!editFromJson(cut));
+        }
     }
 
     void documentsEveryFieldThatIsWritten()
