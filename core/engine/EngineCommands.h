@@ -241,6 +241,9 @@ struct EditStatistics {
     /// Steps a growth advanced (the admission of seeds included), or was taken back.
     int generations = 0;
     double milliseconds = 0.0; ///< engine time; never part of a hash
+    /// Of a cut that starts from the surface: how deep the surface was looked for, in mm16 of its
+    /// plane (searchEnd() in core/sculpt/MaskFrame.h); none: no ray was cast, or nobody noted it.
+    std::optional<std::int32_t> searchedTo{};
 };
 
 struct ProbedVoxel {

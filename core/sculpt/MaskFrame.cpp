@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace core {
 
@@ -38,6 +39,38 @@ glm::ivec3 planeBase(const MaskFrame& frame, const glm::ivec3& firstVoxel)
                 + firstVoxel.y * frame.planePerJ[i] + firstVoxel.z * frame.planePerK[i]));
     }
     return base;
+}
+
+std::int32_t searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
+    const glm::ivec2& element, const SurfaceHit& hit)
+{
+    using fixedPoint::round14;
+    if (hit.zSurface != SurfaceHit::none && !frame.restore)
+        return hit.zSurface;
+    std::int64_t first = 0;
+    std::int64_t last = std::int64_t(frame.sampleCount) - 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = std::size_t(axis);
+        std::int64_t from = round14(
+            frame.rayOrigin[i] + element.x * frame.rayPerA[i] + element.y * frame.rayPerB[i]);
+        std::int64_t step = round14(frame.rayPerSample[i]);
+        const std::int64_t end = std::int64_t(volumeSize[axis] - 1) << 16;
+        if (step < 0) {
+            step = -step;
+            from = end - from;
+        }
+        // 0 <= from + n * step <= end
+        if (step == 0 && (from < 0 || from > end))
+            last = -1;
+        else if (step > 0 && from > end)
+            last = -1;
+        else if (step > 0) {
+            first = std::max(first, from >= 0 ? 0 : (-from + step - 1) / step);
+            last = std::min(last, (end - from) / step);
+        }
+    }
+    return first > last ? std::numeric_limits<std::int32_t>::min()
+                        : std::int32_t(frame.zStart + last * frame.zPerSample);
 }
 
 } // namespace core

@@ -112,6 +112,13 @@ struct SurfaceHit {
     std::int32_t zExit = none; ///< restoring: zOuter
 };
 
+/// How far an element that was cast looked for its surface at most (rule 4), as far as a hit tells:
+/// zSurface, or the last sample inside the volume for one that met none, or for any that restores
+/// (it looks behind what it found); the least number where no sample lies inside. Of an edit the
+/// greatest over its elements is EditStatistics::searchedTo.
+[[nodiscard]] std::int32_t searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
+    const glm::ivec2& element, const SurfaceHit& hit);
+
 /// What an element does: rule 6.
 struct MaskColumn {
     std::int32_t zFrom = 0; ///< mm16

@@ -3,8 +3,10 @@
 
 #include "core/session/DifferenceSwap.h"
 #include "core/session/Operation.h"
+#include "core/session/RowReach.h"
 
 #include <map>
+#include <set>
 
 namespace core {
 
@@ -25,7 +27,10 @@ private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
     [[nodiscard]] Result<void> checkReach(const SessionState& state) const;
     [[nodiscard]] bool isTakenBack(RowId row) const;
+    /// Whether a row's difference itself is needed, not only where it changed seed words.
+    [[nodiscard]] bool isNeeded(RowId row, const Edit& edit) const;
     void loadNext(SessionState& state);
+    [[nodiscard]] RowTrace traceOf(const SessionState& state, RowId row) const;
     void layOver(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
@@ -35,6 +40,8 @@ private:
     std::vector<RowId> m_path; ///< from the first row that is taken back to the position
     std::vector<RowId> m_toLoad; ///< the last is loaded next
     std::map<RowId, std::vector<BrickImage>> m_differences;
+    /// By row, the bricks in which it changed seed words, and those beside such voxels.
+    std::map<RowId, std::set<std::uint32_t>> m_besideWords;
     DifferenceSwap m_swap;
     bool m_done = false;
 };

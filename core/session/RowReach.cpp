@@ -4,32 +4,39 @@
 #include "core/edits/EngineEdits.h"
 #include "core/edits/SparedSegments.h"
 #include "core/edits/ToolMasks.h"
+#include "core/sculpt/Radiation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace core {
 
 namespace {
 
-double distanceToPath(const glm::dvec2& point, const std::vector<glm::dvec2>& path)
+/// The point of a segment that lies nearest.
+glm::dvec2 nearestOn(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& point)
 {
-    double nearest = glm::distance(point, path.front());
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        const glm::dvec2 along = path[i] - path[i - 1];
-        const double squared = glm::dot(along, along);
-        const double t = squared > 0.0
-            ? std::clamp(glm::dot(point - path[i - 1], along) / squared, 0.0, 1.0)
-            : 0.0;
-        nearest = std::min(nearest, glm::distance(point, path[i - 1] + t * along));
-    }
-    return nearest;
+    const glm::dvec2 along = to - from;
+    const double squared = glm::dot(along, along);
+    const double t =
+        squared > 0.0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
+    return from + t * along;
 }
 
-glm::dvec2 millimetres(const Fixed3& fixed30)
+glm::dvec3 millimetres(const Fixed3& fixed30)
 {
-    return glm::dvec2(double(fixed30[0]), double(fixed30[1])) / 1073741824.0;
+    return glm::dvec3(double(fixed30[0]), double(fixed30[1]), double(fixed30[2])) / 1073741824.0;
+}
+
+/// How far a drill's mask lies from the sample at most.
+double drillReachMm(const DrillCut& cut)
+{
+    const glm::ivec2 corner =
+        glm::max(glm::abs(cut.mask.first), glm::abs(cut.mask.first + cut.mask.size));
+    return std::max(double(cut.maskRadius), cut.frame.pitch * glm::length(glm::dvec2(corner)))
+        / 65536.0;
 }
 
 /// What a growth asks of voxels; null for other edits.
@@ -68,25 +75,32 @@ std::pair<const BrushPath*, std::uint8_t> labelledPath(const Edit& edit, const D
 
 } // namespace
 
-RowReach::SweptMask RowReach::sweptMask(
-    const MaskFrame& frame, const BrickGrid& grid, std::vector<glm::dvec2> path, double maskReachMm)
+RowReach::SweptMask RowReach::sweptMask(const MaskFrame& frame, const BrickGrid& grid,
+    std::vector<glm::dvec2> path, double maskReachMm, const RowTrace& trace)
 {
     SweptMask mask;
     mask.grid = grid;
     mask.origin = millimetres(frame.planeOrigin);
-    mask.perVoxel = glm::dmat3x2(
+    mask.perVoxel = glm::dmat3(
         millimetres(frame.planePerI), millimetres(frame.planePerJ), millimetres(frame.planePerK));
     mask.path = std::move(path);
-    // A brick and one brick of blur around it, as a ball of the longest projected diagonal.
-    double halfDiagonalMm = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-        halfDiagonalMm += 1.5 * BrickGrid::side * glm::length(mask.perVoxel[axis]);
-    mask.reachMm = maskReachMm + halfDiagonalMm;
+    // Samples lie anywhere in their element, a mask's edge is smoothed across one more, and a voxel
+    // belongs to the element that its middle lies in.
+    const double pitchMm = frame.pitch / 65536.0;
+    mask.reachMm = maskReachMm + 4.0 * pitchMm;
+    // The first material ends the search; from there a cut, and what it asks about gaps, goes no
+    // deeper than maxDepth. A laser's beam leans and looks around: no farther than it reaches.
+    mask.endMm = trace.searchedTo && !frame.restore
+        ? (double(*trace.searchedTo) + frame.maxDepth + 2.0 * frame.zPerSample
+              + 2.0 * frame.rampHalfWidth)
+                / 65536.0
+            + mask.reachMm
+        : std::numeric_limits<double>::infinity();
     return mask;
 }
 
-RowReach::SweptMask RowReach::sweptOutline(
-    const MaskFrame& frame, const BrickGrid& grid, const std::vector<glm::dvec2>& outline)
+RowReach::SweptMask RowReach::sweptOutline(const MaskFrame& frame, const BrickGrid& grid,
+    const std::vector<glm::dvec2>& outline, const RowTrace& trace)
 {
     glm::dvec2 low = outline.front();
     glm::dvec2 high = low;
@@ -94,10 +108,11 @@ RowReach::SweptMask RowReach::sweptOutline(
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
-    return sweptMask(frame, grid, {(low + high) / 2.0}, glm::length(high - low) / 2.0);
+    return sweptMask(frame, grid, {(low + high) / 2.0}, glm::length(high - low) / 2.0, trace);
 }
 
-RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written)
+RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written,
+    const RowTrace& trace)
 {
     const BrickGrid grid{document.volumes.front().geometry.size};
     const SparedSegments* spared = sparedBy(edit);
@@ -116,6 +131,10 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
                 bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(grid.brickOf(voxel))});
         }
         m_reach = std::move(bricks);
+    } else if (const GrowCriteria* asked = criteriaOf(edit); asked && trace.grownBeside) {
+        m_reach = Growth{.plane = document.growths.front().plane,
+            .coverage = asked->onlyVisible,
+            .beside = *trace.grownBeside};
     } else if (const GrowCriteria* criteria = criteriaOf(edit); criteria && criteria->onlyVisible) {
         Fields fields{.plane = document.growths.front().plane, .layers = {}};
         fields.layers.set();
@@ -131,19 +150,19 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         for (const PenSample& sample : drill->samples)
             path.emplace_back(sample.xMm, sample.yMm);
         if (const Result<DrillCut> cut = drillCut(*drill, document))
-            m_reach = sweptMask(cut->frame, grid, std::move(path), reachMm(drill->mask));
+            m_reach = sweptMask(cut->frame, grid, std::move(path), drillReachMm(*cut), trace);
     } else if (const auto* laser = std::get_if<LaserStroke>(&edit)) {
         std::vector<glm::dvec2> path;
         for (const PenSample& sample : laser->samples)
             path.emplace_back(sample.xMm, sample.yMm);
         if (const Result<LaserCut> cut = laserCut(*laser, document))
-            m_reach = sweptMask(cut->frame, grid, std::move(path), laserReachMm(*cut));
+            m_reach = sweptMask(cut->frame, grid, std::move(path), laserReachMm(*cut), trace);
     } else if (const auto* peel = std::get_if<PeelCut>(&edit)) {
         if (const Result<MaskPeel> cut = maskPeel(*peel, document))
-            m_reach = sweptOutline(cut->frame, grid, peel->polygonMm);
+            m_reach = sweptOutline(cut->frame, grid, peel->polygonMm, trace);
     } else if (const auto* scissors = std::get_if<ScissorsCut>(&edit)) {
         if (const Result<MaskScissors> cut = maskScissors(*scissors, document))
-            m_reach = sweptOutline(cut->frame, grid, scissors->polygonMm);
+            m_reach = sweptOutline(cut->frame, grid, scissors->polygonMm, trace);
     } else if (const auto [path, plane] = labelledPath(edit, document); path) {
         Bricks bricks;
         const VolumeGeometry& geometry = document.volumes.front().geometry;
@@ -215,6 +234,12 @@ bool RowReach::covers(const Plane& plane, const BrickKey& key)
     return key.field != Field::Coverage && key.plane == plane.plane;
 }
 
+bool RowReach::covers(const Growth& growth, const BrickKey& key)
+{
+    const bool isAsked = key.field == Field::Coverage ? growth.coverage : key.plane == growth.plane;
+    return isAsked && (key.field == Field::SeedWords || growth.beside.count(key.brick) != 0);
+}
+
 bool RowReach::covers(const Fields& fields, const BrickKey& key)
 {
     return key.field == Field::Coverage ? fields.layers[key.plane] : fields.plane == key.plane;
@@ -226,9 +251,33 @@ bool RowReach::covers(const SweptMask& mask, const BrickKey& key)
         key.field == Field::Coverage || (key.field == Field::Labels && mask.labels == key.plane);
     if (!isRead || mask.path.empty())
         return false;
+    // Radiation at a position is interpolated between the voxels around it, and theirs depends on
+    // coverage no farther than radiation::reach.
+    constexpr double halfSide = BrickGrid::side / 2.0 + radiation::reach + 1.0;
     const glm::dvec3 middle = glm::dvec3(mask.grid.brickPosition(int(key.brick)) * BrickGrid::side)
         + (BrickGrid::side - 1) / 2.0;
-    return distanceToPath(mask.origin + mask.perVoxel * middle, mask.path) <= mask.reachMm;
+    const glm::dvec3 place = mask.origin + mask.perVoxel * middle;
+    double nearestMm = place.z;
+    for (int axis = 0; axis < 3; ++axis)
+        nearestMm -= halfSide * std::abs(mask.perVoxel[axis].z);
+    if (nearestMm > mask.endMm)
+        return false;
+    // A brick, seen along the view, is convex, and so is each piece of the path: where they keep
+    // apart along the line between their nearest points, they keep apart.
+    for (std::size_t i = 0; i < mask.path.size(); ++i) {
+        const glm::dvec2 nearest =
+            nearestOn(mask.path[i], mask.path[std::min(i + 1, mask.path.size() - 1)],
+                glm::dvec2(place));
+        const glm::dvec2 away = glm::dvec2(place) - nearest;
+        const double distance = glm::length(away);
+        double halfWidth = 0.0;
+        for (int axis = 0; axis < 3 && distance > 0.0; ++axis)
+            halfWidth +=
+                halfSide * std::abs(glm::dot(glm::dvec2(mask.perVoxel[axis]), away)) / distance;
+        if (distance - halfWidth <= mask.reachMm)
+            return true;
+    }
+    return false;
 }
 
 } // namespace core

@@ -23,21 +23,28 @@ QString sha256(const QStringList& lines)
 
 QString toText(const EditStatistics& statistics)
 {
-    return compact({
+    QJsonObject json{
         {QStringLiteral("voxelsChanged"), qint64(statistics.voxelsChanged)},
         {QStringLiteral("bricks"), statistics.bricks},
         {QStringLiteral("generations"), statistics.generations},
         {QStringLiteral("milliseconds"), statistics.milliseconds},
-    });
+    };
+    if (statistics.searchedTo)
+        json[QStringLiteral("searchedTo")] = *statistics.searchedTo;
+    return compact(json);
 }
 
 EditStatistics statisticsFrom(const QString& text)
 {
     const QJsonObject json = parsed(text);
-    return {.voxelsChanged = json.value(QStringLiteral("voxelsChanged")).toInteger(),
+    EditStatistics statistics{
+        .voxelsChanged = json.value(QStringLiteral("voxelsChanged")).toInteger(),
         .bricks = json.value(QStringLiteral("bricks")).toInt(),
         .generations = json.value(QStringLiteral("generations")).toInt(),
         .milliseconds = json.value(QStringLiteral("milliseconds")).toDouble()};
+    if (const QJsonValue depth = json.value(QStringLiteral("searchedTo")); depth.isDouble())
+        statistics.searchedTo = std::int32_t(depth.toInteger());
+    return statistics;
 }
 
 } // namespace

@@ -210,7 +210,7 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     } else if (const auto* peel = std::get_if<core::MaskPeel>(&edit)) {
         transaction->m_peel.emplace(programs.mask, fields, before, *peel);
     } else if (const auto* scissors = std::get_if<core::MaskScissors>(&edit)) {
-        transaction->m_scissoredBricks = cutWithScissors(programs.mask, fields, before, *scissors);
+        transaction->m_scissored = cutWithScissors(programs.mask, fields, before, *scissors);
     } else if (const auto* carved = std::get_if<core::LabelCarved>(&edit)) {
         transaction->m_wholeKeys = labelCarved(programs.label, fields, before, *carved);
     } else if (const auto* seen = std::get_if<core::LabelSeen>(&edit)) {
@@ -359,7 +359,7 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
     if (const auto* peel = std::get_if<core::MaskPeel>(&m_edit))
         add(core::Field::Coverage, peel->layer, m_peel->touchedBricks());
     if (const auto* scissors = std::get_if<core::MaskScissors>(&m_edit))
-        add(core::Field::Coverage, scissors->layer, m_scissoredBricks);
+        add(core::Field::Coverage, scissors->layer, m_scissored.bricks);
     if (m_capsule)
         return m_capsule->touchedKeys();
     if (m_shrink)
@@ -390,6 +390,10 @@ void EditTransaction::commit(core::EngineResult& result)
         result.generation = m_cutTo;
         result.statistics.generations = int(cut->generation - m_cutTo);
     }
+    result.statistics.searchedTo = m_drill ? m_drill->searchedTo()
+        : m_laser                          ? m_laser->searchedTo()
+        : m_peel                           ? m_peel->searchedTo()
+                                           : m_scissored.searchedTo;
 }
 
 void EditTransaction::rollBack(core::EngineResult& result)

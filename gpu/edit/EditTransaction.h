@@ -11,6 +11,7 @@
 #include "gpu/edit/LabelKernel.h"
 #include "gpu/edit/LaserKernel.h"
 #include "gpu/edit/PeelKernel.h"
+#include "gpu/edit/ScissorsKernel.h"
 #include "gpu/edit/ShrinkKernel.h"
 #include "gpu/edit/SpreadKernel.h"
 #include "gpu/edit/ToleranceKernel.h"
@@ -88,7 +89,7 @@ private:
     std::vector<std::uint32_t> m_seedBricks;
     std::vector<core::BrickKey> m_wholeKeys; ///< of an edit that is done once it has begun
     std::uint32_t m_cutTo = 0; ///< generation
-    std::vector<std::uint32_t> m_scissoredBricks;
+    Scissored m_scissored;
     std::optional<GrowthKernel> m_growth;
     std::optional<ShrinkKernel> m_shrink;
     std::optional<DrillKernel> m_drill;

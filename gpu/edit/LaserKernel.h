@@ -33,6 +33,8 @@ public:
 
     void extend(const std::vector<core::DrillSample>& samples);
 
+    /// How deep the surface was looked for.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_caster.searchedTo(); }
     /// Bricks whose coverage was changed.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
     {

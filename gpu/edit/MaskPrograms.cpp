@@ -18,8 +18,8 @@ MaskPrograms::MaskPrograms(const ShaderLibrary& library)
 {
 }
 
-std::vector<core::SurfaceHit> castMask(MaskPrograms& programs, VoxelFields& fields,
-    const core::MaskFrame& frame, const core::MaskRaster& mask, const core::ElementBox& room)
+MaskHits castMask(MaskPrograms& programs, VoxelFields& fields, const core::MaskFrame& frame,
+    const core::MaskRaster& mask, const core::ElementBox& room)
 {
     std::vector<std::size_t> places;
     std::vector<glm::ivec2> elements;
@@ -32,12 +32,12 @@ std::vector<core::SurfaceHit> castMask(MaskPrograms& programs, VoxelFields& fiel
         places.push_back(i);
         elements.push_back(element);
     }
-    const std::vector<core::SurfaceHit> found =
-        SurfaceCaster(programs.cast, fields, frame).cast(elements);
+    SurfaceCaster caster(programs.cast, fields, frame);
+    const std::vector<core::SurfaceHit> found = caster.cast(elements);
     std::vector<core::SurfaceHit> hits(mask.values.size());
     for (std::size_t i = 0; i < places.size(); ++i)
         hits[places[i]] = found[i];
-    return hits;
+    return {std::move(hits), caster.searchedTo()};
 }
 
 } // namespace gpu

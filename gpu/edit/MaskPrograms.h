@@ -14,8 +14,13 @@ struct MaskPrograms {
     Program cut;
 };
 
-/// What the elements of a mask meet, one for each of its values; those outside the room nothing.
-[[nodiscard]] std::vector<core::SurfaceHit> castMask(MaskPrograms& programs, VoxelFields& fields,
+/// What the elements of a mask meet, one for each of its values (those outside the room nothing),
+/// and how deep they looked for it.
+struct MaskHits {
+    std::vector<core::SurfaceHit> hits;
+    std::optional<std::int32_t> searchedTo;
+};
+[[nodiscard]] MaskHits castMask(MaskPrograms& programs, VoxelFields& fields,
     const core::MaskFrame& frame, const core::MaskRaster& mask, const core::ElementBox& room);
 
 } // namespace gpu

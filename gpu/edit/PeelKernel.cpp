@@ -11,8 +11,8 @@ PeelKernel::PeelKernel(
     , m_columns(peel.frame, fields.grid())
     , m_cutter(
           programs.cut, fields, before, peel.frame, {peel.layer, peel.laying, peel.frame.spared})
-    , m_hits(castMask(programs, fields, peel.frame, peel.mask, m_columns.room()))
-    , m_sheet(core::peelSheet(peel, m_hits))
+    , m_cast(castMask(programs, fields, peel.frame, peel.mask, m_columns.room()))
+    , m_sheet(core::peelSheet(peel, m_cast.hits))
 {
 }
 
@@ -38,7 +38,7 @@ void PeelKernel::setDepth(std::int32_t depth)
         const glm::ivec2 place(
             int(i % std::size_t(m_sheet.size.x)), int(i / std::size_t(m_sheet.size.x)));
         m_columns.set(m_sheet.first + place,
-            core::peelColumn(m_peel.frame, m_hits[i], ends[i], m_peel.mask.values[i]));
+            core::peelColumn(m_peel.frame, m_cast.hits[i], ends[i], m_peel.mask.values[i]));
     }
     m_fields.noteChanged(core::Field::Coverage, m_cutter.lay(m_columns));
 }

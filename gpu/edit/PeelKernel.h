@@ -19,6 +19,8 @@ public:
 
     void setDepth(std::int32_t depth);
 
+    /// How deep the surface was looked for.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_cast.searchedTo; }
     /// Bricks whose coverage was changed at any depth.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
     {
@@ -31,7 +33,7 @@ private:
     core::MaskPeel m_peel;
     MaskColumns m_columns;
     ColumnCutter m_cutter;
-    std::vector<core::SurfaceHit> m_hits; ///< one for each value of the mask
+    MaskHits m_cast;
     core::PeelSheet m_sheet;
     std::int32_t m_depth = 0;
 };

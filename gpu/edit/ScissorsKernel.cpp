@@ -5,15 +5,15 @@
 
 namespace gpu {
 
-std::vector<std::uint32_t> cutWithScissors(MaskPrograms& programs, VoxelFields& fields,
-    BeforeImages& before, const core::MaskScissors& scissors)
+Scissored cutWithScissors(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
+    const core::MaskScissors& scissors)
 {
     MaskColumns columns(scissors.frame, fields.grid());
     ColumnCutter cutter(programs.cut, fields, before, scissors.frame,
         {scissors.layer, scissors.laying, scissors.frame.spared});
-    std::vector<core::SurfaceHit> hits;
+    MaskHits cast;
     if (scissors.fromSurface)
-        hits = castMask(programs, fields, scissors.frame, scissors.mask, columns.room());
+        cast = castMask(programs, fields, scissors.frame, scissors.mask, columns.room());
     const core::ElementBox& room = columns.room();
     std::size_t i = 0;
     for (int b = 0; b < scissors.mask.size.y; ++b) {
@@ -22,15 +22,15 @@ std::vector<std::uint32_t> cutWithScissors(MaskPrograms& programs, VoxelFields& 
             if (glm::any(glm::lessThan(element, room.minimum))
                 || glm::any(glm::greaterThan(element, room.maximum)))
                 continue;
-            const core::MaskColumn column = core::scissorsColumn(
-                scissors, hits.empty() ? core::SurfaceHit{} : hits[i], scissors.mask.values[i]);
+            const core::MaskColumn column = core::scissorsColumn(scissors,
+                cast.hits.empty() ? core::SurfaceHit{} : cast.hits[i], scissors.mask.values[i]);
             if (column.weight > 0)
                 columns.set(element, column);
         }
     }
-    const std::vector<std::uint32_t> changed = cutter.lay(columns);
+    std::vector<std::uint32_t> changed = cutter.lay(columns);
     fields.noteChanged(core::Field::Coverage, changed);
-    return changed;
+    return {std::move(changed), cast.searchedTo};
 }
 
 } // namespace gpu

@@ -8,8 +8,11 @@
 namespace gpu {
 
 /// Carries out core::MaskScissors, as one gather over the bricks below the mask.
-/// @return the bricks that changed
-[[nodiscard]] std::vector<std::uint32_t> cutWithScissors(MaskPrograms& programs,
-    VoxelFields& fields, BeforeImages& before, const core::MaskScissors& scissors);
+struct Scissored {
+    std::vector<std::uint32_t> bricks; ///< that changed
+    std::optional<std::int32_t> searchedTo{}; ///< how deep the surface was looked for
+};
+[[nodiscard]] Scissored cutWithScissors(MaskPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::MaskScissors& scissors);
 
 } // namespace gpu

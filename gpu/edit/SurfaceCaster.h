@@ -4,6 +4,7 @@
 #include "core/sculpt/MaskFrame.h"
 #include "gpu/edit/VoxelFields.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ public:
 
     /// What each element meets. Waits; cost ∝ elements.
     [[nodiscard]] std::vector<core::SurfaceHit> cast(std::span<const glm::ivec2> elements);
+    /// How deep all elements that were cast looked (core::searchEnd()); none were: nothing.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_searchedTo; }
     /// Makes a program with asItBegan.glsl see the same: its uniforms, units 0 and 1, buffers 2
     /// and 3.
     void show(Program& program) const;
@@ -30,6 +33,7 @@ private:
     Program& m_cast;
     VoxelFields& m_fields;
     core::MaskFrame m_frame;
+    std::optional<std::int32_t> m_searchedTo;
     Buffer m_snapshotSlots;
     std::vector<std::uint32_t> m_snapshotOf; ///< slot + 1, by brick
     std::uint32_t m_snapshotCount = 0;

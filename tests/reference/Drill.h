@@ -18,6 +18,7 @@ public:
     Drill(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
         DenseFields& fields, core::DrillCut cut);
 
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_plane.searchedTo(); }
     void extend(const std::vector<core::DrillSample>& samples);
 
 private:

@@ -50,7 +50,7 @@ std::int64_t Laser::weight(std::int64_t p, std::int64_t q) const
     return mask.values[std::size_t(y * mask.size.x + x)];
 }
 
-std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b) const
+std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b)
 {
     const core::MaskFrame& frame = m_cut.frame;
     const auto hit = m_plane.cast(a, b);

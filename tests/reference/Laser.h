@@ -20,6 +20,7 @@ public:
     Laser(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
         DenseFields& fields, core::LaserCut cut);
 
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_plane.searchedTo(); }
     void extend(const std::vector<core::DrillSample>& samples);
 
 private:
@@ -36,7 +37,7 @@ private:
         std::int64_t exit = MaskPlane::never;
     };
 
-    [[nodiscard]] std::optional<Beam> beamAt(std::int64_t a, std::int64_t b) const;
+    [[nodiscard]] std::optional<Beam> beamAt(std::int64_t a, std::int64_t b);
     [[nodiscard]] bool materialAt(const Index16& position) const;
     [[nodiscard]] std::int64_t weight(std::int64_t p, std::int64_t q) const;
     [[nodiscard]] std::int64_t depthOf(const MaskPlane::Place& place) const;

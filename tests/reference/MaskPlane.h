@@ -33,13 +33,18 @@ public:
         DenseFields& fields, std::uint8_t layer, core::MaskFrame frame);
 
     [[nodiscard]] const core::MaskFrame& frame() const { return m_frame; }
-    [[nodiscard]] std::optional<Hit> cast(std::int64_t a, std::int64_t b) const;
+    [[nodiscard]] std::optional<Hit> cast(std::int64_t a, std::int64_t b);
     /// Rule 7.
     [[nodiscard]] Column restoring(const Hit& hit, std::int64_t from, std::int64_t weight) const;
+    /// How deep all elements that were cast looked; none were: nothing.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_searchedTo; }
     /// Rule 6.
     void lay(const std::map<Place, Column>& columns, core::Laying laying);
 
 private:
+    [[nodiscard]] std::optional<Hit> hitOf(std::int64_t a, std::int64_t b);
+
+    std::optional<std::int32_t> m_searchedTo;
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
     DenseArray<std::uint8_t>& m_coverage;

@@ -132,8 +132,8 @@ void Peel::setDepth(std::int64_t depth)
     m_plane.lay(columns, m_peel.laying);
 }
 
-void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
-    DenseFields& fields, const core::MaskScissors& scissors)
+std::optional<std::int32_t> cutWithScissors(const DenseArray<std::uint16_t>& codes,
+    DenseArray<std::uint8_t> radiation, DenseFields& fields, const core::MaskScissors& scissors)
 {
     const core::MaskFrame& frame = scissors.frame;
     const std::int64_t r = frame.rampHalfWidth;
@@ -159,6 +159,7 @@ void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
         columns[place] = column;
     }
     plane.lay(columns, scissors.laying);
+    return plane.searchedTo();
 }
 
 } // namespace reference

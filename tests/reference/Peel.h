@@ -14,6 +14,7 @@ public:
     Peel(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
         DenseFields& fields, core::MaskPeel peel);
 
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_plane.searchedTo(); }
     void setDepth(std::int64_t depth);
 
 private:
@@ -25,7 +26,7 @@ private:
 };
 
 /// core/sculpt/MaskScissors.h.
-void cutWithScissors(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
-    DenseFields& fields, const core::MaskScissors& scissors);
+std::optional<std::int32_t> cutWithScissors(const DenseArray<std::uint16_t>& codes,
+    DenseArray<std::uint8_t> radiation, DenseFields& fields, const core::MaskScissors& scissors);
 
 } // namespace reference

@@ -202,8 +202,7 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskScissors& e
         return refuse("frame", unsound);
     if (!core::isSound(edit.frame.hidden))
         return refuse("hidden", unsoundHidden);
-    cutWithScissors(m_codes, carved(), m_fields, edit);
-    return Done{};
+    return Done{cutWithScissors(m_codes, carved(), m_fields, edit)};
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::DrillCut& edit)
@@ -354,6 +353,18 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ExtendEdit& command)
     return std::nullopt;
 }
 
+std::optional<std::int32_t> ReferenceEngine::searchedTo() const
+{
+    if (const auto* drill = std::get_if<Drill>(&m_open->work))
+        return drill->searchedTo();
+    if (const auto* laser = std::get_if<Laser>(&m_open->work))
+        return laser->searchedTo();
+    if (const auto* peel = std::get_if<Peel>(&m_open->work))
+        return peel->searchedTo();
+    const auto* done = std::get_if<Done>(&m_open->work);
+    return done ? done->searchedTo : std::nullopt;
+}
+
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
 {
     if (!m_open)
@@ -388,6 +399,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
             result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
         if (cut)
             result.statistics.generations = int(cut->from - cut->to);
+        result.statistics.searchedTo = searchedTo();
     }
     m_open.reset();
     return result;

@@ -35,7 +35,9 @@ public:
 
 private:
     /// An edit that is done once it has begun.
-    struct Done { };
+    struct Done {
+        std::optional<std::int32_t> searchedTo{};
+    };
     /// Likewise, and may be done anew for another generation; it tells how far the growth is now.
     struct Shrunk {
         core::ShrinkGrowth edit;
@@ -58,6 +60,7 @@ private:
 
     [[nodiscard]] Outcome carryOut(core::BeginEdit& command);
     [[nodiscard]] Outcome carryOut(core::ExtendEdit& command);
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const;
     [[nodiscard]] Outcome carryOut(core::EndEdit& command);
     [[nodiscard]] Outcome carryOut(core::SwapBricks& command);
     [[nodiscard]] Outcome carryOut(core::MuteLayers& command);

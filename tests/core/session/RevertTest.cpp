@@ -188,6 +188,77 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), hashOf(twoBalls(), {test::drillAt(secondBallMm)}));
     }
 
+    /// A cut reads down to where it could end, not what lies behind that.
+    void cutsFromOppositeSidesDoNotHoldEachOther()
+    {
+        LoadedVolume block = test::smallStudy();
+        const glm::ivec3 size(40, 96, 34);
+        block.volume.geometry.size = size;
+        block.codes.clear();
+        for (int row = 0; row < size.y * size.z; ++row) {
+            const bool isBone = row % size.y >= 6 && row % size.y < 90;
+            block.codes.insert(
+                block.codes.end(), std::size_t(size.x), std::uint16_t(isBone ? 2024 : 24));
+        }
+        DrillStroke behind = test::drillAt(0);
+        behind.view.eyeLps.y += 400;
+        for (const auto& [first, second] :
+            {std::pair(test::drillAt(0), behind), std::pair(behind, test::drillAt(0))}) {
+            Bench bench(block, {first, second});
+            QVERIFY(bench.session->history().rows().at(1).statistics.voxelsChanged > 100);
+            bench.run(RevertRows{{1}});
+            QCOMPARE(bench.session->stateHash(), hashOf(block, {second}));
+        }
+        // One that goes on where the other ended, or could have come there, does.
+        Bench same(block, {test::drillAt(0), test::drillAt(0)});
+        QVERIFY(same.refusal(RevertRows{{1}}).contains(QStringLiteral("wrote or read")));
+        DrillStroke deep = behind;
+        deep.depthMm = 80;
+        Bench through(block, {test::drillAt(0), deep});
+        QVERIFY(through.refusal(RevertRows{{1}}).contains(QStringLiteral("wrote or read")));
+    }
+
+    /// A growth asks its members' neighbours, no one else.
+    void aGrowthElsewhereDoesNotHoldWhatWasPainted()
+    {
+        const glm::dvec3 middle = test::seedInBrain(1).pointsLps.front();
+        const glm::dvec3 other = middle + glm::dvec3(secondBallMm, 0, 0);
+        const auto painted = [](const glm::dvec3& at) {
+            PaintStroke paint{.segment = 1};
+            paint.path = {.pointsLps = {at}, .radiusMm = 4};
+            return paint;
+        };
+        const SeedStroke seed{.segment = 2, .pointsLps = {other}};
+        GrowSteps visible = test::growBrain(4);
+        visible.criteria.onlyVisible = true;
+        for (const GrowSteps& grow : {test::growBrain(4), visible}) {
+            const std::vector<Edit> rest{seed, grow};
+            const std::vector<Edit> segments{test::addSegment("A"), test::addSegment("B")};
+            const auto with = [&](const std::vector<Edit>& first) {
+                std::vector<Edit> all = segments;
+                all.insert(all.end(), first.begin(), first.end());
+                all.insert(all.end(), rest.begin(), rest.end());
+                return all;
+            };
+            Bench apart(twoBalls(), with({painted(middle)}));
+            apart.run(RevertRows{{3}});
+            QCOMPARE(apart.session->stateHash(), hashOf(twoBalls(), with({})));
+            Bench close(twoBalls(), with({painted(other + glm::dvec3(0, 8, 0))}));
+            QVERIFY(close.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read")));
+            // Where the front would have come is where coverage counts, with "only visible".
+            Bench cutApart(twoBalls(), with({test::drillAt(0)}));
+            cutApart.run(RevertRows{{3}});
+            QCOMPARE(cutApart.session->stateHash(), hashOf(twoBalls(), with({})));
+            Bench cutClose(twoBalls(), with({test::drillAt(secondBallMm)}));
+            const bool refused =
+                cutClose.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read"));
+            QCOMPARE(refused, grow.criteria.onlyVisible);
+            // Seeds that wait anywhere would have grown.
+            Bench waiting(twoBalls(), with({test::seedInBrain(1)}));
+            QVERIFY(waiting.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read")));
+        }
+    }
+
     void aLockedSegmentKeepsItsVoxels()
     {
         Bench bench(test::smallStudy(),

@@ -13,7 +13,7 @@ using namespace core;
 
 namespace {
 
-std::vector<BrickChange> changesOf(
+EngineResult resultOf(
     reference::ReferenceEngine& engine, const DrillStroke& stroke, const Document& document)
 {
     const DrillCut cut = test::drillCutOf(stroke, document);
@@ -21,7 +21,7 @@ std::vector<BrickChange> changesOf(
     engine.finish();
     for (EngineResult& result : engine.collect()) {
         if (result.ticket == ticket)
-            return std::move(result.changes);
+            return std::move(result);
     }
     return {};
 }
@@ -48,6 +48,7 @@ private Q_SLOTS:
     {
         int bricksOutside = 0;
         int strokesThatCut = 0;
+        int behind = 0;
         const int count = test::longRun() ? 300 : 16;
         for (int number = 0; number < count; ++number) {
             test::Random random{std::uint32_t(4000 + number)};
@@ -57,11 +58,13 @@ private Q_SLOTS:
             const std::vector<std::uint16_t> codes = test::balls(size, 9, random).values;
             DrillStroke stroke = test::randomDrill(document, random);
             stroke.layer = 1;
-            const RowReach reach(stroke, document, {});
-
             reference::ReferenceEngine engine;
             QVERIFY(engine.openVolume(size, codes));
-            const std::vector<BrickChange> alone = changesOf(engine, stroke, document);
+            const EngineResult result = resultOf(engine, stroke, document);
+            const std::vector<BrickChange>& alone = result.changes;
+            const RowReach reach(
+                stroke, document, {}, {.searchedTo = result.statistics.searchedTo});
+            const RowReach whole(stroke, document, {});
             for (const BrickChange& change : alone)
                 QVERIFY(reach.covers(change.key));
             strokesThatCut += alone.empty() ? 0 : 1;
@@ -73,6 +76,8 @@ private Q_SLOTS:
                 // In whichever layer: a stroke sees all of them.
                 const BrickKey key{
                     Field::Coverage, std::uint8_t(1 + brick % 2), std::uint32_t(brick)};
+                QVERIFY(whole.covers(key) || !reach.covers(key));
+                behind += whole.covers(key) && !reach.covers(key) ? 1 : 0;
                 if (reach.covers(key))
                     continue;
                 std::vector<std::uint8_t> bytes(BrickGrid::voxelsPerBrick, 0);
@@ -88,12 +93,14 @@ private Q_SLOTS:
             engine.submit(std::move(cuts));
             engine.finish();
             static_cast<void>(engine.collect());
-            QVERIFY2(equal(changesOf(engine, stroke, document), alone),
+            QVERIFY2(equal(resultOf(engine, stroke, document).changes, alone),
                 qPrintable(QString::number(number)));
         }
         // Otherwise nothing was asked.
         QVERIFY2(bricksOutside > 5 * count, qPrintable(QString::number(bricksOutside)));
         QVERIFY(strokesThatCut > count / 3);
+        QVERIFY2(behind > count, qPrintable(QString::number(behind)));
+        qInfo("%d bricks outside, %d of them behind the cut", bricksOutside, behind);
     }
 
     /// What is carved under the mask counts, in whichever layer.
