@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 
 namespace core {
 
@@ -41,7 +41,7 @@ glm::ivec3 planeBase(const MaskFrame& frame, const glm::ivec3& firstVoxel)
     return base;
 }
 
-std::int32_t searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
+std::optional<std::int32_t> searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
     const glm::ivec2& element, const SurfaceHit& hit)
 {
     using fixedPoint::round14;
@@ -54,11 +54,12 @@ std::int32_t searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
         std::int64_t from = round14(
             frame.rayOrigin[i] + element.x * frame.rayPerA[i] + element.y * frame.rayPerB[i]);
         std::int64_t step = round14(frame.rayPerSample[i]);
-        const std::int64_t end = std::int64_t(volumeSize[axis] - 1) << 16;
-        if (step < 0) {
-            step = -step;
-            from = end - from;
-        }
+        // Rule 3: lowest <= from + n * step <= highest; from here on told from the side it goes to.
+        const std::int64_t lowest = -(std::int64_t(1) << 15);
+        const std::int64_t highest = (std::int64_t(2 * volumeSize[axis] - 1) << 15) - 1;
+        const std::int64_t end = highest - lowest;
+        from = step < 0 ? highest - from : from - lowest;
+        step = std::abs(step);
         // 0 <= from + n * step <= end
         if (step == 0 && (from < 0 || from > end))
             last = -1;
@@ -69,8 +70,9 @@ std::int32_t searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
             last = std::min(last, (end - from) / step);
         }
     }
-    return first > last ? std::numeric_limits<std::int32_t>::min()
-                        : std::int32_t(frame.zStart + last * frame.zPerSample);
+    if (first > last)
+        return std::nullopt;
+    return std::int32_t(frame.zStart + last * frame.zPerSample);
 }
 
 } // namespace core

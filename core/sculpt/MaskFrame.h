@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace core {
 
@@ -72,11 +73,10 @@ using Fixed3 = std::array<std::int64_t, 3>;
 ///    Laying::Refill: with v = min(coverage, 255 − cut), coverage = v where v > cut, else 0. So
 ///    what one cut had taken is gone, to the last bit, after the same was refilled; and the order
 ///    in which ever greater cuts are refilled does not matter.
-/// 7. Columns while restoring D deep from what rule 4 found: (zFrom, zSurface + front/2 + r), zFrom
-/// =
-///    min(zSurface − D, zSurface − front/2 − r): the last voxel comes back in any case. But where
-///    zFrom − zOuter ≤ front − r/8, all that was taken does: zFrom = zOuter − 2·front − 2r. All
-///    divisions are by >>.
+/// 7. Columns while restoring D deep from what rule 4 found: (zFrom, zSurface + front/2 + r) with
+///    zFrom = min(zSurface − D, zSurface − front/2 − r): the last voxel comes back in any case. But
+///    where zFrom − zOuter ≤ front − r/8, all that was taken does: zFrom = zOuter − 2·front − 2r.
+///    All divisions are by >>.
 struct MaskFrame {
     Fixed3 planeOrigin{}; ///< plane coordinates of voxel (0, 0, 0), mm · 2³⁰
     Fixed3 planePerI{}; ///< change per voxel along i, mm · 2³⁰
@@ -114,10 +114,10 @@ struct SurfaceHit {
 
 /// How far an element that was cast looked for its surface at most (rule 4), as far as a hit tells:
 /// zSurface, or the last sample inside the volume for one that met none, or for any that restores
-/// (it looks behind what it found); the least number where no sample lies inside. Of an edit the
-/// greatest over its elements is EditStatistics::searchedTo.
-[[nodiscard]] std::int32_t searchEnd(const MaskFrame& frame, const glm::ivec3& volumeSize,
-    const glm::ivec2& element, const SurfaceHit& hit);
+/// (it looks behind what it found); none where no sample lies inside. Of an edit the greatest over
+/// its elements is EditStatistics::searchedTo.
+[[nodiscard]] std::optional<std::int32_t> searchEnd(const MaskFrame& frame,
+    const glm::ivec3& volumeSize, const glm::ivec2& element, const SurfaceHit& hit);
 
 /// What an element does: rule 6.
 struct MaskColumn {

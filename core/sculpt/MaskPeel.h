@@ -21,10 +21,9 @@ namespace core {
 /// 3. Depth field. With R = depth, h(p, q) = ⌊√(R² − (p² + q²)·pitch²)⌋ where that is no root of a
 ///    negative number: E(a, b) = max over (p, q), (a + p, b + q) in the sheet, of
 ///    zSurface(a + p, b + q) + h(p, q). Restoring: min of zSurface(a + p, b + q) − h(p, q).
-/// 4. Columns of the elements of the sheet, where R > 0: weight (m·255 + 128) >> 8, (zSurface −
-/// front,
-///    min(E, zExit, zSurface + maxDepth)), or restoring as rule 7 of MaskFrame.h says with
-///    max(E, zSurface − maxDepth) for zSurface − D.
+/// 4. Columns of the elements of the sheet, where R > 0: weight (m·255 + 128) >> 8,
+///    (zSurface − front, min(E, zExit, zSurface + maxDepth)), or restoring as rule 7 of MaskFrame.h
+///    says with max(E, zSurface − maxDepth) for zSurface − D.
 /// 5. Whatever depths it was told one after the other, coverage is what it was before the peel with
 ///    the columns of the last depth laid into it.
 struct MaskPeel {

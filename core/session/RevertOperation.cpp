@@ -41,10 +41,13 @@ std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
 }
 
 /// A growth that goes on from all members that are there, and asks no voxel but them and their
-/// neighbours.
+/// neighbours. (A ball that has to pass asks voxels all around.)
 bool growsOn(const Edit& edit)
 {
-    return std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ChangeInterval>(edit);
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return !grow->criteria.passage;
+    const auto* interval = std::get_if<ChangeInterval>(&edit);
+    return interval && !interval->criteria.passage;
 }
 
 bool mayWriteSeedWords(const Edit& edit)

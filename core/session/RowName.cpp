@@ -388,8 +388,7 @@ QString revisionName(
             changes +=
                 QStringLiteral("height %1 → %2 mm").arg(mm(*drawn.heightMm), mm(*edit.heightMm));
         if (edit.factor)
-            changes +=
-                QStringLiteral("outline × %1").arg(QString::number(*edit.factor, 'g', 4));
+            changes += QStringLiteral("outline × %1").arg(QString::number(*edit.factor, 'g', 4));
         if (edit.depthMm)
             changes +=
                 QStringLiteral("depth %1 → %2 mm").arg(mm(*drawn.depthMm), mm(*edit.depthMm));

@@ -265,9 +265,8 @@ bool RowReach::covers(const SweptMask& mask, const BrickKey& key)
     // A brick, seen along the view, is convex, and so is each piece of the path: where they keep
     // apart along the line between their nearest points, they keep apart.
     for (std::size_t i = 0; i < mask.path.size(); ++i) {
-        const glm::dvec2 nearest =
-            nearestOn(mask.path[i], mask.path[std::min(i + 1, mask.path.size() - 1)],
-                glm::dvec2(place));
+        const glm::dvec2 nearest = nearestOn(
+            mask.path[i], mask.path[std::min(i + 1, mask.path.size() - 1)], glm::dvec2(place));
         const glm::dvec2 away = glm::dvec2(place) - nearest;
         const double distance = glm::length(away);
         double halfWidth = 0.0;

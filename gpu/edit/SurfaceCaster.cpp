@@ -94,9 +94,8 @@ std::vector<core::SurfaceHit> SurfaceCaster::cast(std::span<const glm::ivec2> el
     for (std::size_t i = 0; i < found.size(); ++i)
         hits[places[i]] = {found[i].x, found[i].y};
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        const std::int32_t end =
-            core::searchEnd(m_frame, m_fields.grid().volumeSize, elements[i], hits[i]);
-        m_searchedTo = std::max(m_searchedTo.value_or(end), end);
+        m_searchedTo = std::max(m_searchedTo,
+            core::searchEnd(m_frame, m_fields.grid().volumeSize, elements[i], hits[i]));
     }
     return hits;
 }

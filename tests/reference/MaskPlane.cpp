@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 namespace reference {
@@ -51,11 +50,10 @@ MaskPlane::MaskPlane(const DenseArray<std::uint16_t>& codes, DenseArray<std::uin
 
 std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b)
 {
-    const std::int64_t none = std::numeric_limits<std::int32_t>::min();
-    std::int64_t end = none;
+    std::optional<std::int32_t> end;
     const std::optional<Hit> hit = hitOf(a, b);
     if (hit && !m_frame.restore) {
-        end = hit->zSurface;
+        end = std::int32_t(hit->zSurface);
     } else {
         for (std::int64_t n = 0; n < m_frame.sampleCount; ++n) {
             bool inside = true;
@@ -63,14 +61,14 @@ std::optional<MaskPlane::Hit> MaskPlane::cast(std::int64_t a, std::int64_t b)
                 const std::int64_t start = round14(m_frame.rayOrigin[axis]
                     + a * m_frame.rayPerA[axis] + b * m_frame.rayPerB[axis]);
                 const std::int64_t at = start + n * round14(m_frame.rayPerSample[axis]);
-                inside =
-                    inside && at >= 0 && at <= std::int64_t(m_codes.size[int(axis)] - 1) * 65536;
+                inside = inside && at >= -32768
+                    && at < (2 * std::int64_t(m_codes.size[int(axis)]) - 1) * 32768;
             }
             if (inside)
-                end = m_frame.zStart + n * m_frame.zPerSample;
+                end = std::int32_t(m_frame.zStart + n * m_frame.zPerSample);
         }
     }
-    m_searchedTo = std::int32_t(std::max(end, std::int64_t(m_searchedTo.value_or(none))));
+    m_searchedTo = std::max(m_searchedTo, end);
     return hit;
 }
 
