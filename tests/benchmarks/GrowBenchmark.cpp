@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/GrowBenchmark.h"
 
+#include "core/study/StudyLoader.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/peers/ItkConnectedThreshold.h"
 #include "tests/support/GrowToClosure.h"
+#include "tests/support/SharedData.h"
 
 #include <algorithm>
 #include <array>
@@ -83,40 +85,92 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
+/// What is grown: from seeds, in a volume, all codes of an interval.
+struct Flood {
+    std::string id;
+    glm::ivec3 size{0};
+    std::vector<std::uint16_t> codes;
+    std::vector<glm::ivec3> seeds;
+    int low = 0;
+    int high = 0;
+};
+
 /// Every voxel with its generation, against ITK's filter without; until the last voxel is in the
 /// textures, and until the step stands in the history too.
-QString measureShape(PeerReport& report, gpu::GpuEngine& engine, const Shape& shape)
+QString measureFlood(PeerReport& report, gpu::GpuEngine& engine, const Flood& flood)
 {
     constexpr int rounds = 3;
-    const glm::ivec3 size(shapeSide);
-    const std::vector<std::uint16_t> codes = codesOf(shape);
-    const std::vector<std::int16_t> values(codes.begin(), codes.end());
-    const std::array<glm::ivec3, 1> seed{size / 2};
+    const auto id = QString::fromStdString(flood.id);
+    // 16 bits, as ITK is fastest, in the same order.
+    const auto valueOf = [](int code) { return std::int16_t(code - 32768); };
+    std::vector<std::int16_t> values(flood.codes.size());
+    std::transform(flood.codes.begin(), flood.codes.end(), values.begin(), valueOf);
     std::vector<double> shown;
     std::vector<double> kept;
     std::vector<double> theirs;
     for (int round = 0; round < rounds; ++round) {
-        if (!engine.edits().openVolume(size, codes))
-            return QStringLiteral("%1: no room").arg(QLatin1String(shape.id));
+        if (!engine.edits().openVolume(flood.size, flood.codes))
+            return QStringLiteral("%1: no room").arg(id);
         const test::GrownVoxels ours =
-            test::growToClosure(engine.edits(), size, seed, inShape, inShape);
-        const peer::ItkGrown itk =
-            peer::itkConnectedThreshold<std::int16_t>(size, values, seed, inShape, inShape);
-        if (ours.mask != itk.mask)
-            return QStringLiteral("%1: not what ITK grows").arg(QLatin1String(shape.id));
+            test::growToClosure(engine.edits(), flood.size, flood.seeds, flood.low, flood.high);
+        const peer::ItkGrown itk = peer::itkConnectedThreshold<std::int16_t>(
+            flood.size, values, flood.seeds, valueOf(flood.low), valueOf(flood.high));
+        const auto members = std::count(itk.mask.begin(), itk.mask.end(), std::uint8_t{1});
+        if (ours.mask != itk.mask || members < 100'000)
+            return QStringLiteral("%1: not what ITK grows").arg(id);
         shown.push_back(ours.closureMilliseconds);
         kept.push_back(ours.milliseconds);
         theirs.push_back(itk.milliseconds);
         if (round == 0)
-            std::fprintf(stderr, "%s: equal, %lld voxels in %u generations\n", shape.id,
-                static_cast<long long>(
-                    std::count(itk.mask.begin(), itk.mask.end(), std::uint8_t{1})),
-                ours.generation);
+            std::fprintf(stderr, "%s: equal, %lld voxels in %u generations\n", flood.id.c_str(),
+                static_cast<long long>(members), ours.generation);
     }
-    report.add({shape.id, "Ms", median(shown), "ITK ConnectedThreshold", median(theirs)});
-    report.add({std::string(shape.id) + ".kept", "Ms", median(kept), "ITK ConnectedThreshold",
-        median(theirs)});
+    report.add({flood.id, "Ms", median(shown), "ITK ConnectedThreshold", median(theirs)});
+    report.add({flood.id + ".kept", "Ms", median(kept), "ITK ConnectedThreshold", median(theirs)});
     return {};
+}
+
+QString measureShape(PeerReport& report, gpu::GpuEngine& engine, const Shape& shape)
+{
+    const glm::ivec3 size(shapeSide);
+    return measureFlood(
+        report, engine, {shape.id, size, codesOf(shape), {size / 2}, inShape, inShape});
+}
+
+// --- Real series ---------------------------------------------------------------------------------
+
+struct Series {
+    const char* id;
+    const char* folder; ///< of the shared data
+    double lower; ///< modality units
+    double upper;
+};
+
+constexpr std::array<Series, 3> series{Series{"grow.skull", "ct_cranium_inv3", 226.0, 3071.0},
+    Series{"grow.abdomen", "ct_abdomen_j2k_organs", -29.5, 150.5},
+    Series{"grow.brain", "mr_t1_sag_mprage", 90.0, 400.0}};
+
+/// Nothing is added where the shared data are not.
+QString measureSeries(PeerReport& report, gpu::GpuEngine& engine, const Series& real)
+{
+    const test::SharedCase data = test::sharedCase(QString::fromLatin1(real.folder));
+    if (data.source.isEmpty()) {
+        std::fprintf(stderr, "%s: left out, the shared data are not there\n", real.id);
+        return {};
+    }
+    const auto loaded = core::loadVolume(
+        data.unpacked.isEmpty() ? data.source + QStringLiteral("/dicom") : data.unpacked);
+    if (!loaded)
+        return QStringLiteral("%1: does not open").arg(QLatin1String(real.id));
+    const core::VoxelEncoding& encoding = loaded->volume.encoding;
+    Flood flood{.id = real.id,
+        .size = loaded->volume.geometry.size,
+        .codes = loaded->codes,
+        .seeds = {},
+        .low = encoding.lowestCodeAtLeast(real.lower),
+        .high = encoding.highestCodeAtMost(real.upper)};
+    flood.seeds = test::seedsOnDiagonal(flood.size, flood.codes, flood.low, flood.high);
+    return measureFlood(report, engine, flood);
 }
 
 } // namespace
@@ -128,6 +182,10 @@ QString measureGrowth(PeerReport& report)
         return QStringLiteral("grow: no engine");
     for (const Shape& shape : shapes()) {
         if (const QString why = measureShape(report, **engine, shape); !why.isEmpty())
+            return why;
+    }
+    for (const Series& real : series) {
+        if (const QString why = measureSeries(report, **engine, real); !why.isEmpty())
             return why;
     }
     return {};

@@ -15,7 +15,8 @@ class PeerReport;
 /// @return why the results are not equal, and nothing is registered; empty: registered
 QString registerGrowth(gpu::GpuEngine& engine, const core::DemoStudy& study);
 
-/// grow.ball and so on: shapes of 10 to 60 million voxels in 512 cubed, against the same.
+/// grow.ball and so on: shapes of 10 to 60 million voxels in 512 cubed, against the same;
+/// grow.skull and so on: real series, where the shared data are.
 /// @return why the results are not equal; empty: all is added
 QString measureGrowth(PeerReport& report);
 

@@ -375,10 +375,13 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
                              .arg(b.error->arguments.join(QStringLiteral(": ")));
     if (a.error && a.error->code != b.error->code)
         return QStringLiteral("another error code");
-    const std::array<QString, 10> texts{differenceOfBricks(a.changes, b.changes),
+    const std::array<QString, 11> texts{differenceOfBricks(a.changes, b.changes),
         number("voxelsChanged", a.statistics.voxelsChanged, b.statistics.voxelsChanged),
         number("bricks", a.statistics.bricks, b.statistics.bricks),
         number("generations", a.statistics.generations, b.statistics.generations),
+        a.statistics.searchedTo == b.statistics.searchedTo
+            ? QString()
+            : QStringLiteral("the surface was looked for to another depth"),
         number("generation", a.generation, b.generation),
         number("atClosure", int(a.atClosure), int(b.atClosure)),
         a.alarm == b.alarm ? QString() : QStringLiteral("another alarm"),

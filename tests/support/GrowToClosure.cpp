@@ -71,4 +71,20 @@ GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
     return grown;
 }
 
+std::vector<glm::ivec3> seedsOnDiagonal(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes, int low, int high)
+{
+    constexpr int looks = 256;
+    std::vector<glm::ivec3> seeds;
+    for (int i = 0; i < looks; ++i) {
+        const glm::ivec3 voxel = size * i / looks;
+        const int code = codes[(std::size_t(voxel.z) * std::size_t(size.y) + std::size_t(voxel.y))
+                * std::size_t(size.x)
+            + std::size_t(voxel.x)];
+        if (code >= low && code <= high && (seeds.empty() || seeds.back() != voxel))
+            seeds.push_back(voxel);
+    }
+    return seeds;
+}
+
 } // namespace test

@@ -22,4 +22,8 @@ struct GrownVoxels {
     std::span<const glm::ivec3> seeds, int lowCode, int highCode,
     const core::GrowLimits& limits = {});
 
+/// Voxels of codes low … high on the volume's diagonal: many seeds, some of them alone.
+[[nodiscard]] std::vector<glm::ivec3> seedsOnDiagonal(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes, int low, int high);
+
 } // namespace test

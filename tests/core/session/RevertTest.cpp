@@ -225,7 +225,7 @@ private Q_SLOTS:
         const glm::dvec3 other = middle + glm::dvec3(secondBallMm, 0, 0);
         const auto painted = [](const glm::dvec3& at) {
             PaintStroke paint{.segment = 1};
-            paint.path = {.pointsLps = {at}, .radiusMm = 4};
+            paint.path = {.radiusMm = 4, .pointsLps = {at}};
             return paint;
         };
         const SeedStroke seed{.segment = 2, .pointsLps = {other}};

@@ -42,23 +42,6 @@ std::int64_t countMembers(const std::vector<std::uint8_t>& mask)
     return std::count(mask.begin(), mask.end(), std::uint8_t{1});
 }
 
-/// Accepted voxels on the volume's diagonal: many seeds, some of them alone.
-std::vector<glm::ivec3> seedsOnDiagonal(
-    const glm::ivec3& size, const std::vector<std::uint16_t>& codes, int low, int high)
-{
-    constexpr int looks = 256;
-    std::vector<glm::ivec3> seeds;
-    for (int i = 0; i < looks; ++i) {
-        const glm::ivec3 voxel = size * i / looks;
-        const int code = codes[(std::size_t(voxel.z) * std::size_t(size.y) + std::size_t(voxel.y))
-                * std::size_t(size.x)
-            + std::size_t(voxel.x)];
-        if (code >= low && code <= high && (seeds.empty() || seeds.back() != voxel))
-            seeds.push_back(voxel);
-    }
-    return seeds;
-}
-
 /// Everything that the growth wrote, label plane and seed words.
 std::vector<core::BrickChange> written(core::EditEngine& engine, const glm::ivec3& size,
     const std::vector<std::uint16_t>& codes, std::span<const glm::ivec3> seeds, int low, int high)
@@ -119,7 +102,7 @@ void GrowItkGlTest::randomVolume()
         inBalls ? test::balls(size, 60, random) : test::noiseVolume(size, 999, random);
     const int low = inBalls ? test::tissueCode - 200 : 0; // the noisiest of the balls are holes
     const int high = inBalls ? test::tissueCode : share - 1;
-    const std::vector<glm::ivec3> seeds = seedsOnDiagonal(size, codes.values, low, high);
+    const std::vector<glm::ivec3> seeds = test::seedsOnDiagonal(size, codes.values, low, high);
 
     QVERIFY(m_gpu.engine().openVolume(size, codes.values).has_value());
     const test::GrownVoxels ours = test::growToClosure(m_gpu.engine(), size, seeds, low, high);
@@ -208,7 +191,7 @@ void GrowItkGlTest::realSeries()
     const core::VoxelEncoding& encoding = loaded->volume.encoding;
     const int low = encoding.lowestCodeAtLeast(lower);
     const int high = encoding.highestCodeAtMost(upper);
-    const std::vector<glm::ivec3> seeds = seedsOnDiagonal(size, loaded->codes, low, high);
+    const std::vector<glm::ivec3> seeds = test::seedsOnDiagonal(size, loaded->codes, low, high);
 
     QVERIFY(m_gpu.engine().openVolume(size, loaded->codes).has_value());
     const test::GrownVoxels ours = test::growToClosure(m_gpu.engine(), size, seeds, low, high);
