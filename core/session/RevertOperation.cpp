@@ -40,63 +40,6 @@ std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
     return keys;
 }
 
-/// A growth that goes on from all members that are there, and asks no voxel but them and their
-/// neighbours. (A ball that has to pass asks voxels all around.)
-bool growsOn(const Edit& edit)
-{
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
-        return !grow->criteria.passage;
-    const auto* interval = std::get_if<ChangeInterval>(&edit);
-    return interval && !interval->criteria.passage;
-}
-
-bool mayWriteSeedWords(const Edit& edit)
-{
-    return !changesDocumentOnly(edit) && !sculptEdit(edit)
-        && !std::holds_alternative<SegmentToLayer>(edit)
-        && !std::holds_alternative<MergeLayers>(edit) && !std::holds_alternative<RemoveLayer>(edit);
-}
-
-/// The bricks in which seed words differ, and those that lie one voxel beside such a word.
-std::set<std::uint32_t> besideWords(
-    const std::vector<BrickImage>& differences, const Document& document)
-{
-    const BrickGrid grid{document.volumes.front().geometry.size};
-    const int width = bytesPerVoxel(Field::SeedWords);
-    std::set<std::uint32_t> beside;
-    for (const BrickImage& difference : differences) {
-        if (difference.key.field != Field::SeedWords
-            || difference.key.plane != document.growths.front().plane)
-            continue;
-        const VoxelBox box = grid.boxOf(int(difference.key.brick));
-        glm::ivec3 low = box.maximum;
-        glm::ivec3 high = box.minimum;
-        for (int z = box.minimum.z; z < box.maximum.z; ++z) {
-            for (int y = box.minimum.y; y < box.maximum.y; ++y) {
-                for (int x = box.minimum.x; x < box.maximum.x; ++x) {
-                    const auto word = difference.bytes.begin()
-                        + std::ptrdiff_t(BrickGrid::offsetInBrick({x, y, z})) * width;
-                    if (std::all_of(
-                            word, word + width, [](std::uint8_t byte) { return byte == 0; }))
-                        continue;
-                    low = glm::min(low, glm::ivec3(x, y, z));
-                    high = glm::max(high, glm::ivec3(x, y, z));
-                }
-            }
-        }
-        if (low.x > high.x)
-            continue;
-        const glm::ivec3 first = glm::max(low - 1, glm::ivec3(0)) / BrickGrid::side;
-        const glm::ivec3 last = glm::min(high + 1, grid.volumeSize - 1) / BrickGrid::side;
-        for (int z = first.z; z <= last.z; ++z)
-            for (int y = first.y; y <= last.y; ++y)
-                for (int x = first.x; x <= last.x; ++x)
-                    beside.insert(
-                        std::uint32_t(grid.brickOf(glm::ivec3(x, y, z) * int(BrickGrid::side))));
-    }
-    return beside;
-}
-
 /// What must not have been written by later rows that take back or revise, though the bricks of the
 /// row itself say nothing of it.
 struct Claim {
@@ -221,13 +164,14 @@ void RevertOperation::start(SessionState& state)
             m_toLoad.push_back(row);
     }
     // Where a later growth asked follows from where seed words stood or came by then.
-    const auto growth = std::find_if(m_path.rbegin(), m_path.rend(),
-        [&](RowId row) { return !isTakenBack(row) && growsOn(state.history.row(row).edit); });
+    const auto growth = std::find_if(m_path.rbegin(), m_path.rend(), [&](RowId row) {
+        return !isTakenBack(row) && GrowthTrace::isOf(state.history.row(row).edit);
+    });
     for (const RowId row : path) {
         if (growth == m_path.rend() || row > *growth)
             break;
         const Edit& edit = state.history.row(row).edit;
-        if (mayWriteSeedWords(edit) && !(row >= m_path.front() && isNeeded(row, edit)))
+        if (GrowthTrace::mayNeed(edit) && !(row >= m_path.front() && isNeeded(row, edit)))
             m_toLoad.push_back(row);
     }
     loadNext(state);
@@ -243,13 +187,8 @@ RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
 {
     const HistoryRow& traced = state.history.row(row);
     RowTrace trace{.searchedTo = traced.statistics.searchedTo};
-    if (growsOn(traced.edit)) {
-        trace.grownBeside.emplace();
-        for (const auto& [earlier, bricks] : m_besideWords) {
-            if (earlier <= row)
-                trace.grownBeside->insert(bricks.begin(), bricks.end());
-        }
-    }
+    if (GrowthTrace::isOf(traced.edit))
+        trace.grownBeside = m_growth.bricksUpTo(row);
     return trace;
 }
 
@@ -307,7 +246,7 @@ void RevertOperation::takeDifferences(
         return giveUp(state, differences.error());
     const RowId row = m_toLoad.back();
     m_toLoad.pop_back();
-    m_besideWords[row] = besideWords(*differences, state.document);
+    m_growth.note(row, *differences, state.document);
     if (row >= m_path.front() && isNeeded(row, state.history.row(row).edit))
         m_differences[row] = *std::move(differences);
     loadNext(state);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/session/DifferenceSwap.h"
+#include "core/session/GrowthTrace.h"
 #include "core/session/Operation.h"
 #include "core/session/RowReach.h"
 
 #include <map>
-#include <set>
 
 namespace core {
 
@@ -40,8 +40,7 @@ private:
     std::vector<RowId> m_path; ///< from the first row that is taken back to the position
     std::vector<RowId> m_toLoad; ///< the last is loaded next
     std::map<RowId, std::vector<BrickImage>> m_differences;
-    /// By row, the bricks in which it changed seed words, and those beside such voxels.
-    std::map<RowId, std::set<std::uint32_t>> m_besideWords;
+    GrowthTrace m_growth;
     DifferenceSwap m_swap;
     bool m_done = false;
 };

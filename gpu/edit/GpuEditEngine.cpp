@@ -125,9 +125,13 @@ void GpuEditEngine::showAtTolerance(const std::optional<ToleranceDisplay>& shown
 
 void GpuEditEngine::warmUp()
 {
-    if (!m_warmedUp)
-        m_warmUp.emplace(m_programs, m_fieldPrograms);
-    m_warmedUp = true;
+    if (!m_fields)
+        return;
+    const glm::ivec3 size = KernelWarmUp::sizeLike(m_fields->grid().volumeSize);
+    if (std::find(m_warmSizes.begin(), m_warmSizes.end(), size) != m_warmSizes.end())
+        return;
+    m_warmUp.emplace(m_programs, m_fieldPrograms, size);
+    m_warmSizes.push_back(size);
 }
 
 std::size_t GpuEditEngine::brickBytes() const

@@ -89,7 +89,7 @@ private:
     EditPrograms m_programs;
     FieldPrograms m_fieldPrograms;
     std::optional<KernelWarmUp> m_warmUp; ///< what is left to run for the first time
-    bool m_warmedUp = false;
+    std::vector<glm::ivec3> m_warmSizes; ///< of KernelWarmUp, that were run or are
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
     CutForesight m_foresight;

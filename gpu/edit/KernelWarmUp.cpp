@@ -7,25 +7,26 @@
 #include "core/growth/SeedWord.h"
 
 #include <array>
+#include <bit>
 
 namespace gpu {
 
 namespace {
 
-constexpr int side = 40; // voxels of 1 mm; bricks at the rim are not whole
+constexpr int leastSide = 32; // voxels of 1 mm
 constexpr std::uint16_t matter = 1000;
 constexpr std::uint8_t label = 1;
 
-/// A cube of matter in air.
-std::vector<std::uint16_t> someCodes()
+/// A box of matter in air.
+std::vector<std::uint16_t> someCodes(const glm::ivec3& size)
 {
     std::vector<std::uint16_t> codes;
-    for (int k = 0; k < side; ++k)
-        for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
                 const glm::ivec3 voxel(i, j, k);
                 const bool inside = glm::all(glm::greaterThan(voxel, glm::ivec3(3)))
-                    && glm::all(glm::lessThan(voxel, glm::ivec3(side - 4)));
+                    && glm::all(glm::lessThan(voxel, size - 4));
                 codes.push_back(inside ? matter : 0);
             }
     return codes;
@@ -33,25 +34,39 @@ std::vector<std::uint16_t> someCodes()
 
 core::OrthographicView fromFront()
 {
-    const double middle = side / 2.0;
+    const double middle = leastSide / 2.0;
     return {.eyeLps = {middle, -100.0, middle}, .targetLps = glm::dvec3(middle), .up = {0, 0, 1}};
 }
 
 const std::vector<glm::dvec2> outline{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
 const std::vector<core::PenSample> path{{.xMm = -3.0}, {.xMm = 3.0, .tSeconds = 0.1}};
-const core::BrushPath brushPath{.radiusMm = 3.0, .pointsLps = {{20, 6, 20}, {20, 12, 20}}};
+const core::BrushPath brushPath{.radiusMm = 3.0, .pointsLps = {{16, 6, 16}, {16, 12, 16}}};
 
 } // namespace
 
-KernelWarmUp::KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms)
+glm::ivec3 KernelWarmUp::sizeLike(const glm::ivec3& volumeSize)
+{
+    glm::ivec3 size;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto voxels = unsigned(volumeSize[axis]);
+        const unsigned bricks = (voxels + core::BrickGrid::side - 1) / core::BrickGrid::side;
+        size[axis] = std::has_single_bit(voxels) ? leastSide
+            : std::has_single_bit(bricks)        ? 50
+                                                 : 40;
+    }
+    return size;
+}
+
+KernelWarmUp::KernelWarmUp(
+    EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size)
     : m_programs(programs)
 {
-    const std::vector<std::uint16_t> codes = someCodes();
-    if (!m_textures.open(glm::ivec3(side), codes))
+    const std::vector<std::uint16_t> codes = someCodes(size);
+    if (!m_textures.open(size, codes))
         return; // no room for it: the tools will do without
     m_fields = std::make_unique<VoxelFields>(fieldPrograms, m_textures);
     core::Volume volume;
-    volume.geometry.size = glm::ivec3(side);
+    volume.geometry.size = size;
     m_document = core::initialDocument(std::move(volume));
     core::Segment segment;
     segment.label = label;
@@ -147,7 +162,7 @@ void KernelWarmUp::runBrushes()
 void KernelWarmUp::runGrowth()
 {
     // From one seed the front is small first and then large: both forms of the kernel run.
-    run(core::SeedPlacement{.label = label, .voxels = {glm::ivec3(side / 2)}}, {},
+    run(core::SeedPlacement{.label = label, .voxels = {glm::ivec3(leastSide / 2)}}, {},
         core::Ending::Commit);
     core::GrowBurst burst{.lowCode = matter, .highCode = matter};
     run(burst, {core::GrowAdvance{}}, core::Ending::Commit);

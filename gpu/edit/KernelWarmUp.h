@@ -13,8 +13,13 @@ namespace gpu {
 /// kernel only when it first runs. Engine thread only.
 class KernelWarmUp {
 public:
-    /// @param programs both outlive this
-    KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms);
+    /// The size of a small volume for whose textures a driver compiles what it will need for those
+    /// of this one: llvmpipe has code of its own for sides that are powers of two, of voxels and of
+    /// bricks.
+    [[nodiscard]] static glm::ivec3 sizeLike(const glm::ivec3& volumeSize);
+
+    /// @param programs both outlive this @param size one of sizeLike()
+    KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size);
 
     /// The next tool, begun and rolled back. Costs what its compilation costs, up to a few tenths
     /// of a second with a software driver. @return whether more are left
