@@ -15,13 +15,20 @@ namespace ui::theme {
 
 namespace {
 
-QString family()
+QString bestFamily()
 {
     for (const QString& name : {QStringLiteral("Inter"), QStringLiteral("Inter Variable")}) {
         if (QFontDatabase::hasFamily(name))
             return name;
     }
     return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
+}
+
+QString family()
+{
+    // Views ask with every picture, and the system looks through all its fonts for an answer.
+    static const QString best = bestFamily();
+    return best;
 }
 
 QFont font(double pixels, QFont::Weight weight)
