@@ -3,11 +3,10 @@
 
 #include "app/Arguments.h"
 #include "app/ExportFiles.h"
-#include "app/JsonLine.h"
 #include "app/RunKeyframes.h"
+#include "app/RunSteps.h"
 #include "app/SessionPlan.h"
 #include "core/edits/DocumentEdits.h"
-#include "core/edits/EditJson.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionImages.h"
@@ -19,10 +18,8 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QJsonObject>
 #include <QMap>
 
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -51,79 +48,6 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     }
 }
 
-/// One line for an edit that is carried out and on disk; an edit that changed nothing has no row.
-void printEdit(const core::Edit& edit, const core::EditSession& session, bool changed)
-{
-    QJsonObject line{
-        {QStringLiteral("edit"), core::editName(edit)},
-        {QStringLiteral("row"), QJsonValue()},
-        {QStringLiteral("name"), QStringLiteral("nothing changed")},
-        {QStringLiteral("voxelsChanged"), 0},
-        {QStringLiteral("bricks"), 0},
-        {QStringLiteral("ms"), 0},
-        {QStringLiteral("hash"), QString::fromLatin1(session.stateHash())},
-    };
-    if (changed) {
-        const core::HistoryRow& row = session.history().rows().back();
-        line[QStringLiteral("row")] = qint64(row.id);
-        line[QStringLiteral("name")] = row.name;
-        line[QStringLiteral("voxelsChanged")] = qint64(row.statistics.voxelsChanged);
-        line[QStringLiteral("bricks")] = row.statistics.bricks;
-        line[QStringLiteral("ms")] = std::round(row.statistics.milliseconds * 1000.0) / 1000.0;
-        line[QStringLiteral("hash")] = QString::fromLatin1(row.stateHash);
-    }
-    printJsonLine(line);
-}
-
-/// One line for a walk through the history: where it arrived.
-void printMove(const core::RecipeStep& step, const core::EditSession& session)
-{
-    const core::RowId position = session.history().position();
-    printJsonLine({
-        {QStringLiteral("edit"), core::stepName(step)},
-        {QStringLiteral("row"), qint64(position)},
-        {QStringLiteral("name"),
-            position == 0 ? QStringLiteral("the beginning") : session.history().row(position).name},
-        {QStringLiteral("hash"), QString::fromLatin1(session.stateHash())},
-    });
-}
-
-Result<void> walk(const core::HistoryMove& move, core::EditSession& session)
-{
-    switch (move.kind) {
-    case core::HistoryMove::Kind::Undo:
-        return session.undo();
-    case core::HistoryMove::Kind::Redo:
-        return session.redo();
-    case core::HistoryMove::Kind::GoTo:
-        return session.goTo(move.row);
-    }
-    return {};
-}
-
-Result<void> carryOut(
-    const std::vector<core::RecipeStep>& steps, core::EditSession& session, RunKeyframes& keyframes)
-{
-    for (const core::RecipeStep& step : steps) {
-        const std::size_t rowsBefore = session.history().rows().size();
-        const auto* edit = std::get_if<core::Edit>(&step);
-        const Result<void> begun =
-            edit ? session.apply(*edit) : walk(std::get<core::HistoryMove>(step), session);
-        if (!begun)
-            return begun;
-        // What a line tells of is on disk before the line is out.
-        if (const Result<void> settled = session.settle(); !settled)
-            return settled;
-        if (edit)
-            printEdit(*edit, session, session.history().rows().size() > rowsBefore);
-        else
-            printMove(step, session);
-        keyframes.follow();
-    }
-    keyframes.close();
-    return {};
-}
-
 /// What can be known without loading anything.
 Result<void> checkSessionTarget(const QString& file, bool force, bool append)
 {
@@ -146,30 +70,37 @@ QString counted(const QMap<QString, int>& steps)
     return words.isEmpty() ? QStringLiteral("nothing") : words.join(QStringLiteral(", "));
 }
 
-/// The steps that mean something on this study. @return nothing where the user has to agree first
-std::optional<std::vector<core::RecipeStep>> stepsFor(
-    const core::Recipe& recipe, const core::Volume& volume, bool applyElsewhere)
+/// What of a recipe is carried out on another study, told on stderr.
+/// @return what is left out; nothing where the user has to agree first
+std::optional<std::vector<core::RecipeElsewhere::LeftOut>> tellElsewhere(
+    const core::RecipeElsewhere& elsewhere, const core::Volume& volume, bool agreed)
 {
-    const QString difference = recipe.study ? recipe.study->differenceFrom(volume) : QString();
-    if (difference.isEmpty())
-        return recipe.steps;
-    std::vector<core::RecipeStep> kept;
+    const core::Recipe& recipe = elsewhere.recorded();
+    core::RecipeElsewhere::Foreseen foreseen = elsewhere.foreseen(core::initialDocument(volume));
     QMap<QString, int> applied;
-    QMap<QString, int> skipped;
-    for (const core::RecipeStep& step : recipe.steps) {
-        const bool bound = core::isBoundToStudy(step);
-        ++(bound ? skipped : applied)[core::stepName(step)];
-        if (!bound)
-            kept.push_back(step);
+    for (const core::RecipeStep& step : foreseen.recipe.steps)
+        ++applied[core::stepName(step)];
+    QMap<QString, int> bound;
+    QStringList wanting;
+    for (const core::RecipeElsewhere::LeftOut& left : foreseen.leftOut) {
+        const QString name = core::stepName(recipe.steps[std::size_t(left.entry - 1)]);
+        if (left.bound)
+            ++bound[name];
+        else
+            wanting += QStringLiteral("edit %1 (%2): %3").arg(left.entry).arg(name, left.why);
     }
-    std::fprintf(stderr,
-        "%s: it was recorded on another study (%s); %s %s; skipped, bound to "
-        "places in that study: %s\n",
-        qUtf8Printable(recipe.path), qUtf8Printable(difference),
-        applyElsewhere ? "applied:" : "it would apply", qUtf8Printable(counted(applied)),
-        qUtf8Printable(counted(skipped)));
-    if (applyElsewhere)
-        return kept;
+    QString sentence =
+        QStringLiteral("%1 %2; skipped, bound to places in that study: %3")
+            .arg(agreed ? QStringLiteral("applied:") : QStringLiteral("it would apply"),
+                counted(applied), counted(bound));
+    if (!wanting.isEmpty())
+        sentence += QStringLiteral("; skipped for want of what they are about: ")
+            + wanting.join(QStringLiteral(", "));
+    std::fprintf(stderr, "%s: it was recorded on another study (%s); %s\n",
+        qUtf8Printable(recipe.path), qUtf8Printable(recipe.study->differenceFrom(volume)),
+        qUtf8Printable(sentence));
+    if (agreed)
+        return std::move(foreseen.leftOut);
     std::fprintf(stderr, "burin run: --apply-elsewhere does so\n");
     return {};
 }
@@ -243,7 +174,7 @@ Result<std::unique_ptr<core::EditSession>> begin(
     return core::EditSession::open(engine, std::move(loaded), file);
 }
 
-int run(core::Recipe recipe, const Arguments& arguments)
+int run(const core::Recipe& recipe, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
@@ -258,12 +189,18 @@ int run(core::Recipe recipe, const Arguments& arguments)
     if (!loaded)
         return tellFailure(loaded.error());
     tellNotFromStudy(loaded->notFromStudy, file);
-    auto steps = stepsFor(recipe, loaded->volume, arguments.has("apply-elsewhere"));
-    if (!steps)
-        return 1;
-    recipe.steps = *std::move(steps);
-    const auto fits = [&](core::Document document) {
-        return core::checkRecipe(recipe, std::move(document), force);
+    std::optional<core::RecipeElsewhere> elsewhere;
+    std::vector<core::RecipeElsewhere::LeftOut> leftOut;
+    if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {
+        elsewhere.emplace(recipe);
+        auto told = tellElsewhere(*elsewhere, loaded->volume, arguments.has("apply-elsewhere"));
+        if (!told)
+            return 1;
+        leftOut = *std::move(told);
+    }
+    const auto fits = [&](const core::Document& document) {
+        return core::checkRecipe(
+            elsewhere ? elsewhere->foreseen(document).recipe : recipe, document, force);
     };
     if (!goesOn) {
         if (const Result<void> fit = fits(core::initialDocument(loaded->volume)); !fit)
@@ -297,7 +234,8 @@ int run(core::Recipe recipe, const Arguments& arguments)
         if (plan.damage)
             tellFailure(*plan.damage);
         RunKeyframes keyframes((*engine)->frames(), *session);
-        done = carryOut(recipe.steps, *session, keyframes);
+        done = elsewhere ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes)
+                         : carryOut(recipe, *session, keyframes);
     }
     if (!done) {
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
@@ -311,7 +249,9 @@ int run(core::Recipe recipe, const Arguments& arguments)
         return status;
     }
     // The session is whole by now and stays, whatever becomes of the exports.
-    if (const Result<void> exported = exportFiles(recipe.exports, *session, force); !exported)
+    const std::vector<core::RecipeExport> exports =
+        elsewhere ? elsewhere->exports() : recipe.exports;
+    if (const Result<void> exported = exportFiles(exports, *session, force); !exported)
         return tellFailure(exported.error());
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;

@@ -18,15 +18,26 @@ namespace core {
 
 namespace {
 
-/// The same error, saying where in the recipe it is.
-tl::unexpected<Error> at(Error error, const char* list, int index)
+Error placed(Error error, const char* list, int entry)
 {
-    const QString place = QStringLiteral("(%1 %2)").arg(QLatin1String(list)).arg(index + 1);
+    const QString place = QStringLiteral("(%1 %2)").arg(QLatin1String(list)).arg(entry);
     if (error.arguments.size() < 2)
         error.arguments.append(place);
     else
         error.arguments[1] += QLatin1Char(' ') + place;
-    return tl::unexpected<Error>(std::move(error));
+    return error;
+}
+
+/// The same error, saying where in the recipe it is.
+tl::unexpected<Error> at(Error error, const char* list, int index)
+{
+    return tl::unexpected<Error>(placed(std::move(error), list, index + 1));
+}
+
+/// The place of a step in the recipe's file, from 1.
+int entryOf(const Recipe& recipe, std::size_t step)
+{
+    return recipe.entries.empty() ? int(step) + 1 : recipe.entries[step];
 }
 
 Result<QJsonObject> readJson(const QString& path)
@@ -160,6 +171,11 @@ Result<void> checkTarget(const RecipeExport& target, const Volume& volume, bool 
 
 } // namespace
 
+Error atEdit(Error error, int entry)
+{
+    return placed(std::move(error), "edit", entry);
+}
+
 Result<Recipe> readRecipe(const QString& path)
 {
     Result<QJsonObject> object = readJson(path);
@@ -171,7 +187,7 @@ Result<Recipe> readRecipe(const QString& path)
     const Result<QJsonArray> exports = takeList(*object, "export", false);
     if (!exports)
         return tl::unexpected(exports.error());
-    Recipe recipe{.path = path, .study = {}, .steps = {}, .exports = {}};
+    Recipe recipe{.path = path, .study = {}, .steps = {}, .entries = {}, .exports = {}};
     if (const QJsonValue study = object->take(QStringLiteral("study")); !study.isUndefined()) {
         recipe.study = SessionSource::fromJson(study.toObject());
         if (!recipe.study)
@@ -207,7 +223,7 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
         if (walks)
             break;
         if (const Result<void> checked = checkAgainst(document, *edit); !checked)
-            return at(checked.error(), "edit", int(i));
+            return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
         static_cast<void>(applyToDocument(*edit, document));
         if (const auto* seed = std::get_if<SeedStroke>(edit))
             seeded.insert(seed->segment);

@@ -28,6 +28,7 @@ struct Recipe {
     QString path;
     std::optional<SessionSource> study; ///< what it was recorded on, where it says so
     std::vector<RecipeStep> steps;
+    std::vector<int> entries{}; ///< their places in the file, from 1; empty: as they stand here
     std::vector<RecipeExport> exports;
 };
 
@@ -42,5 +43,8 @@ struct Recipe {
 /// FileUnwritable, SegmentNotCoded (a segment that is seeded and goes into a DICOM SEG).
 [[nodiscard]] Result<void> checkRecipe(
     const Recipe& recipe, Document document, bool replaceExisting);
+
+/// The same error, saying by which entry of a recipe's edits: "(edit 3)", counted from 1.
+[[nodiscard]] Error atEdit(Error error, int entry);
 
 } // namespace core

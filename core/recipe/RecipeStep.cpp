@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace core {
 
@@ -25,6 +26,8 @@ constexpr std::array<MoveWord, 3> moveWords{{
     {HistoryMove::Kind::Redo, "redo", "Brings back the step that was taken back last."},
     {HistoryMove::Kind::GoTo, "goTo", "Walks to any row of the history, on any branch."},
 }};
+
+template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 const MoveWord* moveNamed(const QString& name)
 {
@@ -87,17 +90,27 @@ QString stepName(const RecipeStep& step)
 bool isBoundToStudy(const RecipeStep& step)
 {
     const auto* edit = std::get_if<Edit>(&step);
-    if (const auto* cut = edit ? std::get_if<CutPiece>(edit) : nullptr)
-        return cut->pivotLps.has_value();
-    if (const auto* paste = edit ? std::get_if<PastePiece>(edit) : nullptr)
-        return paste->pivotLps.has_value();
-    return !edit || std::holds_alternative<SeedStroke>(*edit)
-        || std::holds_alternative<DrillStroke>(*edit) || std::holds_alternative<PaintStroke>(*edit)
-        || std::holds_alternative<BarrierStroke>(*edit)
-        || std::holds_alternative<BrushStroke>(*edit) || std::holds_alternative<PeelCut>(*edit)
-        || std::holds_alternative<ScissorsCut>(*edit) || std::holds_alternative<LaserStroke>(*edit)
-        || std::holds_alternative<AddBookmark>(*edit) || std::holds_alternative<RevertRows>(*edit)
-        || std::holds_alternative<ReviseStroke>(*edit);
+    if (!edit)
+        return true;
+    return std::visit(
+        [](const auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (isOneOf<E, CutPiece, PastePiece>)
+                return known.pivotLps.has_value();
+            else if constexpr (isOneOf<E, GrowFromSeeds>)
+                return known.box.has_value();
+            else if constexpr (isOneOf<E, GrowSteps>)
+                return known.criteria.box.has_value();
+            else if constexpr (isOneOf<E, ChangeInterval>)
+                return !known.asBefore && known.criteria.box.has_value();
+            else if constexpr (isOneOf<E, SegmentSeen>)
+                return known.hidden.has_value();
+            else
+                return isOneOf<E, SeedStroke, DrillStroke, LaserStroke, PeelCut, ScissorsCut,
+                    BrushStroke, PaintStroke, BarrierStroke, ShrinkAt, PlugLeak, AddBookmark,
+                    AddMeasurement, RevertRows, ReviseStroke>;
+        },
+        *edit);
 }
 
 std::vector<EditDocumentation> recipeStepDocumentation()

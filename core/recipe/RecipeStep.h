@@ -31,7 +31,8 @@ using RecipeStep = std::variant<Edit, HistoryMove>;
 [[nodiscard]] QString stepName(const RecipeStep& step);
 
 /// Whether a step means a place or a row of one study and so nothing on another: seeds, strokes,
-/// walks. Segments, their names and codes, and growth intervals go over.
+/// measurements, whatever has a box, a pivot or a clip region, walks. Segments, their names and
+/// codes, and growth intervals go over.
 [[nodiscard]] bool isBoundToStudy(const RecipeStep& step);
 
 /// editDocumentation() and the walks: everything a recipe's list can hold.

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/recipe/Recipe.h"
+#include "core/recipe/RecipeElsewhere.h"
+
+#include <vector>
+
+namespace core {
+class EditSession;
+}
+
+namespace app {
+
+class RunKeyframes;
+
+/// Carries out a recipe's steps, one after the other, and prints one line of JSON for each once it
+/// is on disk. Errors name the entry of the recipe.
+[[nodiscard]] core::Result<void> carryOut(
+    const core::Recipe& recipe, core::EditSession& session, RunKeyframes& keyframes);
+
+/// Likewise on another study than it was recorded on. Steps that turn out to need what is not here
+/// are named on stderr, those in @p toldBefore not again.
+[[nodiscard]] core::Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
+    const std::vector<core::RecipeElsewhere::LeftOut>& toldBefore, core::EditSession& session,
+    RunKeyframes& keyframes);
+
+} // namespace app

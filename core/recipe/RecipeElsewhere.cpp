@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recipe/RecipeElsewhere.h"
+
+#include "core/edits/DocumentEdits.h"
+
+#include <type_traits>
+
+namespace core {
+
+namespace {
+
+/// Maker of what every document begins with.
+constexpr std::size_t fromTheStart = std::size_t(-1);
+constexpr int firstLayer = 1;
+
+template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
+
+} // namespace
+
+/// Shows every number that an edit names a thing by.
+template <class Take> void RecipeElsewhere::visitNumbers(Edit& edit, const Take& take)
+{
+    const auto maybe = [&take](Kind kind, std::optional<int>& number) {
+        if (number)
+            take(kind, *number);
+    };
+    std::visit(
+        [&](auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (isOneOf<E, ChangeSegment, MoveSegment, RemoveSegment, SegmentToLayer,
+                              PastePiece, SeedStroke, PaintStroke>)
+                take(Kind::Segment, known.segment);
+            if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
+                maybe(Kind::Segment, known.target.segment);
+            if constexpr (isOneOf<E, ChangeLayer, MoveLayer, RemoveLayer, LayerToSegment,
+                              SegmentToLayer, CutPiece, DrillStroke, LaserStroke, BrushStroke,
+                              PeelCut, ScissorsCut>)
+                take(Kind::Layer, known.layer);
+            if constexpr (isOneOf<E, ChangePiece, RemovePiece>)
+                take(Kind::Piece, known.piece);
+            if constexpr (isOneOf<E, AddMeasurement>)
+                maybe(Kind::Piece, known.piece);
+            if constexpr (isOneOf<E, RemoveBookmark>)
+                take(Kind::Bookmark, known.bookmark);
+            if constexpr (isOneOf<E, RemoveMeasurement>)
+                take(Kind::Measurement, known.measurement);
+            if constexpr (isOneOf<E, MergeLayers>) {
+                take(Kind::Layer, known.from);
+                take(Kind::Layer, known.into);
+            }
+            if constexpr (isOneOf<E, GrowFromSeeds>) {
+                if (known.segments) {
+                    for (int& segment : *known.segments)
+                        take(Kind::Segment, segment);
+                }
+            }
+        },
+        edit);
+}
+
+const char* RecipeElsewhere::wordFor(Kind kind)
+{
+    switch (kind) {
+    case Kind::Segment:
+        return "segment";
+    case Kind::Layer:
+        return "sculpt layer";
+    case Kind::Piece:
+        return "piece";
+    case Kind::Bookmark:
+        return "bookmark";
+    case Kind::Measurement:
+        return "measurement";
+    }
+    return "";
+}
+
+int RecipeElsewhere::lastGiven(Kind kind, const Document& document)
+{
+    switch (kind) {
+    case Kind::Segment:
+        return document.lastLabelGiven();
+    case Kind::Layer:
+        return document.lastLayerGiven();
+    case Kind::Piece:
+        return document.lastPieceGiven();
+    case Kind::Bookmark:
+        return document.lastBookmarkGiven();
+    case Kind::Measurement:
+        return document.lastMeasurementGiven();
+    }
+    return 0;
+}
+
+bool RecipeElsewhere::isThere(Kind kind, int number, const Document& document)
+{
+    switch (kind) {
+    case Kind::Segment:
+        return document.segment(number) != nullptr;
+    case Kind::Layer:
+        return document.layer(number) != nullptr;
+    case Kind::Piece:
+        return document.piece(number) != nullptr;
+    case Kind::Bookmark:
+        return document.bookmark(number) != nullptr;
+    case Kind::Measurement:
+        return document.measurement(number) != nullptr;
+    }
+    return false;
+}
+
+bool RecipeElsewhere::mayMake(const Edit& edit, Kind& kind)
+{
+    return std::visit(
+        [&kind](const auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (isOneOf<E, AddSegment, LayerToSegment, SegmentSeen>)
+                kind = Kind::Segment;
+            else if constexpr (isOneOf<E, AddLayer>)
+                kind = Kind::Layer;
+            else if constexpr (isOneOf<E, CutPiece, PastePiece>)
+                kind = Kind::Piece;
+            else if constexpr (isOneOf<E, AddBookmark>)
+                kind = Kind::Bookmark;
+            else if constexpr (isOneOf<E, AddMeasurement>)
+                kind = Kind::Measurement;
+            else
+                return false;
+            return true;
+        },
+        edit);
+}
+
+RecipeElsewhere::RecipeElsewhere(Recipe recipe)
+    : m_recipe(std::move(recipe))
+{
+    m_numbers[fromTheStart] = firstLayer;
+    followRecorded();
+}
+
+/// Where it was recorded every edit was a row, and what could be made was.
+void RecipeElsewhere::followRecorded()
+{
+    struct State {
+        Document document;
+        Makers makers;
+    };
+    std::vector<State> states{
+        {initialDocument({}), {{{Kind::Layer, firstLayer}, fromTheStart}}}}; // by row
+    History history;
+    for (std::size_t i = 0; i < m_recipe.steps.size(); ++i) {
+        const State& before = states[std::size_t(history.position())];
+        m_makers.push_back(before.makers);
+        if (const auto* move = std::get_if<HistoryMove>(&m_recipe.steps[i])) {
+            const RowId position = history.position();
+            if (move->kind == HistoryMove::Kind::GoTo && move->row <= RowId(history.rows().size()))
+                history.moveTo(move->row);
+            else if (move->kind == HistoryMove::Kind::Undo && history.canUndo())
+                history.moveTo(history.row(position).parent);
+            else if (move->kind == HistoryMove::Kind::Redo && history.canRedo())
+                history.moveTo(history.redoTarget());
+            continue;
+        }
+        const auto& edit = std::get<Edit>(m_recipe.steps[i]);
+        State after = before;
+        const Result<bool> changed = applyToDocument(edit, after.document);
+        if (!changed || (!*changed && changesDocumentOnly(edit)))
+            continue; // no row came of it
+        Kind kind{};
+        const bool makes = mayMake(edit, kind)
+            && lastGiven(kind, after.document) > lastGiven(kind, before.document);
+        if (makes)
+            after.makers[{kind, lastGiven(kind, after.document)}] = i;
+        HistoryRow row;
+        row.edit = edit;
+        history.append(std::move(row));
+        states.push_back(std::move(after));
+    }
+    m_makers.push_back(states[std::size_t(history.position())].makers);
+}
+
+QString RecipeElsewhere::titleOf(std::size_t step) const
+{
+    return QStringLiteral("edit %1 (%2)").arg(step + 1).arg(stepName(m_recipe.steps[step]));
+}
+
+tl::expected<Edit, RecipeElsewhere::LeftOut> RecipeElsewhere::here(
+    std::size_t step, const Document& now) const
+{
+    LeftOut leftOut{
+        .entry = int(step) + 1, .bound = isBoundToStudy(m_recipe.steps[step]), .why = {}};
+    if (leftOut.bound)
+        return tl::unexpected(leftOut);
+    Edit edit = std::get<Edit>(m_recipe.steps[step]);
+    const Makers& makers = m_makers[step];
+    visitNumbers(edit, [&](Kind kind, int& number) {
+        if (!leftOut.why.isEmpty())
+            return;
+        const QString word = QLatin1String(wordFor(kind));
+        const auto maker = makers.find({kind, number});
+        const auto made = maker == makers.end() ? m_numbers.end() : m_numbers.find(maker->second);
+        if (maker == makers.end())
+            leftOut.why = QStringLiteral("no edit before it makes a %1 %2").arg(word).arg(number);
+        else if (made != m_numbers.end() && isThere(kind, made->second, now))
+            number = made->second;
+        else if (maker->second == fromTheStart)
+            leftOut.why = QStringLiteral("there is no %1 %2 here").arg(word).arg(number);
+        else
+            leftOut.why = QStringLiteral("the %1 that %2 makes is not here")
+                              .arg(word, titleOf(maker->second));
+    });
+    if (!leftOut.why.isEmpty())
+        return tl::unexpected(leftOut);
+    return edit;
+}
+
+void RecipeElsewhere::carriedOut(std::size_t step, const Document& before, const Document& after)
+{
+    const auto* edit = std::get_if<Edit>(&m_recipe.steps[step]);
+    Kind kind{};
+    if (!edit || !mayMake(*edit, kind))
+        return;
+    if (const int last = lastGiven(kind, after); last > lastGiven(kind, before))
+        m_numbers[step] = last;
+}
+
+std::vector<RecipeExport> RecipeElsewhere::exports() const
+{
+    std::vector<RecipeExport> all = m_recipe.exports;
+    for (RecipeExport& target : all) {
+        const auto maker = m_makers.back().find({Kind::Layer, target.layer});
+        if (maker == m_makers.back().end())
+            continue;
+        if (const auto made = m_numbers.find(maker->second); made != m_numbers.end())
+            target.layer = made->second;
+    }
+    return all;
+}
+
+RecipeElsewhere::Foreseen RecipeElsewhere::foreseen(Document document) const
+{
+    RecipeElsewhere trial = *this;
+    Foreseen result{.recipe = {.path = m_recipe.path,
+                        .study = m_recipe.study,
+                        .steps = {},
+                        .entries = {},
+                        .exports = {}},
+        .leftOut = {}};
+    for (std::size_t i = 0; i < m_recipe.steps.size(); ++i) {
+        tl::expected<Edit, LeftOut> edit = trial.here(i, document);
+        if (!edit) {
+            result.leftOut.push_back(std::move(edit.error()));
+            continue;
+        }
+        const Document before = document;
+        static_cast<void>(applyToDocument(*edit, document));
+        trial.carriedOut(i, before, document);
+        result.recipe.steps.emplace_back(*std::move(edit));
+        result.recipe.entries.push_back(int(i) + 1);
+    }
+    result.recipe.exports = trial.exports();
+    return result;
+}
+
+} // namespace core
