@@ -43,10 +43,15 @@ std::span<const Command> commands()
             " saves it, fully refined, and exits",
             true, runOpen},
         {"replay",
-            "FILE.burin --verify [--to ROW] [--export FILE [--force]] [--study PATH]"
-            " [--series UID]",
+            "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
+            " [--fill VALUE] [--force]] [--study PATH] [--series UID]",
             "carries out a session's history again, from nothing, and compares every hash;"
-            " --export writes the masks of that state",
+            " --export writes the masks of that state, or with --format coverage --layer NUMBER "
+            "what"
+            " a sculpt layer carves (.nii.gz), or with --format carved-volume the study without "
+            "what"
+            " is carved (.nii.gz, or a new folder for a DICOM series; --fill: the value there,"
+            " without it the least)",
             false, runReplay},
         {"run",
             "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force | --append]"

@@ -4,7 +4,6 @@
 #include "app/JsonLine.h"
 #include "core/export/CarvedVolume.h"
 #include "core/export/ExportChoices.h"
-#include "core/session/SessionStudy.h"
 
 #include <algorithm>
 
@@ -17,10 +16,11 @@ namespace {
 /// Writes one after the other; what more than one of them needs is read once.
 class Exports {
 public:
-    Exports(core::EditSession& session, bool force)
+    Exports(core::EditSession& session, bool force, const ReadStudy& readStudy)
         : m_session(session)
         , m_volume(session.document().volumes.front())
         , m_force(force)
+        , m_readStudy(readStudy)
     {
     }
 
@@ -85,8 +85,7 @@ private:
                 [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
         }
         // The engine has the values; the study's files are where they can be had from exactly.
-        const Result<core::LoadedVolume> study =
-            core::loadSessionStudy(m_session.file(), core::SessionSource::of(m_volume));
+        const Result<core::LoadedVolume> study = m_readStudy();
         if (!study)
             return tl::unexpected(study.error());
         return core::exportCarvedVolume(study->volume,
@@ -101,15 +100,16 @@ private:
     core::EditSession& m_session;
     const core::Volume& m_volume;
     bool m_force = false;
+    const ReadStudy& m_readStudy;
     std::vector<std::uint8_t> m_labels;
 };
 
 } // namespace
 
-Result<void> exportFiles(
-    const std::vector<core::RecipeExport>& targets, core::EditSession& session, bool force)
+Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, core::EditSession& session,
+    bool force, const ReadStudy& readStudy)
 {
-    Exports exports(session, force);
+    Exports exports(session, force, readStudy);
     for (const core::RecipeExport& target : targets) {
         const Result<core::ExportReport> report = exports.write(target);
         if (!report)

@@ -4,13 +4,18 @@
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 
+#include <functional>
 #include <vector>
 
 namespace app {
 
-/// Writes what is shown and not empty, as it stands at the session's position, to each target and
-/// prints one line of JSON per file.
-[[nodiscard]] core::Result<void> exportFiles(
-    const std::vector<core::RecipeExport>& targets, core::EditSession& session, bool force);
+/// The study that a session was made on, read from its files: what is carved is written with their
+/// values.
+using ReadStudy = std::function<core::Result<core::LoadedVolume>()>;
+
+/// Writes each target as it stands at the session's position (of segments those that are shown and
+/// not empty) and prints one line of JSON per file.
+[[nodiscard]] core::Result<void> exportFiles(const std::vector<core::RecipeExport>& targets,
+    core::EditSession& session, bool force, const ReadStudy& readStudy);
 
 } // namespace app

@@ -5,6 +5,7 @@
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
 #include "app/SessionProblems.h"
+#include "core/nifti/NiftiReader.h"
 #include "core/session/EditSession.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionSalvage.h"
@@ -102,8 +103,14 @@ std::vector<core::RowId> rowsOf(const core::SessionContents& contents, const Tas
     return all;
 }
 
-int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& task)
+int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& task,
+    const ReadStudy& readStudy)
 {
+    for (const core::RecipeExport& target : task.exports) {
+        if (const Result<void> fits = core::checkExportTarget(target, volume.volume, task.force);
+            !fits)
+            return tellFailure(fits.error());
+    }
     const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
     if (!engine)
         return tellFailure(engine.error());
@@ -130,7 +137,8 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     if (unfinished > 0)
         std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
     std::fprintf(stderr, "\n");
-    if (const Result<void> exported = exportFiles(task.exports, **session, task.force); !exported)
+    if (const Result<void> exported = exportFiles(task.exports, **session, task.force, readStudy);
+        !exported)
         return tellFailure(exported.error());
     const bool lost = !task.to && recorded.contents.damage;
     return lost || (task.verify && damaged > 0) ? 1 : 0;
@@ -153,6 +161,41 @@ Result<void> checkSound(const Arguments& arguments, const Recorded& recorded)
     return {};
 }
 
+/// The words of an export are those of one in a recipe.
+/// @return what is wrong with them; empty if nothing
+QString readExport(const Arguments& arguments, Task& task)
+{
+    const QString file = arguments.value("export");
+    QString format = arguments.value("format");
+    if (format.isEmpty() && core::isNiftiName(file))
+        format = QStringLiteral("nifti");
+    else if (format.isEmpty() && file.endsWith(QLatin1String(".dcm")))
+        format = QStringLiteral("dicom-seg");
+    else if (format.isEmpty())
+        return QStringLiteral("--export: the name ends in .nii, .nii.gz or .dcm");
+    QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
+    for (const char* number : {"layer", "fill"}) {
+        if (!arguments.has(number))
+            continue;
+        bool isNumber = false;
+        const double value = arguments.value(number).toDouble(&isNumber);
+        if (!isNumber)
+            return QStringLiteral("--%1: must be a number").arg(QLatin1String(number));
+        words[QLatin1String(number)] = value;
+    }
+    const Result<core::RecipeExport> target = core::exportFromJson(words);
+    if (target) {
+        task.exports.push_back(*target);
+        return {};
+    }
+    QString option = target.error().arguments.value(0);
+    option.replace(QStringLiteral("export."), QStringLiteral("--"));
+    const QString reason = target.error().arguments.value(1);
+    return reason == QLatin1String("unknown field")
+        ? QStringLiteral("%1 means nothing to --format %2").arg(option, format)
+        : QStringLiteral("%1: %2").arg(option, reason);
+}
+
 /// @return what is wrong with the words; empty if nothing
 QString readTask(const Arguments& arguments, const core::SessionContents& contents, Task& task)
 {
@@ -165,19 +208,11 @@ QString readTask(const Arguments& arguments, const core::SessionContents& conten
             return QStringLiteral("--to: the history has rows 0 to %1").arg(contents.rows.size());
         task.to = row;
     }
-    if (arguments.has("export")) {
-        const QString file = arguments.value("export");
-        const bool isNifti =
-            file.endsWith(QLatin1String(".nii")) || file.endsWith(QLatin1String(".nii.gz"));
-        if (!isNifti && !file.endsWith(QLatin1String(".dcm")))
-            return QStringLiteral("--export: the name ends in .nii, .nii.gz or .dcm");
-        if (!task.to)
-            task.to = contents.position;
-        task.exports.push_back(
-            {.format = isNifti ? core::ExportFormat::Nifti : core::ExportFormat::DicomSeg,
-                .file = file});
-    }
-    return {};
+    if (!arguments.has("export"))
+        return {};
+    if (!task.to)
+        task.to = contents.position;
+    return readExport(arguments, task);
 }
 
 } // namespace
@@ -186,7 +221,8 @@ int runReplay(const QStringList& words)
 {
     const Arguments arguments(words,
         {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
-            QStringLiteral("export")},
+            QStringLiteral("export"), QStringLiteral("format"), QStringLiteral("layer"),
+            QStringLiteral("fill")},
         {QStringLiteral("verify"), QStringLiteral("force")});
     if (!arguments.problem().isEmpty())
         return tellUsage("replay", arguments.problem());
@@ -194,6 +230,11 @@ int runReplay(const QStringList& words)
         return tellUsage("replay", QStringLiteral("it needs one session file"));
     if (!arguments.has("verify") && !arguments.has("export"))
         return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
+    for (const char* detail : {"format", "layer", "fill"}) {
+        if (arguments.has(detail) && !arguments.has("export"))
+            return tellUsage(
+                "replay", QStringLiteral("--%1 is for --export").arg(QLatin1String(detail)));
+    }
 
     const QString path = arguments.rest().first();
     Result<core::SessionContents> contents = core::checkSession(path);
@@ -211,7 +252,11 @@ int runReplay(const QStringList& words)
     if (!volume)
         return tellFailure(volume.error());
     tellNotFromStudy(volume->notFromStudy, path);
-    return replayRows(recorded, *std::move(volume), task);
+    const auto readStudy = [&] {
+        return core::loadSessionStudy(
+            path, recorded.contents.source, arguments.value("study"), arguments.value("series"));
+    };
+    return replayRows(recorded, *std::move(volume), task, readStudy);
 }
 
 } // namespace app

@@ -8,7 +8,9 @@ namespace app {
 /// `burin replay FILE.burin --verify [--to ROW] [--study PATH] [--series UID]`: carries out every
 /// row of a session again, from nothing, branches included (or the rows that lead to one), and
 /// compares the state hash after each. `--export FILE` then writes the masks of that state
-/// (--to; else where the session stands). The session file is only read.
+/// (--to; else where the session stands), or with `--format coverage --layer N` what a sculpt layer
+/// carves, or with `--format carved-volume [--fill VALUE]` the study without what is carved. The
+/// session file is only read.
 int runReplay(const QStringList& arguments);
 
 } // namespace app

@@ -251,7 +251,11 @@ int run(const core::Recipe& recipe, const Arguments& arguments)
     // The session is whole by now and stays, whatever becomes of the exports.
     const std::vector<core::RecipeExport> exports =
         elsewhere ? elsewhere->exports() : recipe.exports;
-    if (const Result<void> exported = exportFiles(exports, *session, force); !exported)
+    const auto readStudy = [&session] {
+        return core::loadSessionStudy(
+            session->file(), core::SessionSource::of(session->document().volumes.front()));
+    };
+    if (const Result<void> exported = exportFiles(exports, *session, force, readStudy); !exported)
         return tellFailure(exported.error());
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;

@@ -83,7 +83,26 @@ Result<QString> takeText(QJsonObject& object, const char* name)
     return value.toString();
 }
 
-Result<RecipeExport> readExport(const QJsonValue& json)
+/// What a name says about what can be written there.
+QString obstacleOf(const RecipeExport& target, const Volume& volume)
+{
+    const QString ending = QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
+    switch (target.what) {
+    case RecipeExport::What::Coverage:
+        return isNiftiName(target.file) ? QString() : ending;
+    case RecipeExport::What::CarvedVolume:
+        return isNiftiName(target.file) ? QString() : carvedSeriesObstacle(volume);
+    case RecipeExport::What::Segments:
+        break;
+    }
+    if (target.format == ExportFormat::DicomSeg)
+        return dicomSegObstacle(volume);
+    return isNiftiName(target.file) ? QString() : ending;
+}
+
+} // namespace
+
+Result<RecipeExport> exportFromJson(const QJsonValue& json)
 {
     if (!json.isObject())
         return failure(ErrorCode::InvalidField, QStringLiteral("export"),
@@ -131,24 +150,8 @@ Result<RecipeExport> readExport(const QJsonValue& json)
     return made;
 }
 
-/// What a name says about what can be written there.
-QString obstacleOf(const RecipeExport& target, const Volume& volume)
-{
-    const QString ending = QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
-    switch (target.what) {
-    case RecipeExport::What::Coverage:
-        return isNiftiName(target.file) ? QString() : ending;
-    case RecipeExport::What::CarvedVolume:
-        return isNiftiName(target.file) ? QString() : carvedSeriesObstacle(volume);
-    case RecipeExport::What::Segments:
-        break;
-    }
-    if (target.format == ExportFormat::DicomSeg)
-        return dicomSegObstacle(volume);
-    return isNiftiName(target.file) ? QString() : ending;
-}
-
-Result<void> checkTarget(const RecipeExport& target, const Volume& volume, bool replaceExisting)
+Result<void> checkExportTarget(
+    const RecipeExport& target, const Volume& volume, bool replaceExisting)
 {
     const QFileInfo info(target.file);
     if (const QString obstacle = obstacleOf(target, volume); !obstacle.isEmpty())
@@ -168,8 +171,6 @@ Result<void> checkTarget(const RecipeExport& target, const Volume& volume, bool 
                            : QStringLiteral("there is no folder %1").arg(folder.filePath()));
     return {};
 }
-
-} // namespace
 
 Error atEdit(Error error, int entry)
 {
@@ -205,7 +206,7 @@ Result<Recipe> readRecipe(const QString& path)
         recipe.steps.push_back(*std::move(step));
     }
     for (int i = 0; i < exports->size(); ++i) {
-        const Result<RecipeExport> target = readExport((*exports)[i]);
+        const Result<RecipeExport> target = exportFromJson((*exports)[i]);
         if (!target)
             return at(target.error(), "export", i);
         recipe.exports.push_back(*target);
@@ -240,7 +241,8 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
     std::set<QString> files;
     for (std::size_t i = 0; i < recipe.exports.size(); ++i) {
         const RecipeExport& target = recipe.exports[i];
-        if (const Result<void> checked = checkTarget(target, volume, replaceExisting); !checked)
+        if (const Result<void> checked = checkExportTarget(target, volume, replaceExisting);
+            !checked)
             return checked;
         if (!files.insert(QFileInfo(target.file).absoluteFilePath()).second)
             return at({ErrorCode::InvalidField,

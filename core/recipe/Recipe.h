@@ -7,6 +7,7 @@
 #include "core/recipe/RecipeStep.h"
 #include "core/session/SessionSource.h"
 
+#include <QJsonValue>
 #include <QString>
 
 #include <optional>
@@ -43,6 +44,14 @@ struct Recipe {
 /// FileUnwritable, SegmentNotCoded (a segment that is seeded and goes into a DICOM SEG).
 [[nodiscard]] Result<void> checkRecipe(
     const Recipe& recipe, Document document, bool replaceExisting);
+
+/// One entry of "export". Errors: InvalidField ("export.layer").
+[[nodiscard]] Result<RecipeExport> exportFromJson(const QJsonValue& json);
+
+/// What a target's name and place say of whether it can be written.
+/// Errors: UnsupportedFormat, FileExists (unless @p replaceExisting), FileUnwritable.
+[[nodiscard]] Result<void> checkExportTarget(
+    const RecipeExport& target, const Volume& volume, bool replaceExisting);
 
 /// The same error, saying by which entry of a recipe's edits: "(edit 3)", counted from 1.
 [[nodiscard]] Error atEdit(Error error, int entry);
