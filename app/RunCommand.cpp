@@ -174,7 +174,7 @@ Result<std::unique_ptr<core::EditSession>> begin(
     return core::EditSession::open(engine, std::move(loaded), file);
 }
 
-int run(const core::Recipe& recipe, const Arguments& arguments)
+int run(core::Recipe recipe, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
@@ -189,6 +189,7 @@ int run(const core::Recipe& recipe, const Arguments& arguments)
     if (!loaded)
         return tellFailure(loaded.error());
     tellNotFromStudy(loaded->notFromStudy, file);
+    core::fillSurfaces(recipe, loaded->volume);
     std::optional<core::RecipeElsewhere> elsewhere;
     std::vector<core::RecipeElsewhere::LeftOut> leftOut;
     if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {

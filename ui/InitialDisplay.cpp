@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/InitialDisplay.h"
 
+#include "core/volume/SurfaceThreshold.h"
 #include "ui/TransferPresets.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 namespace ui {
 
 namespace {
-
-constexpr double skinOverAirHu = -350.0;
 
 gpu::TransferFunction ctTransferFunction()
 {
@@ -30,7 +29,8 @@ gpu::TransferFunction rampTransferFunction(double from, double to)
 /// From where tissue begins to what nearly nothing exceeds.
 core::WindowLevel mipWindow(const core::Volume& volume)
 {
-    const double low = volume.unit == QLatin1String("HU") ? 0.0 : otsuThreshold(volume.histogram);
+    const double low =
+        volume.unit == QLatin1String("HU") ? 0.0 : core::otsuThreshold(volume.histogram);
     const double high = std::max(quantile(volume.histogram, 0.9995), low + 1e-3);
     return {0.5 * (low + high), high - low};
 }
@@ -38,7 +38,7 @@ core::WindowLevel mipWindow(const core::Volume& volume)
 /// From what a path through air alone would give to what one through the object alone would.
 core::WindowLevel xrayWindow(const core::Histogram& histogram)
 {
-    const double parted = otsuThreshold(histogram);
+    const double parted = core::otsuThreshold(histogram);
     const double binWidth = (histogram.maximum - histogram.minimum)
         / double(std::max<std::size_t>(histogram.counts.size(), 1));
     glm::dvec2 sum(0.0);
@@ -56,51 +56,15 @@ core::WindowLevel xrayWindow(const core::Histogram& histogram)
 
 } // namespace
 
-double otsuThreshold(const core::Histogram& histogram)
-{
-    const std::size_t bins = histogram.counts.size();
-    if (bins < 2)
-        return 0.5 * (histogram.minimum + histogram.maximum);
-    double total = 0.0;
-    double sum = 0.0;
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-        total += histogram.counts[bin];
-        sum += double(bin) * histogram.counts[bin];
-    }
-    double below = 0.0;
-    double sumBelow = 0.0;
-    double best = -1.0;
-    std::size_t bestBin = bins / 2;
-    for (std::size_t bin = 0; bin + 1 < bins; ++bin) {
-        below += histogram.counts[bin];
-        sumBelow += double(bin) * histogram.counts[bin];
-        if (below == 0.0 || below == total)
-            continue;
-        const double difference = sumBelow / below - (sum - sumBelow) / (total - below);
-        const double between = below * (total - below) * difference * difference;
-        if (between > best) {
-            best = between;
-            bestBin = bin;
-        }
-    }
-    const double binWidth = (histogram.maximum - histogram.minimum) / double(bins);
-    return histogram.minimum + double(bestBin + 1) * binWidth;
-}
-
 Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
 {
     Workspace::VolumeDisplay display;
     display.mipWindow = mipWindow(volume);
     display.xrayWindow = xrayWindow(volume.histogram);
-    if (volume.unit == QLatin1String("HU")) {
-        display.surfaceThreshold = skinOverAirHu;
-        display.transferFunction = ctTransferFunction();
-        return display;
-    }
-    // Anatomy starts well below the brightest tissue: half of what parts air from the rest.
-    const double threshold = otsuThreshold(volume.histogram);
-    display.surfaceThreshold = volume.minimum + 0.5 * (threshold - volume.minimum);
-    display.transferFunction = rampTransferFunction(display.surfaceThreshold, volume.maximum);
+    display.surfaceThreshold = core::usualSurfaceThreshold(volume);
+    display.transferFunction = volume.unit == QLatin1String("HU")
+        ? ctTransferFunction()
+        : rampTransferFunction(display.surfaceThreshold, volume.maximum);
     return display;
 }
 

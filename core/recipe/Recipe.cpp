@@ -4,6 +4,7 @@
 #include "core/edits/DocumentEdits.h"
 #include "core/export/CarvedVolume.h"
 #include "core/nifti/NiftiReader.h"
+#include "core/volume/SurfaceThreshold.h"
 
 #include <QDir>
 #include <QFile>
@@ -100,6 +101,21 @@ QString obstacleOf(const RecipeExport& target, const Volume& volume)
     return isNiftiName(target.file) ? QString() : ending;
 }
 
+/// Puts a surface in where a cut names none. @return whether it did
+bool completeSurface(QJsonValue& json)
+{
+    QJsonObject object = json.toObject();
+    const QString name = object.value(QStringLiteral("edit")).toString();
+    // What restores says as which tool.
+    const QString tool =
+        name == QLatin1String("restore") ? object.value(QStringLiteral("as")).toString() : name;
+    if (!startsOnSurface(tool) || object.contains(QStringLiteral("surface")))
+        return false;
+    object.insert(QStringLiteral("surface"), QJsonObject{{QStringLiteral("threshold"), 0.0}});
+    json = object;
+    return true;
+}
+
 } // namespace
 
 Result<RecipeExport> exportFromJson(const QJsonValue& json)
@@ -188,7 +204,8 @@ Result<Recipe> readRecipe(const QString& path)
     const Result<QJsonArray> exports = takeList(*object, "export", false);
     if (!exports)
         return tl::unexpected(exports.error());
-    Recipe recipe{.path = path, .study = {}, .steps = {}, .entries = {}, .exports = {}};
+    Recipe recipe{
+        .path = path, .study = {}, .steps = {}, .entries = {}, .withoutSurface = {}, .exports = {}};
     if (const QJsonValue study = object->take(QStringLiteral("study")); !study.isUndefined()) {
         recipe.study = SessionSource::fromJson(study.toObject());
         if (!recipe.study)
@@ -200,7 +217,10 @@ Result<Recipe> readRecipe(const QString& path)
             QStringLiteral("unknown field of a recipe"));
 
     for (int i = 0; i < edits->size(); ++i) {
-        Result<RecipeStep> step = recipeStepFromJson((*edits)[i]);
+        QJsonValue json = (*edits)[i];
+        if (completeSurface(json))
+            recipe.withoutSurface.push_back(std::size_t(i));
+        Result<RecipeStep> step = recipeStepFromJson(json);
         if (!step)
             return at(step.error(), "edit", i);
         recipe.steps.push_back(*std::move(step));
@@ -212,6 +232,19 @@ Result<Recipe> readRecipe(const QString& path)
         recipe.exports.push_back(*target);
     }
     return recipe;
+}
+
+void fillSurfaces(Recipe& recipe, const Volume& volume)
+{
+    const double threshold = usualSurfaceThreshold(volume);
+    for (const std::size_t step : recipe.withoutSurface) {
+        std::visit(
+            [threshold](auto& edit) {
+                if constexpr (requires { edit.surfaceThreshold; })
+                    edit.surfaceThreshold = threshold;
+            },
+            std::get<Edit>(recipe.steps[step]));
+    }
 }
 
 Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceExisting)

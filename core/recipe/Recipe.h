@@ -30,6 +30,7 @@ struct Recipe {
     std::optional<SessionSource> study; ///< what it was recorded on, where it says so
     std::vector<RecipeStep> steps;
     std::vector<int> entries{}; ///< their places in the file, from 1; empty: as they stand here
+    std::vector<std::size_t> withoutSurface{}; ///< steps whose "surface" fillSurfaces() gives
     std::vector<RecipeExport> exports;
 };
 
@@ -37,6 +38,10 @@ struct Recipe {
 /// Errors: FileNotFound, FileUnreadable, InvalidRecipe (no JSON: the line), UnknownEdit and
 /// InvalidField, whose reason names the entry ("edit 3").
 [[nodiscard]] Result<Recipe> readRecipe(const QString& path);
+
+/// Gives cuts that name no surface the one that the window starts with on this volume, so that what
+/// is recorded names it.
+void fillSurfaces(Recipe& recipe, const Volume& volume);
 
 /// Everything about a recipe that can be wrong on this document (with its volume) and known before
 /// it is carried out; edits behind a walk through the history are checked when their turn comes.

@@ -244,6 +244,7 @@ RecipeElsewhere::Foreseen RecipeElsewhere::foreseen(Document document) const
                         .study = m_recipe.study,
                         .steps = {},
                         .entries = {},
+                        .withoutSurface = {},
                         .exports = {}},
         .leftOut = {}};
     for (std::size_t i = 0; i < m_recipe.steps.size(); ++i) {

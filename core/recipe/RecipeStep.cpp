@@ -113,9 +113,26 @@ bool isBoundToStudy(const RecipeStep& step)
         *edit);
 }
 
+bool startsOnSurface(const QString& editName)
+{
+    for (const Edit& edit :
+        {Edit(DrillStroke()), Edit(LaserStroke()), Edit(PeelCut()), Edit(ScissorsCut())}) {
+        if (core::editName(edit) == editName)
+            return true;
+    }
+    return false;
+}
+
 std::vector<EditDocumentation> recipeStepDocumentation()
 {
     std::vector<EditDocumentation> all = editDocumentation();
+    for (EditDocumentation& edit : all) {
+        for (FieldDocumentation& field : edit.fields) {
+            // In a recipe only; a row of the history names it.
+            if (startsOnSurface(edit.name) && field.name == QLatin1String("surface"))
+                field.fallback = QStringLiteral("the surface that the window starts with");
+        }
+    }
     all.push_back({.name = QStringLiteral("restore"),
         .meaning = QStringLiteral("A cut backwards: fills again what was carved. The fields of the "
                                   "tool beside 'as'; the same as that tool with restore true."),

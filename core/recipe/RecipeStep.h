@@ -35,6 +35,9 @@ using RecipeStep = std::variant<Edit, HistoryMove>;
 /// codes, and growth intervals go over.
 [[nodiscard]] bool isBoundToStudy(const RecipeStep& step);
 
+/// Whether an edit of this name starts on what is seen ("surface").
+[[nodiscard]] bool startsOnSurface(const QString& editName);
+
 /// editDocumentation() and the walks: everything a recipe's list can hold.
 [[nodiscard]] std::vector<EditDocumentation> recipeStepDocumentation();
 

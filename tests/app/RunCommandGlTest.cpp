@@ -8,6 +8,7 @@
 #include "tests/support/BurinProgram.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "ui/InitialDisplay.h"
 
 #include <QDir>
 #include <QFile>
@@ -140,6 +141,66 @@ private Q_SLOTS:
                 gone ? -2000.0 : study->volume.encoding.value(study->codes[i]));
         }
         QVERIFY(cut > 0);
+    }
+
+    /// Issue 4: a stroke written by hand need not say what is seen.
+    void aCutWithoutSurfaceStartsOnTheOneThatTheWindowShows()
+    {
+        PeelCut peel;
+        peel.view = test::drillAt(0).view;
+        peel.polygonMm = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
+        ScissorsCut scissors;
+        scissors.view = peel.view;
+        scissors.polygonMm = peel.polygonMm;
+        scissors.depthMm = 6.0;
+        const DrillStroke drill = test::drillAt(0);
+        LaserStroke laser;
+        laser.view = drill.view;
+        laser.mask = drill.mask;
+        laser.samples = drill.samples;
+        QJsonArray edits;
+        for (const QJsonValue& cut : json({drill, laser, peel, scissors, drill})) {
+            QJsonObject edit = cut.toObject();
+            edit.remove(key("surface"));
+            edits.append(edit);
+        }
+        QJsonObject back = edits.takeAt(4).toObject();
+        back.insert(key("as"), back.value(key("edit")));
+        back.insert(key("edit"), key("restore"));
+        back.remove(key("restore"));
+        edits.append(back);
+        const Outcome run = burin(runArguments(recipe({{key("edits"), edits}})));
+        QVERIFY2(run.status == 0, qPrintable(run.complaint));
+        QCOMPARE(run.lines.size(), 5);
+        QVERIFY(run.lines.first()[key("voxelsChanged")].toInt() > 0);
+        const Result<LoadedVolume> study = loadVolume(m_study);
+        QVERIFY(study);
+        const double shown = ui::initialVolumeDisplay(study->volume).surfaceThreshold;
+        const auto session = SessionFile::open(path("a.burin"), SessionFile::Access::ReadOnly);
+        QVERIFY(session);
+        QVERIFY((*session)->contents().rows.size() >= 4);
+        for (const HistoryRow& row : (*session)->contents().rows)
+            QCOMPARE(editToJson(row.edit)[key("surface")].toObject()[key("threshold")].toDouble(),
+                shown);
+
+        QJsonObject half = edits.first().toObject();
+        half[key("surface")] = QJsonObject();
+        const Outcome refused =
+            burin(runArguments(recipe({{key("edits"), QJsonArray{half}}})) << key("--force"));
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.complaint.contains(key("drill.surface.threshold")),
+            qPrintable(refused.complaint));
+        const Outcome documented = burin({key("edits"), key("--json")});
+        int told = 0;
+        for (const QJsonValue& edit : QJsonDocument::fromJson(documented.output).array()) {
+            for (const QJsonValue& field : edit.toObject()[key("fields")].toArray()) {
+                if (field.toObject()[key("name")] != QJsonValue(key("surface")))
+                    continue;
+                ++told;
+                QVERIFY(!field.toObject()[key("required")].toBool());
+            }
+        }
+        QCOMPARE(told, 4);
     }
 
     void anEditThatChangesNothingSaysSo()

@@ -18,6 +18,7 @@ Recipe recipeOf(std::vector<RecipeStep> steps)
         .study = {},
         .steps = std::move(steps),
         .entries = {},
+        .withoutSurface = {},
         .exports = {}};
 }
 
