@@ -5,7 +5,9 @@
 #include "app/RunKeyframes.h"
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
+#include "ui/RevisionText.h"
 
+#include <QJsonArray>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -39,7 +41,19 @@ void printEdit(const core::Edit& edit, const core::EditSession& session, bool ch
         line[QStringLiteral("ms")] = std::round(row.statistics.milliseconds * 1000.0) / 1000.0;
         line[QStringLiteral("hash")] = QString::fromLatin1(row.stateHash);
     }
+    const bool revised = changed && std::holds_alternative<core::ReviseStroke>(edit);
+    const std::vector<core::RowId> keep =
+        revised ? session.strokesOnRevisedSurface() : std::vector<core::RowId>();
+    if (revised) {
+        QJsonArray rows;
+        for (const core::RowId row : keep)
+            rows.append(qint64(row));
+        line[QStringLiteral("begunOnItsSurface")] = rows;
+    }
     printJsonLine(line);
+    if (!keep.empty())
+        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(session.history().rows().back().name),
+            qUtf8Printable(ui::keepsPlaceText(keep.size())));
 }
 
 /// One line for a walk through the history: where it arrived.

@@ -16,7 +16,8 @@ namespace app {
 class RunKeyframes;
 
 /// Carries out a recipe's steps, one after the other, and prints one line of JSON for each once it
-/// is on disk. Errors name the entry of the recipe.
+/// is on disk; of a revised cut also the later strokes that began on its surface and keep their
+/// place. Errors name the entry of the recipe.
 [[nodiscard]] core::Result<void> carryOut(
     const core::Recipe& recipe, core::EditSession& session, RunKeyframes& keyframes);
 

@@ -617,6 +617,30 @@ private Q_SLOTS:
                 "--export"));
     }
 
+    void runTellsOfStrokesOnARevisedSurface()
+    {
+        const ReviseStroke removed{.row = 1, .removed = true};
+        const Outcome above = run(recipe("r.json",
+                                      {{key("edits"),
+                                          json({test::drillAt(0), test::drillAt(0),
+                                              test::drillAt(-13), test::drillAt(0), removed})}}),
+            "a.burin");
+        QVERIFY2(above.status == 0, qPrintable(above.complaint));
+        QCOMPARE(above.lines.size(), 5);
+        QCOMPARE(above.lines[4][key("begunOnItsSurface")].toArray(), (QJsonArray{2, 4}));
+        QVERIFY(!above.lines[3].contains(key("begunOnItsSurface")));
+        QVERIFY2(above.complaint.contains(key(
+                     "2 later strokes began on the surface that this changed; they keep their")),
+            qPrintable(above.complaint));
+        const Outcome beside =
+            run(recipe("s.json",
+                    {{key("edits"), json({test::drillAt(-10), test::drillAt(5), removed})}}),
+                "b.burin");
+        QVERIFY2(beside.status == 0, qPrintable(beside.complaint));
+        QCOMPARE(beside.lines[2][key("begunOnItsSurface")], QJsonValue(QJsonArray()));
+        QVERIFY2(beside.complaint.isEmpty(), qPrintable(beside.complaint));
+    }
+
     void badMovesAreNamed_data()
     {
         QTest::addColumn<QJsonObject>("step");

@@ -2,6 +2,7 @@
 #include "ui/panels/StrokeRevision.h"
 
 #include "core/history/StandingStrokes.h"
+#include "ui/RevisionText.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/ReviseStrokeDialog.h"
 
@@ -92,11 +93,7 @@ void StrokeRevision::offerRedrill()
     if (rows.empty() || position == m_offered)
         return;
     m_offered = position;
-    const QString sentence = rows.size() == 1
-        ? tr("One later stroke began on the surface that this changed; it keeps its place.")
-        : tr("%1 later strokes began on the surface that this changed; they keep their place.")
-              .arg(rows.size());
-    m_workspace.offer({.sentence = sentence,
+    m_workspace.offer({.sentence = keepsPlaceText(rows.size()),
         .button = tr("Cut again on the new surface"),
         .run = [this, rows] { redrill(rows); }});
 }
