@@ -265,7 +265,8 @@ core::Result<void> Application::goOn(
     m_sessionFile = plan->file;
     m_rowsAtFirst = plan->isNew ? std::optional(steps) : std::nullopt;
     m_workspace->setSession(std::move(*session));
-    const bool nothingLost = !plan->redo.empty() && !contents.damage;
+    const bool nothingLost =
+        plan->damage && !contents.damage && plan->redo.size() == contents.redo.size();
     if (nothingLost) {
         m_window->messages().show(ui::MessageBar::Kind::Caution, ui::errorText(*plan->damage));
     } else if (plan->damage) {
@@ -275,6 +276,10 @@ core::Result<void> Application::goOn(
             QStringLiteral("%1 is %2. Here it can be looked at, not edited.")
                 .arg(QFileInfo(file).fileName(), plan->whyReadOnly),
             QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
+    } else if (!contents.leftOpen.isEmpty()) {
+        m_window->messages().show(ui::MessageBar::Kind::Caution,
+            QStringLiteral("%1: %2. Its last steps may be missing.")
+                .arg(QFileInfo(file).fileName(), contents.leftOpen));
     } else if (notFromStudy) {
         tellWhereImagesAre(*notFromStudy, file);
     } else if (steps > 0) {

@@ -125,8 +125,7 @@ Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
     const Arguments& arguments, const core::SessionContents& contents)
 {
     const QString file = arguments.value("session");
-    const bool damaged = contents.damage || !contents.redo.empty();
-    if (!damaged) {
+    if (contents.isWhole()) {
         auto session = core::EditSession::open(engine, std::move(loaded), file);
         if (!session)
             return tl::unexpected(session.error());
@@ -184,6 +183,8 @@ int run(core::Recipe recipe, const Arguments& arguments)
         if (!contents)
             return tellFailure(contents.error());
         goesOn = *std::move(contents);
+        if (!goesOn->leftOpen.isEmpty())
+            tellFailure({core::ErrorCode::SessionDamaged, {file, goesOn->leftOpen}});
     }
     Result<core::LoadedVolume> loaded = load(arguments, goesOn);
     if (!loaded)

@@ -66,6 +66,8 @@ QString newsOf(const core::SessionContents& contents, const QString& target, boo
                   .arg(where);
     if (contents.damage)
         return QStringLiteral("%1. All rows are %2").arg(contents.damage->text(), where);
+    if (contents.redo.empty())
+        return QStringLiteral("%1. No row is lost; everything is %2").arg(contents.cutOff, where);
     const core::SessionDamage& first = contents.redo.front();
     const std::size_t others = contents.redo.size() - 1;
     return QStringLiteral("what row %1 '%2'%3 changed could not be read; it was carried out again "
@@ -120,8 +122,7 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
         return planAround(file, contents, target, true);
     }
     if (core::isSessionInUse(file))
-        return core::failure(core::ErrorCode::SessionDamaged, file,
-            (contents.damage ? *contents.damage : contents.redo.front()).text());
+        return core::failure(core::ErrorCode::SessionDamaged, file, contents.problems().front());
     // The study finds its working session by name, so the damaged one gives that up.
     const QString aside = file + QStringLiteral(".damaged-")
         + QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
@@ -146,7 +147,7 @@ core::Result<SessionPlan> planFor(const QString& file, core::SessionContents con
     }
     if (contents.damage && contents.rows.empty())
         return core::failure(core::ErrorCode::SessionDamaged, file, contents.damage->text());
-    if (contents.damage || !contents.redo.empty())
+    if (!contents.isWhole())
         return aroundDamage(file, contents);
     return SessionPlan{.file = file,
         .whyReadOnly = whyReadOnly(file),

@@ -78,6 +78,8 @@ Result<AuditReport> auditReport(SessionTables& tables, const QString& path)
         else
             report.damage.push_back(delta.error());
     }
+    if (report.damage.empty() && !contents->cutOff.isEmpty())
+        report.damage.push_back({ErrorCode::SessionDamaged, {path, contents->cutOff}});
     for (Keyframe& keyframe : report.keyframes)
         keyframe.png = tables.readKeyframe(keyframe.row);
     return report;

@@ -55,6 +55,11 @@ std::vector<QString> SessionContents::problems() const
             QStringLiteral("what the rows %1 changed cannot be read; they can be carried out again")
                 .arg(numbers.join(QStringLiteral(", "))));
     }
+    const auto tells = [this](const QString& told) { return told.contains(cutOff); };
+    if (!cutOff.isEmpty() && std::none_of(sentences.begin(), sentences.end(), tells))
+        sentences.push_back(damage ? cutOff : QStringLiteral("%1; no row is lost").arg(cutOff));
+    if (!leftOpen.isEmpty())
+        sentences.push_back(leftOpen);
     return sentences;
 }
 

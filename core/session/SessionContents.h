@@ -49,6 +49,11 @@ struct SessionContents {
     /// Rows that lack a sound difference while their edit and their hash are sound: they can be
     /// carried out again. Told by checkSession() only.
     std::vector<SessionDamage> redo;
+    QString cutOff; ///< how much of the file is there, if not all of it
+    QString leftOpen; ///< why its last steps may be missing though no row is damaged
+
+    /// The file can be gone on with as it is.
+    [[nodiscard]] bool isWhole() const { return !damage && redo.empty() && cutOff.isEmpty(); }
 
     /// Every problem as a sentence without a stop, the rows that are lost first; empty: none.
     [[nodiscard]] std::vector<QString> problems() const;

@@ -129,8 +129,11 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
 {
     std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
     database->m_readOnly = readOnly;
+    database->m_loss = sessionLoss(path);
     QString name = path;
     QString options;
+    if (!readOnly && !database->m_loss.cutOff.isEmpty())
+        return failure(ErrorCode::SessionDamaged, path, database->m_loss.cutOff);
     if (!readOnly) {
         Result<SessionUse> use = SessionUse::begin(path);
         if (!use)
@@ -150,6 +153,9 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
     }
     if (const Result<void> connected = database->connect(name, options); !connected)
         return tl::unexpected(connected.error());
+    // Else SQLite refuses a file that has fewer pages than it says.
+    if (!database->m_loss.cutOff.isEmpty())
+        database->run(QStringLiteral("PRAGMA writable_schema=ON"));
     if (const Result<void> checked = database->checkFormat(); !checked)
         return tl::unexpected(checked.error());
     if (!readOnly) {
@@ -162,6 +168,9 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::openCopy(const QString& path)
 {
     std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
+    database->m_loss = sessionLoss(path);
+    if (!database->m_loss.cutOff.isEmpty())
+        return failure(ErrorCode::SessionDamaged, path, database->m_loss.cutOff);
     const Result<QString> copy = database->copyPrivately();
     if (!copy)
         return tl::unexpected(copy.error());
@@ -208,6 +217,8 @@ Result<void> SessionDatabase::checkFormat()
     const int application = number("application_id");
     if (application < 0)
         return failed();
+    if (application != applicationId && !m_loss.cutOff.isEmpty())
+        return failure(ErrorCode::SessionDamaged, m_path, m_loss.cutOff);
     if (application != applicationId)
         return failure(
             ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
@@ -268,7 +279,7 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
     }
     // A failure while stepping through an answer ends next() like the last row does.
     if (statement.lastError().isValid()) {
-        m_reason = statement.lastError().databaseText();
+        m_reason = m_loss.cutOff.isEmpty() ? statement.lastError().databaseText() : m_loss.cutOff;
         m_code = statement.lastError().nativeErrorCode();
         return false;
     }
@@ -336,6 +347,8 @@ bool SessionDatabase::copyHistoryInto(const QString& path)
 
 tl::unexpected<Error> SessionDatabase::failed() const
 {
+    if (!m_loss.cutOff.isEmpty())
+        return failure(ErrorCode::SessionDamaged, m_path, m_loss.cutOff);
     // https://www.sqlite.org/rescode.html; extended codes carry the primary one in the low byte.
     switch (m_code.toInt() & 0xFF) {
     case 5: // SQLITE_BUSY

@@ -25,7 +25,7 @@ public:
     /// @pre the file exists and is empty
     static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
     /// For reading only, neither the file nor its folder is touched: one that is in use or was not
-    /// closed is read from a private copy.
+    /// closed is read from a private copy. One that is cut off can only be read.
     static Result<std::unique_ptr<SessionDatabase>> open(const QString& path, bool readOnly);
     /// For writing, on a private copy that goes away with this.
     static Result<std::unique_ptr<SessionDatabase>> openCopy(const QString& path);
@@ -50,6 +50,8 @@ public:
     bool upgrade();
 
     [[nodiscard]] QString reason() const { return m_reason; }
+    /// What the file lacks; of one that is cut off what is there is read.
+    [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
 
 private:
     explicit SessionDatabase(QString path);
@@ -64,6 +66,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_copy;
     SessionUse m_use; ///< while this process writes it
     QString m_connection;
+    SessionLoss m_loss;
     QString m_reason;
     QString m_code; ///< SQLite's result code
     int m_version = schemaVersion;

@@ -54,7 +54,10 @@ Result<SessionPreview> previewSession(const QString& path)
             });
     if (!read || !source)
         return failure(ErrorCode::SessionDamaged, path,
-            read ? QStringLiteral("it does not say what it was made on") : (*database)->reason());
+            !read ? (*database)->reason()
+                : !(*database)->loss().leftOpen.isEmpty()
+                ? (*database)->loss().leftOpen
+                : QStringLiteral("it does not say what it was made on"));
     preview.source = *std::move(source);
     if ((*database)->version() >= 2)
         // A picture that cannot be read is one that is not there.

@@ -39,7 +39,8 @@ Result<void> copyRows(SessionFile& from, const SessionContents& sound, SessionFi
         std::promise<QByteArray> png;
         from.fetchKeyframe(
             keyframe.row, [&png](const QByteArray& fetched) { png.set_value(fetched); });
-        to.addKeyframe({.row = keyframe.row, .at = keyframe.at, .png = png.get_future().get()});
+        if (const QByteArray picture = png.get_future().get(); !picture.isEmpty())
+            to.addKeyframe({.row = keyframe.row, .at = keyframe.at, .png = picture});
     }
     // Rows were added in their order; redo goes where it went.
     for (const std::pair<RowId, RowId>& step : sound.visited)
@@ -100,7 +101,8 @@ Result<void> salvageSession(
     // Images that are damaged are left behind; whoever has the study does not miss them.
     if (sound.holdsImages) {
         const Result<void> copied = copySessionImages(damaged, staged->path());
-        if (!copied && copied.error().code != ErrorCode::SessionDamaged)
+        if (!copied && copied.error().code != ErrorCode::SessionDamaged
+            && copied.error().code != ErrorCode::NoImages)
             return copied;
     }
     return staged->commit();

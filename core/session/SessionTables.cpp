@@ -101,6 +101,8 @@ Result<SessionContents> SessionTables::read()
     readState(contents);
     readKeyframes(contents);
     contents.holdsImages = holdsImages();
+    contents.cutOff = m_database->loss().cutOff;
+    contents.leftOpen = m_database->loss().leftOpen;
     return contents;
 }
 
@@ -265,8 +267,13 @@ Result<SessionSource> SessionTables::readSource()
             return true;
         });
     std::optional<SessionSource> source = SessionSource::fromJson(parsed(json));
-    if (!read || !source)
-        return damaged(0, QStringLiteral("it does not say what it was made on"));
+    if (!read || !source) {
+        const SessionLoss& loss = m_database->loss();
+        return damaged(0,
+            !loss.cutOff.isEmpty()         ? loss.cutOff
+                : !loss.leftOpen.isEmpty() ? loss.leftOpen
+                                           : QStringLiteral("it does not say what it was made on"));
+    }
     m_chains = {firstChain(json)};
     return *std::move(source);
 }
@@ -292,6 +299,9 @@ void SessionTables::readRows(SessionContents& contents)
         });
     if (!read)
         problem = m_database->reason();
+    // What is cut off in the middle of a page reads as zeros.
+    if (const QString& cutOff = m_database->loss().cutOff; !problem.isEmpty() && !cutOff.isEmpty())
+        problem = cutOff;
     if (!problem.isEmpty())
         contents.damage = damageAt(RowId(rows.size()) + 1, problem);
 }
@@ -344,12 +354,16 @@ tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer
 
 void SessionTables::readState(SessionContents& contents)
 {
-    const bool placed = m_database->query(
-        QStringLiteral("SELECT key, value FROM state"), {}, [&contents](const QSqlQuery& answer) {
-            takeState(answer.value(0).toString(), answer.value(1).toString(), contents);
+    bool told = false;
+    const bool placed = m_database->query(QStringLiteral("SELECT key, value FROM state"), {},
+        [&contents, &told](const QSqlQuery& answer) {
+            const QString key = answer.value(0).toString();
+            told |= key == QLatin1String("position");
+            takeState(key, answer.value(1).toString(), contents);
             return true;
         });
-    if (!placed)
+    const QString& cutOff = m_database->loss().cutOff;
+    if (!placed || (!cutOff.isEmpty() && !told && !contents.rows.empty()))
         contents.position = -1;
     const bool read = placed
         && m_database->query(QStringLiteral("SELECT parent, child FROM visited"), {},
@@ -367,7 +381,8 @@ void SessionTables::readState(SessionContents& contents)
     if (!read)
         contents.damage->reason = m_database->reason();
     else if (contents.position != position || contents.visited.size() != steps)
-        contents.damage->reason = QStringLiteral("its position is no row");
+        contents.damage->reason =
+            cutOff.isEmpty() ? QStringLiteral("its position is no row") : cutOff;
     else
         contents.damage.reset();
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <mutex>
 #include <utility>
 
@@ -130,6 +131,50 @@ bool isSessionInUse(const QString& path)
 bool isSessionUnfinished(const QString& path)
 {
     return QFileInfo(part(path, "-wal")).size() > 0 || QFileInfo(part(path, "-journal")).size() > 0;
+}
+
+SessionLoss sessionLoss(const QString& path)
+{
+    // https://www.sqlite.org/fileformat.html, 1.3: the database header.
+    constexpr qsizetype headBytes = 100;
+    static const QByteArray magic("SQLite format 3", 16);
+    // With what lies beside it, it may be whole.
+    if (isSessionUnfinished(path))
+        return {};
+    const std::lock_guard lock(plainFiles);
+    if (used.contains(keyOf(path)))
+        return {};
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray head = file.read(headBytes);
+    if (head.isEmpty() || !magic.startsWith(head.left(magic.size())))
+        return {};
+    SessionLoss loss;
+    if (head.size() < headBytes) {
+        loss.cutOff =
+            QStringLiteral("the file is cut off: only %1 bytes are there").arg(head.size());
+        return loss;
+    }
+    const auto number = [&head](int at, int bytes) {
+        qint64 value = 0;
+        for (int i = 0; i < bytes; ++i)
+            value = 256 * value + std::uint8_t(head[at + i]);
+        return value;
+    };
+    const qint64 pageBytes = number(16, 2) == 1 ? 65536 : number(16, 2);
+    const qint64 whole = pageBytes * number(28, 4);
+    // The count of pages is kept by whoever changes the counter.
+    if (number(24, 4) == number(92, 4) && file.size() < whole)
+        loss.cutOff = QStringLiteral("the file is cut off: %1 of %2 bytes are there")
+                          .arg(file.size())
+                          .arg(whole);
+    const bool leftInWal = number(18, 1) == 2;
+    if (leftInWal && !QFileInfo::exists(part(path, "-wal")))
+        loss.leftOpen = QStringLiteral("it was not closed, and '%1', which may hold what was "
+                                       "written last, is not beside it")
+                            .arg(QFileInfo(part(path, "-wal")).fileName());
+    return loss;
 }
 
 bool removeSession(const QString& path)

@@ -31,6 +31,14 @@ private:
 /// Whether a program ended without closing it: what it wrote last lies in a file beside.
 [[nodiscard]] bool isSessionUnfinished(const QString& path);
 
+/// Why a session file that is not in use is not whole; both empty: it is, or nobody can tell.
+struct SessionLoss {
+    QString cutOff; ///< "the file is cut off: 40960 of 81920 bytes are there"
+    QString leftOpen; ///< its program left it open, and what it wrote last is not beside it
+};
+/// Reads no more than the file's head.
+[[nodiscard]] SessionLoss sessionLoss(const QString& path);
+
 /// With what lies beside it. @return whether it is gone
 bool removeSession(const QString& path);
 

@@ -253,6 +253,40 @@ private Q_SLOTS:
         QCOMPARE(test::fingerprint(path("a.burin")), before);
     }
 
+    void whatIsCutOffOpensAsFarAsItGoes()
+    {
+        QFile file(path("a.burin"));
+        const qint64 size = file.size();
+        const auto cutOff = [&](qint64 left) {
+            static_cast<void>(file.resize(left));
+            return QStringLiteral("the file is cut off: %1 of %2 bytes are there")
+                .arg(left)
+                .arg(size);
+        };
+        // Of the last page only its end is gone.
+        const QString little = cutOff(size - 8);
+        const Outcome listed = history({key("--json")});
+        QVERIFY2(tells(listed, little), qPrintable(listed.complaint));
+        QCOMPARE(listed.status, 0);
+        QCOMPARE(listing(listed)[key("commands")].toArray().size(), rows);
+        const QByteArray before = test::fingerprint(path("a.burin"));
+        const Outcome appended = append(test::addSegment("More"));
+        QVERIFY2(appended.status == 0 && tells(appended, key("open in a (recovered).burin")),
+            qPrintable(appended.complaint));
+        QCOMPARE(test::fingerprint(path("a.burin")), before);
+        const Outcome verified = burin(
+            {key("replay"), path("a (recovered).burin"), key("--verify"), key("--study"), m_study});
+        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
+        QCOMPARE(verified.lines.size(), rows + 1);
+
+        const QString much = cutOff(5000);
+        for (const Outcome& outcome : {history({}), replay({key("--verify")})}) {
+            QCOMPARE(outcome.status, 1);
+            QVERIFY2(tells(outcome, much), qPrintable(outcome.complaint));
+            QVERIFY(outcome.complaint.contains(path("a.burin")));
+        }
+    }
+
     void whereNothingIsSoundNothingOpens()
     {
         QVERIFY(test::runSql(path("a.burin"), key("UPDATE row SET name='X' WHERE id=1")));

@@ -11,8 +11,13 @@
 
 #include <QDir>
 #include <QFile>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 using namespace core;
 
@@ -280,17 +285,118 @@ private Q_SLOTS:
 
     void aFileCutShortOpensToWhereItEnds()
     {
-        QFile file(m_path);
-        QVERIFY(file.resize(m_bytes.size() * 3 / 4));
-        const QByteArray before = test::fingerprint(m_path);
-        const Result<SessionContents> contents = checkSession(m_path);
-        if (contents) {
-            QVERIFY(contents->damage);
-            QVERIFY(isBeginning(contents->rows));
-        } else {
-            QCOMPARE(contents.error().code, ErrorCode::SessionDamaged);
+        // Long enough for rows to lie all over the file; the last pages hold a picture.
+        {
+            reference::ReferenceEngine engine;
+            const auto session = EditSession::open(engine, test::smallStudy(), m_path);
+            QVERIFY(session);
+            for (int i = 0; i < 60; ++i)
+                QVERIFY((*session)->apply(
+                    ChangeSegment{.segment = 1, .name = QStringLiteral("Brain, look %1").arg(i)}));
+            QVERIFY((*session)->apply(test::drillAt(4)));
+            QVERIFY((*session)->settle());
+            (*session)->addKeyframe((*session)->history().position(), QByteArray(20000, 'p'));
+            QVERIFY((*session)->settle());
         }
-        QCOMPARE(test::fingerprint(m_path), before);
+        const SessionContents before = std::exchange(m_sound, *checkSession(m_path));
+        const auto back = qScopeGuard([&] { m_sound = before; });
+        QByteArray bytes;
+        {
+            QFile file(m_path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            bytes = file.readAll();
+        }
+        const qint64 size = bytes.size();
+        const QString told = QStringLiteral("the file is cut off: %1 of %2 bytes are there");
+        int whole = 0;
+        int partly = 0;
+        int refused = 0;
+        for (qint64 left = size - 1; left > 100; left -= size / (test::longRun() ? 200 : 24)) {
+            QFile file(m_path);
+            QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            QCOMPARE(file.write(bytes.first(left)), left);
+            file.close();
+            const QString cutOff = told.arg(left).arg(size);
+            const Result<SessionContents> contents = checkSession(m_path);
+            if (contents) {
+                QCOMPARE(contents->cutOff, cutOff);
+                QVERIFY(!contents->isWhole());
+                const std::vector<QString> problems = contents->problems();
+                QVERIFY(!problems.empty());
+                QVERIFY2(std::any_of(problems.begin(), problems.end(),
+                             [&](const QString& problem) { return problem.contains(cutOff); }),
+                    qPrintable(problems.front()));
+                QVERIFY(isBeginning(contents->rows));
+                ++(contents->rows.size() == m_sound.rows.size() ? whole : partly);
+                salvageAndGoOn(*contents, left > size - 8192);
+                if (QTest::currentTestFailed())
+                    return;
+                QVERIFY(QFile::remove(m_target));
+            } else {
+                ++refused;
+                QCOMPARE(contents.error().code, ErrorCode::SessionDamaged);
+                QCOMPARE(contents.error().arguments.value(0), m_path);
+                QVERIFY2(contents.error().arguments.value(1).contains(cutOff),
+                    qPrintable(contents.error().arguments.value(1)));
+            }
+            // Nobody goes on writing in it.
+            const auto written = SessionFile::open(m_path, SessionFile::Access::ReadWrite);
+            QVERIFY(!written);
+            QCOMPARE(written.error().arguments.value(1), cutOff);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QVERIFY(file.readAll() == bytes.first(left));
+        }
+        QVERIFY2(whole > 0 && partly > 0 && refused > 0,
+            qPrintable(QStringLiteral("%1 %2 %3").arg(whole).arg(partly).arg(refused)));
+    }
+
+    void ofAFewBytesNothingOpens()
+    {
+        for (const int left : {1, 15, 60, 99}) {
+            QFile file(m_path);
+            QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            file.write(m_bytes.first(left));
+            file.close();
+            const Result<SessionContents> contents = checkSession(m_path);
+            QVERIFY(!contents);
+            QCOMPARE(contents.error().arguments,
+                (QStringList{m_path,
+                    QStringLiteral("the file is cut off: only %1 bytes are there").arg(left)}));
+        }
+    }
+
+    /// The main file of a session whose program was killed, copied alone.
+    void withoutWhatLiesBesideItSaysSo()
+    {
+        const QString alone = m_folder->filePath(QStringLiteral("alone.burin"));
+        {
+            reference::ReferenceEngine engine;
+            const QString path = m_folder->filePath(QStringLiteral("live.burin"));
+            const auto session = EditSession::create(engine, test::smallStudy(), {.file = path});
+            QVERIFY(session);
+            QVERIFY((*session)->apply(test::drillAt(0)));
+            QVERIFY((*session)->settle());
+            QVERIFY(QFileInfo(path + QStringLiteral("-wal")).size() > 0);
+            // Not as a plain file, which would drop the locks of this process.
+            QCOMPARE(std::system(qPrintable(QStringLiteral("cp '%1' '%2'").arg(path, alone))), 0);
+        }
+        const Result<SessionContents> contents = checkSession(alone);
+        QVERIFY(!contents);
+        QVERIFY2(contents.error().arguments.value(1).contains(
+                     QStringLiteral("'alone.burin-wal', which may hold what was written last, is")),
+            qPrintable(contents.error().arguments.value(1)));
+        // With steps that had got as far as the file itself they open, and the rest is named.
+        const Result<SessionContents> closed = checkSession(m_path);
+        QVERIFY(closed && closed->leftOpen.isEmpty());
+        QFile file(m_path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.seek(18) && file.write("\2\2", 2) == 2);
+        file.close();
+        const Result<SessionContents> left = checkSession(m_path);
+        QVERIFY(left && left->isWhole());
+        QCOMPARE(left->rows.size(), m_sound.rows.size());
+        QVERIFY(!left->leftOpen.isEmpty());
+        QCOMPARE(left->problems(), std::vector<QString>{left->leftOpen});
     }
 
     void aFileThatIsThereIsNotReplaced()
