@@ -5,11 +5,15 @@
 #include <QJsonDocument>
 #include <QSqlQuery>
 
+#include <algorithm>
 #include <utility>
 
 namespace core {
 
 namespace {
+
+/// How many rows there are, and the chain of the last one.
+const QString endKey = QStringLiteral("end");
 
 QVariant sqlId(RowId id)
 {
@@ -146,7 +150,8 @@ Result<void> SessionTables::addRow(const RowText& row)
                    {sqlId(row.id), sqlId(row.parent), row.name, row.edit, row.statistics,
                        row.growthGeneration, sqlText(row.at, told), sqlText(row.author, told),
                        sqlText(row.program, told), chain})
-            && writePosition(row.id);
+            && writePosition(row.id)
+            && writeState(endKey, QStringLiteral("%1 %2").arg(row.id).arg(chain));
     });
     if (stands)
         m_chains.push_back(chain);
@@ -355,10 +360,13 @@ tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer
 void SessionTables::readState(SessionContents& contents)
 {
     bool told = false;
+    QString end;
     const bool placed = m_database->query(QStringLiteral("SELECT key, value FROM state"), {},
-        [&contents, &told](const QSqlQuery& answer) {
+        [&contents, &told, &end](const QSqlQuery& answer) {
             const QString key = answer.value(0).toString();
             told |= key == QLatin1String("position");
+            if (key == endKey)
+                end = answer.value(1).toString();
             takeState(key, answer.value(1).toString(), contents);
             return true;
         });
@@ -372,6 +380,7 @@ void SessionTables::readState(SessionContents& contents)
                     answer.value(0).toLongLong(), answer.value(1).toLongLong());
                 return true;
             });
+    const QString endless = checkEnd(end, contents);
     const RowId position = contents.position;
     const std::size_t steps = contents.visited.size();
     contents.cut(contents.damage.value_or(SessionDamage{}));
@@ -383,8 +392,33 @@ void SessionTables::readState(SessionContents& contents)
     else if (contents.position != position || contents.visited.size() != steps)
         contents.damage->reason =
             cutOff.isEmpty() ? QStringLiteral("its position is no row") : cutOff;
+    else if (!endless.isEmpty())
+        contents.damage->reason = endless;
     else
         contents.damage.reset();
+}
+
+QString SessionTables::checkEnd(const QString& end, SessionContents& contents)
+{
+    // Sessions of builds before have no such line, and where they went on rows may lie behind it.
+    if (end.isEmpty())
+        return {};
+    bool isNumber = false;
+    const RowId last = end.section(QLatin1Char(' '), 0, 0).toLongLong(&isNumber);
+    if (!isNumber || last < 1)
+        return QStringLiteral("how many rows it has is not said");
+    const auto count = RowId(contents.rows.size());
+    std::optional<SessionDamage>& damage = contents.damage;
+    if (damage)
+        damage->after = std::max<std::int64_t>(damage->after, last - damage->row);
+    else if (last > count)
+        damage = {.row = count + 1,
+            .name = {},
+            .after = last - count - 1,
+            .reason = QStringLiteral("it is missing; the session had %1 rows").arg(last)};
+    else if (m_chains[std::size_t(last)] != end.section(QLatin1Char(' '), 1))
+        damage = damageAt(last, QStringLiteral("it is not the row that stood there last"));
+    return {};
 }
 
 SessionDamage SessionTables::damageAt(RowId row, const QString& reason)

@@ -57,6 +57,8 @@ private:
     [[nodiscard]] tl::expected<HistoryRow, QString> readRow(
         const QSqlQuery& answer, RowId expectedId);
     void readState(SessionContents& contents);
+    /// Whether the last row is the one that @p end says. @return why that cannot be told
+    [[nodiscard]] QString checkEnd(const QString& end, SessionContents& contents);
     void readKeyframes(SessionContents& contents);
     [[nodiscard]] SessionDamage damageAt(RowId row, const QString& reason);
 

@@ -144,6 +144,11 @@ private Q_SLOTS:
             QStringLiteral("row 11 '%11' and the %after after it cannot be read: its hash"));
         row("a row gone", 8, "DELETE FROM row WHERE id=8",
             QStringLiteral("row 8 and the %after after it cannot be read: it is missing"));
+        row("its last row replaced", 13,
+            "UPDATE state SET value=replace(value,'13 ','13 0') WHERE key='end'",
+            QStringLiteral("row 13 '%13' cannot be read: it is not the row that stood there"));
+        row("how many there are", 0, "UPDATE state SET value='many' WHERE key='end'",
+            QStringLiteral("where it stood cannot be read: how many rows it has is not said"));
         row("the position", 0, "UPDATE state SET value=99 WHERE key='position'",
             QStringLiteral("where it stood cannot be read: its position is no row"));
         row("where redo goes", 0, "UPDATE visited SET child=99 WHERE parent=4",
@@ -170,6 +175,64 @@ private Q_SLOTS:
             QCOMPARE(contents->position, m_sound.position < lost ? m_sound.position : lost - 1);
         salvageAndGoOn(*contents);
         QCOMPARE(test::fingerprint(m_path), before);
+    }
+
+    void rowsMissingFromTheEndAreMissed()
+    {
+        const auto count = int(m_sound.rows.size());
+        for (const int left : {count - 1, count - 3}) {
+            QVERIFY(QFile::remove(m_path));
+            QVERIFY(QFile::copy(m_pattern.filePath(QStringLiteral("a.burin")), m_path));
+            // As thoroughly as somebody would who knows the tables.
+            for (const char* table :
+                {"row WHERE id", "delta WHERE row", "visited WHERE child", "keyframe WHERE row"})
+                test::runSql(m_path,
+                    QStringLiteral("DELETE FROM %1>%2").arg(QLatin1String(table)).arg(left));
+            test::runSql(
+                m_path, QStringLiteral("UPDATE state SET value=%1 WHERE key='position'").arg(left));
+            const Result<SessionContents> contents = checkSession(m_path);
+            QVERIFY(contents && contents->damage);
+            const int more = count - left - 1;
+            QCOMPARE(contents->damage->text(),
+                QStringLiteral("row %1%2 cannot be read: it is missing; the session had %3 rows")
+                    .arg(left + 1)
+                    .arg(more > 0 ? QStringLiteral(" and the %1 after it").arg(more) : QString())
+                    .arg(count));
+            QCOMPARE(contents->rows.size(), std::size_t(left));
+            QCOMPARE(contents->position, RowId(left));
+            salvageAndGoOn(*contents);
+            if (QTest::currentTestFailed())
+                return;
+            // What goes on says anew where it ends.
+            const Result<SessionContents> goesOn = checkSession(m_target);
+            QVERIFY(goesOn && goesOn->isWhole());
+            QVERIFY(QFile::remove(m_target));
+        }
+    }
+
+    /// Builds before did not say where a session ends; they may also have gone on with one that
+    /// does.
+    void sessionsThatDoNotSayWhereTheyEndOpen()
+    {
+        const QString first = QStringLiteral("SELECT chain FROM row WHERE id=5");
+        QVERIFY(test::runSql(m_path,
+            QStringLiteral("UPDATE state SET value='5 %1' WHERE key='end'")
+                .arg(test::text(m_path, first))));
+        const Result<SessionContents> wentOn = checkSession(m_path);
+        QVERIFY(wentOn && wentOn->isWhole());
+        QVERIFY(test::runSql(m_path, QStringLiteral("DELETE FROM state WHERE key='end'")));
+        const Result<SessionContents> before = checkSession(m_path);
+        QVERIFY(before && before->isWhole());
+        QCOMPARE(before->rows.size(), m_sound.rows.size());
+        {
+            reference::ReferenceEngine engine;
+            const auto session = EditSession::open(engine, test::smallStudy(), m_path);
+            QVERIFY(session);
+            QVERIFY((*session)->apply(test::drillAt(2.5)));
+            QVERIFY((*session)->settle());
+        }
+        QVERIFY(test::text(m_path, QStringLiteral("SELECT value FROM state WHERE key='end'"))
+                    .startsWith(QStringLiteral("%1 ").arg(m_sound.rows.size() + 1)));
     }
 
     /// Its edit and its hash say what it was: nothing is lost.
