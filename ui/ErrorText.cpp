@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/ErrorText.h"
 
+#include "core/recipe/RecipeStep.h"
+
 #include <QFileInfo>
 
+#include <algorithm>
+#include <vector>
+
 namespace ui {
+
+namespace {
+
+/// Whether it is said of an edit, or a walk through the history, as a whole.
+bool isStep(const QString& name)
+{
+    const std::vector<core::EditDocumentation> steps = core::recipeStepDocumentation();
+    return std::any_of(
+        steps.begin(), steps.end(), [&name](const auto& step) { return step.name == name; });
+}
+
+} // namespace
 
 QString errorText(const core::Error& error)
 {
@@ -38,7 +55,7 @@ QString errorText(const core::Error& error)
     case ErrorCode::UnknownEdit:
         return QStringLiteral("unknown edit '%1'%2").arg(first, reason);
     case ErrorCode::InvalidField:
-        return QStringLiteral("field '%1'%2").arg(first, reason);
+        return isStep(first) ? first + reason : QStringLiteral("field '%1'%2").arg(first, reason);
     case ErrorCode::SegmentLocked:
         return first.isEmpty() ? QStringLiteral("every segment is locked")
                                : QStringLiteral("segment '%1' is locked").arg(first);

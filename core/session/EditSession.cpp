@@ -295,7 +295,7 @@ Result<void> EditSession::redo()
 Result<void> EditSession::goTo(RowId row)
 {
     if (row < 0 || row > RowId(history().rows().size()))
-        return failure(ErrorCode::InvalidField, QStringLiteral("row"),
+        return failure(ErrorCode::InvalidField, QStringLiteral("goTo"),
             QStringLiteral("the history has no row %1").arg(row));
     m_queue->closeGrowth();
     m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));

@@ -25,6 +25,25 @@ QString titled(const HistoryRow& row)
     return QStringLiteral("'%1' (row %2)").arg(row.name).arg(row.id);
 }
 
+/// What an edit of the document changes there, in words.
+QString listOf(DocumentChange::What part)
+{
+    switch (part) {
+    case DocumentChange::What::Segments:
+        return QStringLiteral("what the list of segments says");
+    case DocumentChange::What::Layers:
+        return QStringLiteral("what the list of sculpt layers says");
+    case DocumentChange::What::Pieces:
+        return QStringLiteral("pieces");
+    case DocumentChange::What::Bookmarks:
+        return QStringLiteral("bookmarks");
+    case DocumentChange::What::Measurements:
+        return QStringLiteral("measurements");
+    default:
+        return QStringLiteral("the document");
+    }
+}
+
 tl::unexpected<Error> entangled(const HistoryRow& later, const HistoryRow& earlier)
 {
     return refused(QStringLiteral("%1 wrote or read the same place after %2")
@@ -204,7 +223,9 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
         if (!std::binary_search(standing.begin(), standing.end(), id))
             return refused(QStringLiteral("%1 was taken back before").arg(titled(row)));
         if (changesDocumentOnly(row.edit))
-            return refused(QStringLiteral("%1 changed no voxel").arg(titled(row)));
+            return refused(
+                QStringLiteral("%1 changed no voxel, only %2; change that back by itself")
+                    .arg(titled(row), listOf(*changedPart(row.edit))));
         if (changedPart(row.edit))
             return refused(changedPart(row.edit) == DocumentChange::What::Layers
                     ? QStringLiteral("%1 changed the list of sculpt layers too").arg(titled(row))

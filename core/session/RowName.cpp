@@ -2,6 +2,8 @@
 #include "core/session/RowName.h"
 
 #include "core/edits/SculptEdits.h"
+#include "core/session/ChangeName.h"
+#include "core/session/RowWords.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +11,8 @@
 #include <cmath>
 
 namespace core {
+
+using namespace rowWords;
 
 namespace {
 
@@ -25,17 +29,6 @@ QString counted(std::int64_t count, const char* noun)
 {
     return grouped(count) + QLatin1Char(' ') + QLatin1String(noun)
         + (count == 1 ? QString() : QStringLiteral("s"));
-}
-
-QString quoted(const QString& name)
-{
-    return QLatin1Char('\'') + name + QLatin1Char('\'');
-}
-
-QString segmentName(int label, const Document& document)
-{
-    const Segment* segment = document.segment(label);
-    return segment ? segment->name : QString::number(label);
 }
 
 std::int64_t seedWordsChanged(const std::vector<BrickChange>& changes)
@@ -119,26 +112,6 @@ QString scissorsName(const ScissorsCut& cut, const EditStatistics& statistics)
     return name + QStringLiteral(", ") + counted(statistics.bricks, "brick");
 }
 
-QString changeName(const ChangeSegment& edit, const Document& document)
-{
-    if (edit.name)
-        return QStringLiteral("Rename segment %1 to '%2'").arg(edit.segment).arg(*edit.name);
-    const QString name = segmentName(edit.segment, document);
-    if (edit.code)
-        return edit.code->isSet()
-            ? QStringLiteral("Code segment '%1' as %2").arg(name, edit.code->meaning)
-            : QStringLiteral("Take the code from segment '%1'").arg(name);
-    if (edit.locked)
-        return (*edit.locked ? QStringLiteral("Lock segment '%1'")
-                             : QStringLiteral("Unlock segment '%1'"))
-            .arg(name);
-    if (edit.uncarvable)
-        return (*edit.uncarvable ? QStringLiteral("Protect segment '%1' from sculpting")
-                                 : QStringLiteral("Let tools carve segment '%1'"))
-            .arg(name);
-    return QStringLiteral("Recolour segment '%1'").arg(name);
-}
-
 QString removeName(const RemoveSegment& edit, const EditStatistics& statistics,
     const std::vector<BrickChange>& changes, const Document& document)
 {
@@ -163,59 +136,6 @@ QString seedName(
     if (stroke.pointsLps.empty())
         return QStringLiteral("Take seeds of '%1' away, %2").arg(segment, voxels);
     return QStringLiteral("Seed stroke for '%1', %2").arg(segment, voxels);
-}
-
-QString layerName(int id, const Document& document)
-{
-    const SculptLayer* layer = document.layer(id);
-    return quoted(layer ? layer->name : QString::number(id));
-}
-
-QString changeName(const ChangeLayer& edit, const Document& document)
-{
-    const QString name = layerName(edit.layer, document);
-    if (edit.name)
-        return QStringLiteral("Rename layer %1 to %2").arg(name, quoted(*edit.name));
-    if (edit.solo)
-        return (*edit.solo ? QStringLiteral("Solo layer ") : QStringLiteral("End solo of layer "))
-            + name;
-    return (edit.muted.value_or(false) ? QStringLiteral("Mute layer ")
-                                       : QStringLiteral("Unmute layer "))
-        + name;
-}
-
-QString pieceName(int id, const Document& document)
-{
-    const Piece* piece = document.piece(id);
-    return quoted(piece ? piece->name : QString::number(id));
-}
-
-QString millimetres(double mm);
-
-/// "Move piece 'Skull cap' 42.0 mm, turn it 35°".
-QString changeName(const ChangePiece& edit, const Document& document)
-{
-    const QString name = pieceName(edit.piece, document);
-    if (edit.name)
-        return QStringLiteral("Rename piece %1 to %2").arg(name, quoted(*edit.name));
-    const Piece* piece = document.piece(edit.piece);
-    PiecePose pose = piece ? piece->pose : PiecePose();
-    pose.offsetMm = edit.offsetMm.value_or(pose.offsetMm);
-    pose.rotationDegrees = edit.rotationDegrees.value_or(pose.rotationDegrees);
-    pose.zoom = edit.zoom.value_or(pose.zoom);
-    if (pose.isHome())
-        return QStringLiteral("Send piece %1 home").arg(name);
-    // What it differs in from where it was: that is what the hand did.
-    QStringList did;
-    if (edit.offsetMm && (!piece || piece->pose.offsetMm != pose.offsetMm))
-        did += QStringLiteral("Move piece %1 ") + millimetres(glm::length(pose.offsetMm));
-    if (edit.rotationDegrees && (!piece || piece->pose.rotationDegrees != pose.rotationDegrees))
-        did += (did.isEmpty() ? QStringLiteral("Turn piece %1 ") : QStringLiteral("turn it "))
-            + QString::number(std::lround(glm::length(pose.rotationDegrees))) + QStringLiteral("°");
-    if (edit.zoom && (!piece || piece->pose.zoom != pose.zoom))
-        did += (did.isEmpty() ? QStringLiteral("Zoom piece %1 ") : QStringLiteral("zoom it "))
-            + QString::number(pose.zoom, 'g', 3) + QStringLiteral("×");
-    return did.join(QStringLiteral(", ")).arg(name);
 }
 
 /// What changes pieces; empty for other edits.
@@ -268,11 +188,6 @@ QString listName(const Edit& edit, const Document& document)
             + quoted(bookmark ? bookmark->name : QString::number(remove->bookmark));
     }
     return {};
-}
-
-QString millimetres(double mm)
-{
-    return QString::number(mm, 'f', 1) + QStringLiteral(" mm");
 }
 
 QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,

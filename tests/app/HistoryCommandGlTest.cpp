@@ -650,8 +650,11 @@ private Q_SLOTS:
             << QJsonObject{{key("edit"), key("goTo")}, {key("seq"), 1.5}} << key("goTo.seq");
         QTest::newRow("undo with more")
             << QJsonObject{{key("edit"), key("undo")}, {key("times"), 2}} << key("undo.times");
-        QTest::newRow("nothing to undo") << move("undo") << key("undo");
-        QTest::newRow("nothing to redo") << move("redo") << key("redo");
+        QTest::newRow("nothing to undo")
+            << move("undo") << key("r.json: undo: the history is at its beginning (edit 1)");
+        QTest::newRow("nothing to redo")
+            << move("redo") << key("r.json: redo: the history is at its end (edit 1)");
+        QTest::newRow("no such row") << goTo(7) << key("goTo: the history has no row 7");
     }
     void badMovesAreNamed()
     {

@@ -41,7 +41,10 @@ template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
     using namespace editFields;
     visit.group("view", "the camera, orthographic", [&](auto& inside) {
         inside.field("eyeLps", Presence::Required, view.eyeLps, positionLps,
-            "where the viewer stands, patient coordinates (LPS)");
+            "on which side of the target the viewer stands, patient coordinates (LPS); it gives "
+            "the "
+            "view's direction only, so that from a place inside the volume it is seen from "
+            "outside");
         inside.field("targetLps", Presence::Required, view.targetLps, positionLps,
             "the middle of the view plane, patient coordinates (LPS)");
         inside.field("up", Presence::Required, view.up,

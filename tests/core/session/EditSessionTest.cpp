@@ -70,6 +70,20 @@ private Q_SLOTS:
         bench.run(ChangeSegment{.segment = 1, .name = QStringLiteral("Brain")});
         QCOMPARE(bench.lastRow().name, QStringLiteral("Rename segment 1 to 'Brain'"));
         QCOMPARE(bench.session->document().segment(1)->name, QStringLiteral("Brain"));
+        bench.run(ChangeSegment{.segment = 1,
+            .name = QStringLiteral("B"),
+            .rgb = 0x123456,
+            .code =
+                CodedConcept{QStringLiteral("SCT"), QStringLiteral("1"), QStringLiteral("Brain")},
+            .locked = true,
+            .uncarvable = true});
+        QCOMPARE(bench.lastRow().name,
+            QStringLiteral("Rename segment 1 to 'B', code it as Brain, recolour it, lock it, "
+                           "protect it from sculpting"));
+        // What is as before is no deed.
+        bench.run(ChangeSegment{
+            .segment = 1, .name = QStringLiteral("B"), .rgb = 0x654321, .locked = false});
+        QCOMPARE(bench.lastRow().name, QStringLiteral("Recolour segment 'B', unlock it"));
     }
 
     void countsVoxelsOfSegments()

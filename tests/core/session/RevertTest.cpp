@@ -278,7 +278,9 @@ private Q_SLOTS:
         QVERIFY(bench.session->settle());
         QVERIFY(bench.refusal(RevertRows{{2}}).contains(QStringLiteral("row 2 is not among")));
         QVERIFY(bench.refusal(RevertRows{{77}}).contains(QStringLiteral("row 77 is not among")));
-        QVERIFY(bench.refusal(RevertRows{{1}}).contains(QStringLiteral("changed no voxel")));
+        QVERIFY(bench.refusal(RevertRows{{1}})
+                    .contains(QStringLiteral(
+                        "(row 1) changed no voxel, only what the list of segments says; change")));
         for (const RevertRows& wrong : {RevertRows{}, RevertRows{{0}}, RevertRows{{2, 1}},
                  RevertRows{{1, 1}}, RevertRows{{-3}}}) {
             const Result<void> applied = bench.session->apply(wrong);

@@ -69,6 +69,21 @@ class SculptLayersTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
+    void changesOfPiecesNameAllThatChanged()
+    {
+        Bench bench({second});
+        bench.run(CutPiece{.layer = 1, .name = QStringLiteral("P")});
+        bench.run(ChangePiece{.piece = 1,
+            .name = QStringLiteral("Q"),
+            .offsetMm = glm::dvec3(50.0, 0.0, 0.0),
+            .zoom = 3.0});
+        QCOMPARE(bench.lastName(),
+            QStringLiteral("Rename piece 'P' to 'Q', move it 50.0 mm, zoom it 3×"));
+        bench.run(ChangePiece{
+            .piece = 1, .name = QStringLiteral("P"), .offsetMm = glm::dvec3(0.0), .zoom = 1.0});
+        QCOMPARE(bench.lastName(), QStringLiteral("Rename piece 'Q' to 'P', send it home"));
+    }
+
     void rowsHaveNamesForPeople()
     {
         Bench bench({second});
@@ -79,6 +94,12 @@ private Q_SLOTS:
         QCOMPARE(bench.lastName(), QStringLiteral("Unmute layer 'Approach'"));
         bench.run(ChangeLayer{.layer = 2, .name = QStringLiteral("Way in")});
         QCOMPARE(bench.lastName(), QStringLiteral("Rename layer 'Approach' to 'Way in'"));
+        bench.run(
+            ChangeLayer{.layer = 2, .name = QStringLiteral("In"), .muted = true, .solo = true});
+        QCOMPARE(
+            bench.lastName(), QStringLiteral("Rename layer 'Way in' to 'In', solo it, mute it"));
+        bench.run(ChangeLayer{
+            .layer = 2, .name = QStringLiteral("Way in"), .muted = false, .solo = false});
         bench.run(MoveLayer{.layer = 2, .place = 1});
         QCOMPARE(bench.lastName(), QStringLiteral("Move layer 'Way in' to place 1"));
         bench.run(drillInto(2));

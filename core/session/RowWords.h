@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+
+#include <QString>
+
+namespace core::rowWords {
+
+// What names of rows are put together from (RowName.h).
+
+[[nodiscard]] QString quoted(const QString& name);
+[[nodiscard]] QString millimetres(double mm); ///< "42.0 mm"
+/// Bare; the number where there is no such segment.
+[[nodiscard]] QString segmentName(int label, const Document& document);
+/// In quotes, likewise.
+[[nodiscard]] QString layerName(int id, const Document& document);
+[[nodiscard]] QString pieceName(int id, const Document& document);
+
+} // namespace core::rowWords
