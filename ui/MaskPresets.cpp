@@ -21,11 +21,14 @@ constexpr int shapes = 5;
 
 QJsonObject toJson(const MaskPreset& preset)
 {
-    return {{QStringLiteral("name"), preset.name}, {QStringLiteral("shape"), int(preset.shape)},
-        {QStringLiteral("radiusMm"), preset.radiusMm},
+    QJsonObject json{{QStringLiteral("name"), preset.name},
+        {QStringLiteral("shape"), int(preset.shape)}, {QStringLiteral("radiusMm"), preset.radiusMm},
         {QStringLiteral("heightRatio"), preset.heightRatio},
         {QStringLiteral("rotationDegrees"), preset.rotationDegrees},
         {QStringLiteral("softnessMm"), preset.softnessMm}};
+    if (!preset.outline.empty())
+        json[QStringLiteral("outline")] = outlineJson(preset.outline);
+    return json;
 }
 
 std::optional<MaskPreset> fromJson(const QJsonObject& json)
@@ -37,12 +40,14 @@ std::optional<MaskPreset> fromJson(const QJsonObject& json)
     preset.heightRatio = json[QLatin1String("heightRatio")].toDouble(std::nan(""));
     preset.rotationDegrees = json[QLatin1String("rotationDegrees")].toDouble(std::nan(""));
     preset.softnessMm = json[QLatin1String("softnessMm")].toDouble();
+    preset.outline = outlineFromJson(json[QLatin1String("outline")]);
     const bool sound = !preset.name.isEmpty() && shape >= 0 && shape < shapes
         && preset.radiusMm >= DrillOptions::minimumRadiusMm
         && preset.radiusMm <= DrillOptions::maximumRadiusMm
         && preset.heightRatio >= DrillOptions::minimumHeightRatio && preset.heightRatio <= 1.0
         && std::abs(preset.rotationDegrees) <= 180.0 && preset.softnessMm >= 0.0
-        && preset.softnessMm <= DrillOptions::maximumSoftnessMm;
+        && preset.softnessMm <= DrillOptions::maximumSoftnessMm
+        && preset.outline.empty() != json.contains(QLatin1String("outline"));
     if (!sound)
         return std::nullopt;
     preset.shape = core::MaskShape::Kind(shape);
@@ -95,7 +100,8 @@ MaskPreset presetOf(const Workspace::DrillSettings& settings, const QString& nam
         .radiusMm = settings.radiusMm,
         .heightRatio = settings.heightRatio,
         .rotationDegrees = settings.rotationDegrees,
-        .softnessMm = settings.softnessMm};
+        .softnessMm = settings.softnessMm,
+        .outline = settings.freehand ? settings.outline : MaskOutline()};
 }
 
 Workspace::DrillSettings withPreset(Workspace::DrillSettings settings, const MaskPreset& preset)
@@ -105,6 +111,9 @@ Workspace::DrillSettings withPreset(Workspace::DrillSettings settings, const Mas
     settings.heightRatio = preset.heightRatio;
     settings.rotationDegrees = preset.rotationDegrees;
     settings.softnessMm = preset.softnessMm;
+    settings.freehand = !preset.outline.empty();
+    if (settings.freehand)
+        settings.outline = preset.outline;
     return settings;
 }
 

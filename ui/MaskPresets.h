@@ -17,6 +17,7 @@ struct MaskPreset {
     double heightRatio = 0.5;
     double rotationDegrees = 0.0;
     double softnessMm = 0.0;
+    MaskOutline outline{}; ///< in place of the shape; empty: the shape
     bool operator==(const MaskPreset&) const = default;
 };
 

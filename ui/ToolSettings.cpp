@@ -36,7 +36,8 @@ QJsonObject toJson(const Workspace::DrillSettings& drill)
         {QStringLiteral("pressureExponent"), drill.pressureExponent},
         {QStringLiteral("rate"), drill.mode == core::DrillMode::Rate},
         {QStringLiteral("laserDepthMm"), drill.laserDepthMm},
-        {QStringLiteral("sweep"), int(drill.sweep)}};
+        {QStringLiteral("sweep"), int(drill.sweep)}, {QStringLiteral("freehand"), drill.freehand},
+        {QStringLiteral("outline"), outlineJson(drill.outline)}};
 }
 
 /// An enumerator by its number. @param last the greatest
@@ -67,6 +68,8 @@ void read(const QJsonValue& json, Workspace::DrillSettings& drill)
     drill.mode = rate ? core::DrillMode::Rate : core::DrillMode::Limit;
     read(at("laserDepthMm"), drill.laserDepthMm, Options::minimumDepthMm, Options::maximumDepthMm);
     read(at("sweep"), drill.sweep, Workspace::Sweep::Pen);
+    drill.outline = outlineFromJson(at("outline"));
+    drill.freehand = at("freehand").toBool() && !drill.outline.empty();
 }
 
 QJsonObject toJson(const Workspace::BrushSettings& brush)

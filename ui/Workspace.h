@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/GrowSettings.h"
+#include "ui/MaskOutline.h"
 
 #include <QObject>
 #include <QString>
@@ -47,6 +48,8 @@ public:
         int pressureExponent = 2; ///< 1 … 3: the depth goes with this power of the pressure
         double laserDepthMm = 15.0; ///< the laser's depthMm
         Sweep sweep = Sweep::View; ///< the drill's
+        bool freehand = false; ///< the outline in place of the shape
+        MaskOutline outline{}; ///< radiusMm is half its greater side
         bool operator==(const DrillSettings&) const = default;
     };
     /// Of paint, of the carve brush and of barriers, each its own.

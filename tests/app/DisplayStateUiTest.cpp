@@ -94,7 +94,9 @@ private:
         .floorMm = 22.5,
         .pressureExponent = 3,
         .laserDepthMm = 9.5,
-        .sweep = ui::Workspace::Sweep::UpDown};
+        .sweep = ui::Workspace::Sweep::UpDown,
+        .freehand = true,
+        .outline = {{-1.0, -0.25}, {1.0, -0.25}, {0.125, 0.25}}};
 
     /// Everything that can be set, to something else than it is at the start.
     static void changeEverything(app::Application& application)
@@ -311,7 +313,8 @@ private Q_SLOTS:
                           "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
                           "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},'volume':"
                           "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
-                          "'drill':{'shape':9,'sweep':-1,'rate':'often'},"
+                          "'drill':{'shape':9,'sweep':-1,'rate':'often','freehand':true,"
+                          "'outline':[[0,0],[1,'far']]},"
                           "'tools':{'peel':{'depthMm':'deep'},'carve-scissors':7},"
                           "'growth':{'lower':9,'upper':-9}}");
     }

@@ -38,7 +38,8 @@ const Binding bindings[] = {
     {"Double click", "this view alone, or all four", "this view alone, or all four"},
     {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
     {"Home, End", "first, last slice", ""},
-    {"Esc", "takes the stroke under the pen back", "takes the stroke under the pen back"},
+    {"Esc", "takes the stroke under the pen back",
+        "takes back the stroke under the pen, or what is not kept yet"},
 };
 
 } // namespace

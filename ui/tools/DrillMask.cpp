@@ -44,10 +44,32 @@ double turnOf(const PointerSample& pen)
     return glm::length(lean) < leastLean ? 0.0 : azimuth(lean);
 }
 
+/// What is left of a length along the way that a pen leans.
+double shareOf(const glm::dvec2& lean)
+{
+    return 1.0 / std::sqrt(1.0 + glm::dot(lean, lean));
+}
+
+constexpr double wholeShare = 0.999;
+
+void stretch(std::vector<glm::dvec2>& points, const glm::dvec2& along, double factor)
+{
+    for (glm::dvec2& point : points)
+        point += (factor - 1.0) * glm::dot(point, along) * along;
+}
+
+void turn(std::vector<glm::dvec2>& points, double degrees)
+{
+    const double cosine = std::cos(degrees / radian);
+    const double sine = std::sin(degrees / radian);
+    for (glm::dvec2& point : points)
+        point = {cosine * point.x - sine * point.y, sine * point.x + cosine * point.y};
+}
+
 void foreshorten(core::MaskShape& mask, const glm::dvec2& lean)
 {
-    const double share = 1.0 / std::sqrt(1.0 + glm::dot(lean, lean));
-    if (share > 0.999)
+    const double share = shareOf(lean);
+    if (share > wholeShare)
         return;
     if (core::isRound(mask)) {
         mask.kind = core::MaskShape::Kind::Ellipse;
@@ -56,11 +78,16 @@ void foreshorten(core::MaskShape& mask, const glm::dvec2& lean)
         mask.rotationDegrees = azimuth(lean);
         return;
     }
-    const glm::dvec2 along = glm::normalize(lean);
     std::vector<glm::dvec2> outline = core::outlineMm(mask, outlineElementMm);
-    for (glm::dvec2& point : outline)
-        point -= (1.0 - share) * glm::dot(point, along) * along;
+    stretch(outline, glm::normalize(lean), share);
     mask.polygonMm = std::move(outline);
+}
+
+/// Degrees that a mask is turned by, counter-clockwise.
+double turnOf(const Workspace::DrillSettings& settings, const PointerSample& pen)
+{
+    const double withPen = settings.turnsWithPen ? turnOf(pen) : 0.0;
+    return std::remainder(settings.rotationDegrees + withPen, 360.0);
 }
 
 } // namespace
@@ -73,12 +100,27 @@ core::MaskShape drillMask(const Workspace::DrillSettings& settings, const Pointe
     mask.widthMm = 2.0 * settings.radiusMm;
     mask.heightMm = std::max(mask.widthMm * settings.heightRatio, 0.1);
     mask.cornerMm = 0.25 * std::min(mask.widthMm, mask.heightMm);
-    const double turn = settings.turnsWithPen ? turnOf(pen) : 0.0;
-    mask.rotationDegrees = std::remainder(settings.rotationDegrees + turn, 360.0);
+    mask.rotationDegrees = turnOf(settings, pen);
     mask.softnessMm = settings.softnessMm;
+    if (settings.freehand && !settings.outline.empty()) {
+        mask.polygonMm = settings.outline;
+        for (glm::dvec2& point : *mask.polygonMm)
+            point *= settings.radiusMm;
+        turn(*mask.polygonMm, mask.rotationDegrees);
+    }
     if (settings.foreshortened)
         foreshorten(mask, leanOf(pen));
     return mask;
+}
+
+std::vector<glm::dvec2> withoutPen(std::vector<glm::dvec2> curve,
+    const Workspace::DrillSettings& settings, const PointerSample& pen)
+{
+    const glm::dvec2 lean = leanOf(pen);
+    if (settings.foreshortened && shareOf(lean) <= wholeShare)
+        stretch(curve, glm::normalize(lean), 1.0 / shareOf(lean));
+    turn(curve, -turnOf(settings, pen));
+    return curve;
 }
 
 void drawToolOutline(QPainter& painter, const QPolygonF& outline, bool closed)

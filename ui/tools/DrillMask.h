@@ -17,6 +17,11 @@ namespace ui {
 [[nodiscard]] core::MaskShape drillMask(
     const Workspace::DrillSettings& settings, const PointerSample& pen = {});
 
+/// What drillMask() makes of an outline, backwards: what is to be kept of a curve that was drawn
+/// with a pen held like this, so that the same pen presses the curve.
+[[nodiscard]] std::vector<glm::dvec2> withoutPen(std::vector<glm::dvec2> curve,
+    const Workspace::DrillSettings& settings, const PointerSample& pen);
+
 /// Outlines of tools over a picture: a bright line with a dark rim, to be seen on bone and on black
 /// alike.
 void drawToolOutline(QPainter& painter, const QPolygonF& outline, bool closed = true);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/DrillOptions.h"
 
+#include "core/edits/ToolMasks.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
+#include "ui/tools/DrillMask.h"
 #include "ui/tools/DrillSurface.h"
 #include "ui/tools/MaskPresetMenu.h"
 #include "ui/tools/PenMenu.h"
@@ -13,7 +15,9 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 namespace ui {
 
@@ -32,6 +36,29 @@ QDoubleSpinBox* millimetreBox(QWidget* parent, double minimum, double maximum, c
     return box;
 }
 
+/// Behind the shapes that core knows.
+constexpr int freehandIndex = int(core::MaskShape::Kind::Rounded) + 1;
+constexpr int iconPixels = 18;
+
+/// The outline as it would be pressed, however large, small.
+QIcon outlineIcon(const Workspace::DrillSettings& settings, double devicePixelRatio)
+{
+    if (settings.outline.empty())
+        return {};
+    QPixmap picture(QSize(iconPixels, iconPixels) * devicePixelRatio);
+    picture.setDevicePixelRatio(devicePixelRatio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const core::MaskShape mask = drillMask(settings);
+    const double half = 0.5 * iconPixels;
+    painter.setPen(QPen(theme::text, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(theme::selected);
+    painter.drawPolygon(maskOutline(mask, QPointF(half, half), core::reachMm(mask) / (half - 1.0)),
+        Qt::WindingFill);
+    return QIcon(picture);
+}
+
 } // namespace
 
 DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
@@ -39,6 +66,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_workspace(workspace)
     , m_tool(tool)
     , m_shape(new QComboBox(this))
+    , m_outline(new QToolButton(this))
     , m_radius(millimetreBox(this, minimumRadiusMm, maximumRadiusMm, QStringLiteral("drillRadius")))
     , m_height(new QDoubleSpinBox(this))
     , m_turn(new QDoubleSpinBox(this))
@@ -53,8 +81,17 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
 {
     // In the order of the enumerators.
     m_shape->setObjectName(QStringLiteral("drillShape"));
-    m_shape->addItems({tr("Circle"), tr("Ellipse"), tr("Square"), tr("Rectangle"), tr("Rounded")});
+    m_shape->addItems({tr("Circle"), tr("Ellipse"), tr("Square"), tr("Rectangle"), tr("Rounded"),
+        tr("Freehand")});
     m_shape->setToolTip(tr("What is pressed into the volume"));
+    m_outline->setObjectName(QStringLiteral("drillOutline"));
+    m_outline->setText(tr("Draw outline"));
+    m_outline->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_outline->setCheckable(true);
+    m_outline->setIconSize(QSize(iconPixels, iconPixels));
+    m_outline->setFixedHeight(theme::controlHeight);
+    m_outline->setFocusPolicy(Qt::TabFocus);
+    m_outline->setToolTip(tr("The next drag in the 3D view draws the mask; it closes by itself"));
     m_mode->setObjectName(QStringLiteral("drillMode"));
     m_mode->addItems({tr("Limit"), tr("Rate")});
     m_mode->setToolTip(tr("Limit: one press cuts at most the depth, however long it lasts\n"
@@ -96,6 +133,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_shape);
+    layout->addWidget(m_outline);
     layout->addWidget(new MaskPresetMenu(workspace, this));
     layout->addWidget(m_radiusLabel);
     layout->addWidget(m_radius);
@@ -136,8 +174,10 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     connect(m_floor, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
     for (const QDoubleSpinBox* box : {m_height, m_turn, m_softness})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DrillOptions::takeSettings);
-    for (const QComboBox* box : {m_shape, m_mode, m_sweep})
+    for (const QComboBox* box : {m_mode, m_sweep})
         connect(box, &QComboBox::currentIndexChanged, this, &DrillOptions::takeSettings);
+    connect(m_shape, &QComboBox::currentIndexChanged, this, &DrillOptions::takeShape);
+    connect(m_outline, &QToolButton::clicked, this, &DrillOptions::outlineAsked);
     connect(m_throughGaps, &QCheckBox::toggled, this, &DrillOptions::takeSettings);
 }
 
@@ -153,26 +193,19 @@ void DrillOptions::showSettings()
     const QSignalBlocker mode(m_mode);
     const QSignalBlocker floor(m_floor);
     const QSignalBlocker sweep(m_sweep);
-    using Kind = core::MaskShape::Kind;
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     m_radius->setValue(settings.radiusMm);
     m_depth->setValue(ofLaser() ? settings.laserDepthMm : settings.depthMm);
     m_floor->setValue(settings.floorMm);
     m_floor->setVisible(settings.mode == core::DrillMode::Rate);
     m_throughGaps->setChecked(settings.throughGaps);
-    m_shape->setCurrentIndex(int(settings.shape));
+    m_shape->setCurrentIndex(settings.freehand ? freehandIndex : int(settings.shape));
     m_height->setValue(100.0 * settings.heightRatio);
     m_turn->setValue(settings.rotationDegrees);
     m_softness->setValue(settings.softnessMm);
     m_mode->setCurrentIndex(int(settings.mode));
     m_sweep->setCurrentIndex(int(settings.sweep));
-    // Of all shapes that are not round the radius is half the width.
-    const bool round = settings.shape == Kind::Circle;
-    m_radiusLabel->setVisible(round);
-    m_radius->setPrefix(round ? QString() : QStringLiteral("±"));
-    m_radius->setToolTip(round ? tr("Radius of the mask") : tr("Half the width of the mask"));
-    m_height->setVisible(settings.shape != Kind::Circle && settings.shape != Kind::Square);
-    m_turn->setVisible(settings.shape != Kind::Circle);
+    showSize();
     const bool rate = settings.mode == core::DrillMode::Rate;
     m_depth->setSuffix(rate ? tr(" mm/s") : tr(" mm"));
     m_depth->setFixedWidth(rate ? 98 : 84);
@@ -196,6 +229,40 @@ void DrillOptions::showSettings()
     }
 }
 
+/// What there is to set of the shape.
+void DrillOptions::showSize()
+{
+    using Kind = core::MaskShape::Kind;
+    const Workspace::DrillSettings& settings = m_workspace.drillSettings();
+    // Of all shapes that are not round the radius is half the width.
+    const bool round = settings.shape == Kind::Circle && !settings.freehand;
+    m_radiusLabel->setVisible(round);
+    m_radius->setPrefix(round ? QString() : QStringLiteral("±"));
+    m_radius->setToolTip(round  ? tr("Radius of the mask")
+            : settings.freehand ? tr("Half the length of the outline, as it was drawn or scaled")
+                                : tr("Half the width of the mask"));
+    m_height->setVisible(!round && !settings.freehand && settings.shape != Kind::Square);
+    m_turn->setVisible(!round);
+    m_outline->setVisible(settings.freehand);
+    m_outline->setIcon(outlineIcon(settings, devicePixelRatioF()));
+}
+
+void DrillOptions::showDrawing(bool drawing)
+{
+    m_outline->setChecked(drawing);
+}
+
+void DrillOptions::takeShape(int index)
+{
+    Workspace::DrillSettings settings = m_workspace.drillSettings();
+    settings.freehand = index == freehandIndex;
+    if (!settings.freehand)
+        settings.shape = core::MaskShape::Kind(index);
+    m_workspace.setDrillSettings(settings);
+    if (settings.freehand && settings.outline.empty())
+        Q_EMIT outlineAsked(true);
+}
+
 void DrillOptions::takeSettings()
 {
     Workspace::DrillSettings settings = m_workspace.drillSettings();
@@ -203,7 +270,6 @@ void DrillOptions::takeSettings()
     (ofLaser() ? settings.laserDepthMm : settings.depthMm) = m_depth->value();
     settings.floorMm = m_floor->value();
     settings.throughGaps = m_throughGaps->isChecked();
-    settings.shape = core::MaskShape::Kind(m_shape->currentIndex());
     settings.heightRatio = m_height->value() / 100.0;
     settings.rotationDegrees = m_turn->value();
     settings.softnessMm = m_softness->value();

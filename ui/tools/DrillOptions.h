@@ -7,6 +7,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QToolButton;
 
 namespace ui {
 
@@ -31,15 +32,24 @@ public:
     enum class Of { Drill, Laser };
     explicit DrillOptions(Workspace& workspace, Of tool, QWidget* parent = nullptr);
 
+    /// Whether the next drag draws a freehand mask's outline.
+    void showDrawing(bool drawing);
+
+Q_SIGNALS:
+    void outlineAsked(bool wanted); ///< to be drawn
+
 private:
     void showSettings();
     void takeSettings();
+    void takeShape(int index);
+    void showSize();
 
     [[nodiscard]] bool ofLaser() const { return m_tool == Of::Laser; }
 
     Workspace& m_workspace;
     Of m_tool;
     QComboBox* m_shape = nullptr;
+    QToolButton* m_outline = nullptr; ///< freehand
     QDoubleSpinBox* m_radius = nullptr;
     QDoubleSpinBox* m_height = nullptr; ///< per cent of the width
     QDoubleSpinBox* m_turn = nullptr;

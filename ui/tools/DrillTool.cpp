@@ -38,17 +38,34 @@ double stepped(double value, int steps, double minimum, double maximum)
     return std::clamp(std::round((value + steps * step) / step) * step, minimum, maximum);
 }
 
+QString sizeText(const Workspace::DrillSettings& settings)
+{
+    const bool round = settings.shape == core::MaskShape::Kind::Circle && !settings.freehand;
+    const QString mm =
+        QLocale().toString(round ? settings.radiusMm : 2.0 * settings.radiusMm, 'f', 1);
+    if (round)
+        return DrillTool::tr("radius %1 mm").arg(mm);
+    return settings.freehand ? DrillTool::tr("%1 mm across").arg(mm)
+                             : DrillTool::tr("width %1 mm").arg(mm);
+}
+
 } // namespace
 
 DrillTool::DrillTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
+    , m_drawing(workspace)
     , m_preview(workspace, [this] { Q_EMIT overlayChanged(); })
 {
     connect(&workspace, &Workspace::drillSettingsChanged, this, &Tool::overlayChanged);
     connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
+    connect(&m_drawing, &MaskDrawing::changed, this, [this] {
+        m_preview.forget();
+        Q_EMIT overlayChanged();
+    });
     // A stroke ends with the session it was begun in.
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_drawing.drop();
         m_strokeView.reset();
         m_aiming.reset();
         m_resting.stop();
@@ -70,6 +87,8 @@ QString DrillTool::iconName() const
 
 QString DrillTool::hint() const
 {
+    if (m_drawing.isWanted())
+        return m_drawing.hint();
     return tr("Drill: press on the surface; pressure sets the depth, Ctrl or the eraser end "
               "restores");
 }
@@ -86,7 +105,16 @@ QString DrillTool::keys() const
 
 QWidget* DrillTool::createOptions(QWidget* parent)
 {
-    return new DrillOptions(m_workspace, DrillOptions::Of::Drill, parent);
+    return connected(new DrillOptions(m_workspace, DrillOptions::Of::Drill, parent));
+}
+
+QWidget* DrillTool::connected(DrillOptions* options)
+{
+    const auto show = [this, options] { options->showDrawing(m_drawing.isWanted()); };
+    show();
+    connect(&m_drawing, &MaskDrawing::changed, options, show);
+    connect(options, &DrillOptions::outlineAsked, &m_drawing, &MaskDrawing::want);
+    return options;
 }
 
 bool DrillTool::worksIn(const ViewContext& view) const
@@ -143,8 +171,13 @@ core::PenSample DrillTool::penSample(const PointerSample& sample) const
 void DrillTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || !worksIn(view) || m_strokeView)
+    if (!session || !worksIn(view) || m_strokeView || m_drawing.drawing())
         return;
+    if (m_drawing.isWanted()) {
+        m_drawing.press(sample, view);
+        showCursor(sample, view.view);
+        return;
+    }
     m_restores = restoresWith(sample);
     m_held = sample;
     m_aim.reset();
@@ -261,6 +294,11 @@ void DrillTool::rest()
 
 void DrillTool::drag(const PointerSample& sample, const ViewContext& view)
 {
+    if (m_drawing.drawing()) {
+        m_drawing.drag(sample, view);
+        showCursor(sample, view.view);
+        return;
+    }
     if (!m_strokeView || view.view != m_strokeView->view)
         return;
     tell(sample);
@@ -269,6 +307,12 @@ void DrillTool::drag(const PointerSample& sample, const ViewContext& view)
 
 void DrillTool::release(const PointerSample& sample, const ViewContext& view)
 {
+    if (m_drawing.drawing()) {
+        m_drawing.release(sample, view);
+        m_held = sample;
+        showCursor(sample, view.view);
+        return;
+    }
     if (!m_strokeView)
         return;
     if (m_aiming) {
@@ -283,6 +327,10 @@ void DrillTool::release(const PointerSample& sample, const ViewContext& view)
 
 void DrillTool::cancel()
 {
+    if (m_drawing.cancel()) {
+        Q_EMIT overlayChanged();
+        return;
+    }
     // What was drawn and let go of is a stroke, though its place is not known yet.
     if (!m_strokeView || (m_aiming && m_aiming->released))
         return;
@@ -299,7 +347,7 @@ void DrillTool::cancel()
 void DrillTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_held = sample;
-    if (worksIn(view) && m_workspace.session())
+    if (worksIn(view) && m_workspace.session() && !m_drawing.isWanted())
         m_preview.lookAt(view, footprint(sample, view), previewAcross);
     showCursor(sample, view.view);
 }
@@ -387,6 +435,8 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
         return;
+    if (m_drawing.isWanted())
+        return m_drawing.paint(painter, view, m_cursor);
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     const double radius = settings.radiusMm / view.mmPerPixel();
 
@@ -405,10 +455,7 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         const double now = depthMm() * m_pressure * m_pressure;
         depth = tr("%1 of %2 mm").arg(QLocale().toString(now, 'f', 1), full);
     }
-    const QString size = settings.shape == core::MaskShape::Kind::Circle
-        ? tr("radius %1 mm").arg(QLocale().toString(settings.radiusMm, 'f', 1))
-        : tr("width %1 mm").arg(QLocale().toString(2.0 * settings.radiusMm, 'f', 1));
-    QStringList lines{depth, size, target()};
+    QStringList lines{depth, sizeText(settings), target()};
     // Where the picture itself does not say where a cut starts.
     if (m_workspace.volumeDisplay().mode != gpu::RenderMode::Surface)
         lines += startText(m_workspace);

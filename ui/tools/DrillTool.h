@@ -3,6 +3,7 @@
 
 #include "core/edits/Edits.h"
 #include "ui/Workspace.h"
+#include "ui/tools/MaskDrawing.h"
 #include "ui/tools/SurfacePreview.h"
 #include "ui/tools/SweepAim.h"
 #include "ui/tools/Tool.h"
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace ui {
+
+class DrillOptions;
 
 /// Cuts into the sculpt layer where the pen presses on the 3D view (seed A §4.1, 4.2; DESIGN §5),
 /// or fills it again: with Ctrl, or the pen's eraser end. The view of pen-down holds for the whole
@@ -46,6 +49,9 @@ public:
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
+    /// The outline of a freehand mask: while it is wanted, a drag draws it and cuts nothing.
+    [[nodiscard]] const MaskDrawing& drawing() const { return m_drawing; }
+
     /// The edit that a stroke begun in this view stands for, without samples.
     [[nodiscard]] core::DrillStroke strokeIn(const ViewContext& view, bool restore = false) const;
 
@@ -57,6 +63,8 @@ protected:
     /// Whether it goes in across the surface, whatever the settings say of the sweep.
     [[nodiscard]] virtual bool followsSurface() const { return false; }
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+    /// Options that show, and ask for, the drawing of an outline.
+    [[nodiscard]] QWidget* connected(DrillOptions* options);
 
 private:
     /// A stroke that waits for the place it is to go in at.
@@ -78,6 +86,7 @@ private:
     void rest();
 
     Workspace& m_workspace;
+    MaskDrawing m_drawing;
     std::optional<ViewContext> m_strokeView; ///< set while the pen is down
     std::shared_ptr<Aiming> m_aiming;
     std::optional<SweepAim> m_aim; ///< of the stroke

@@ -17,13 +17,15 @@ QString LaserTool::iconName() const
 
 QString LaserTool::hint() const
 {
+    if (drawing().isWanted())
+        return drawing().hint();
     return tr("Laser: press on the surface; it cuts along the surface's normal, Ctrl or the eraser "
               "end restores");
 }
 
 QWidget* LaserTool::createOptions(QWidget* parent)
 {
-    return new DrillOptions(workspace(), DrillOptions::Of::Laser, parent);
+    return connected(new DrillOptions(workspace(), DrillOptions::Of::Laser, parent));
 }
 
 core::Edit LaserTool::editIn(const ViewContext& view, bool restore) const

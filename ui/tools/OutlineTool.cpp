@@ -12,12 +12,12 @@
 
 #include <QPainter>
 
+#include <utility>
+
 namespace ui {
 
 namespace {
 
-constexpr double leastStepPixels = 1.5;
-constexpr double leastSidePixels = 4.0;
 constexpr double hoverMm = 6.0;
 constexpr int hoverAcross = 12; ///< rays
 constexpr int sketchAcross = 32;
@@ -32,7 +32,7 @@ OutlineTool::OutlineTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
     // A curve ends with the session it was begun in.
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        m_sketchView.reset();
+        m_sketch.drop();
         m_preview.forget();
     });
 }
@@ -55,41 +55,35 @@ double OutlineTool::surfaceThreshold() const
 
 void OutlineTool::press(const PointerSample& sample, const ViewContext& view)
 {
-    if (!m_workspace.session() || !worksIn(view) || m_sketchView)
+    if (!m_workspace.session() || !worksIn(view) || m_sketch.drawing())
         return;
     begin();
-    m_sketchView = view;
-    m_sketch = QPolygonF({sample.position});
+    m_sketch.begin(sample.position, view);
     m_restores = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
     showCursor(sample, view.view);
 }
 
 void OutlineTool::drag(const PointerSample& sample, const ViewContext& view)
 {
-    if (!m_sketchView || view.view != m_sketchView->view)
+    if (!m_sketch.drawing() || view.view != m_sketch.view().view)
         return;
-    const QPointF step = sample.position - m_sketch.back();
-    if (QPointF::dotProduct(step, step) >= leastStepPixels * leastStepPixels)
-        m_sketch << sample.position;
-    if (showsTaken() && m_sketch.size() >= 3) {
-        std::vector<glm::dvec2> outline;
-        for (const QPointF& point : m_sketch)
-            outline.push_back(m_sketchView->toViewPlaneMm(point));
-        m_preview.lookAt(*m_sketchView, std::move(outline), sketchAcross);
+    m_sketch.extend(sample.position);
+    if (showsTaken()) {
+        if (std::vector<glm::dvec2> outline = m_sketch.curveMm(); outline.size() >= 3)
+            m_preview.lookAt(m_sketch.view(), std::move(outline), sketchAcross);
     }
     showCursor(sample, view.view);
 }
 
 void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
 {
-    if (!m_sketchView)
+    if (!m_sketch.drawing())
         return;
     drag(sample, view);
-    const ViewContext sketched = *m_sketchView;
-    m_sketchView.reset();
+    const ViewContext sketched = m_sketch.view();
+    std::vector<glm::dvec2> curve = m_sketch.finish();
     m_preview.forget();
-    const QRectF box = m_sketch.boundingRect();
-    if (m_sketch.size() < 3 || box.width() < leastSidePixels || box.height() < leastSidePixels) {
+    if (curve.empty()) {
         m_workspace.say(tr("Draw a curve around what is to be cut; it closes by itself"));
     } else {
         Sketch sketch;
@@ -97,8 +91,7 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
         sketch.view = orthographicView(scene);
         sketch.hidden = core::hiddenSides(scene.clip, m_workspace.volume()->geometry);
         sketch.restore = m_restores;
-        for (const QPointF& point : m_sketch)
-            sketch.polygonMm.push_back(sketched.toViewPlaneMm(point));
+        sketch.polygonMm = std::move(curve);
         cut(sketch);
     }
     showCursor(sample, view.view);
@@ -106,7 +99,7 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
 
 void OutlineTool::cancel()
 {
-    m_sketchView.reset();
+    m_sketch.drop();
     m_preview.forget();
     Q_EMIT overlayChanged();
 }
@@ -145,13 +138,8 @@ void OutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         return;
     if (const SurfacePatch* surface = m_preview.patch())
         paintPatch(painter, taken(*surface), view);
-    if (m_sketchView) {
-        // Where it closes by itself, a thin line says so.
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(toolColour(), 1.0, Qt::DotLine));
-        painter.drawLine(m_sketch.back(), m_sketch.front());
-        drawToolOutline(painter, m_sketch, false);
-    }
+    if (m_sketch.drawing())
+        m_sketch.paint(painter);
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(m_cursor, 2.0, 2.0);

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/edits/Edits.h"
+#include "ui/tools/CurveSketch.h"
 #include "ui/tools/SurfacePreview.h"
 #include "ui/tools/Tool.h"
-
-#include <QPolygonF>
 
 #include <optional>
 #include <vector>
@@ -57,8 +56,7 @@ private:
 
     Workspace& m_workspace;
     SurfacePreview m_preview;
-    std::optional<ViewContext> m_sketchView; ///< set while the pen is down
-    QPolygonF m_sketch; ///< logical pixels
+    CurveSketch m_sketch;
     bool m_restores = false;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;

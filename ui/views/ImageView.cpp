@@ -365,6 +365,9 @@ void ImageView::keyPressEvent(QKeyEvent* event)
         setCursor(Qt::OpenHandCursor);
     } else if (event->key() == Qt::Key_Escape && m_gesture == Gesture::Tool) {
         loseStroke();
+    } else if (event->key() == Qt::Key_Escape && m_tool) {
+        // What stays open after the pen is lifted: a peel, an outline that is to be drawn.
+        m_tool->cancel();
     } else {
         QWidget::keyPressEvent(event);
     }

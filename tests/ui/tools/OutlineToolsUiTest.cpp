@@ -138,7 +138,8 @@ private Q_SLOTS:
         OutlineFixture fixture;
         fixture.draw(60.0);
         QVERIFY(fixture.carvedVoxels() > 0);
-        fixture.peel.cancel();
+        QTest::keyClick(&fixture.view, Qt::Key_Escape); // the pen is lifted
+        QVERIFY(!fixture.peel.isOpen());
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.carvedVoxels(), std::int64_t(0));
         QCOMPARE(fixture.rows(), std::size_t(0));
