@@ -13,38 +13,83 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace ui {
 
 namespace {
 
-QDoubleSpinBox* millimetreBox(QWidget* parent, const char* name,
-    const core::editFields::Number& range, const std::optional<double>& value)
+constexpr double percent = 100.0;
+
+double lengthOf(const std::vector<glm::dvec2>& outline)
 {
-    auto* box = new QDoubleSpinBox(parent);
-    box->setObjectName(QLatin1String(name));
-    box->setDecimals(1);
-    box->setSingleStep(0.5);
-    box->setRange(range.minimum > 0.0 ? std::max(range.minimum, 0.1) : 0.0, range.maximum);
-    box->setSuffix(QStringLiteral(" mm"));
-    box->setValue(value.value_or(0.0));
-    return box;
+    double length = 0.0;
+    for (std::size_t i = 1; i < outline.size(); ++i)
+        length += glm::length(outline[i] - outline[i - 1]);
+    return length;
 }
 
-/// What a box shows, where it is not what the stroke was drawn with.
-std::optional<double> changed(const QDoubleSpinBox& box, const std::optional<double>& drawn)
+const std::vector<glm::dvec2>* outlineOf(const core::SculptEdit& edit)
 {
-    if (!drawn)
-        return {};
-    // Values that the box rounds are not changed by looking at them.
-    const double half = 0.5 * std::pow(10.0, -box.decimals());
-    if (std::abs(box.value() - *drawn) <= half)
-        return {};
-    return box.value();
+    return std::visit(
+        [](const auto& known) -> const std::vector<glm::dvec2>* {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (std::is_same_v<E, core::BrushStroke>)
+                return nullptr;
+            else if constexpr (std::is_same_v<E,
+                                   core::DrillStroke> || std::is_same_v<E, core::LaserStroke>)
+                return known.mask.polygonMm ? &*known.mask.polygonMm : nullptr;
+            else
+                return &known.polygonMm;
+        },
+        edit);
+}
+
+/// How many times as large as it was drawn an outline counts now.
+double factorOf(const core::SculptEdit& now, const core::SculptEdit& drawn)
+{
+    const auto* const outline = outlineOf(now);
+    const auto* const before = outlineOf(drawn);
+    if (!outline || !before || lengthOf(*before) <= 0.0)
+        return 1.0;
+    // Factors are kept in 1024ths.
+    return std::round(lengthOf(*outline) / lengthOf(*before) * 1024.0) / 1024.0;
 }
 
 } // namespace
+
+struct ReviseStrokeDialog::Kind {
+    const char* name;
+    QString label;
+    std::optional<double> core::StrokeParameters::*parameter;
+    std::optional<double> core::ReviseStroke::*edit;
+    core::editFields::Number range;
+};
+
+void ReviseStrokeDialog::addField(
+    QFormLayout& form, const Kind& kind, const core::StrokeParameters& now)
+{
+    const std::optional<double> drawn = m_drawn.*kind.parameter;
+    if (!drawn)
+        return;
+    const bool share = kind.edit == &core::ReviseStroke::factor;
+    auto* box = new QDoubleSpinBox(this);
+    box->setObjectName(QLatin1String(kind.name));
+    box->setDecimals(share ? 0 : 1);
+    box->setSingleStep(share ? 10.0 : 0.5);
+    const double perUnit = share ? percent : 1.0;
+    box->setRange(kind.range.minimum > 0.0 ? std::max(kind.range.minimum * perUnit, 0.1) : 0.0,
+        kind.range.maximum * perUnit);
+    box->setSuffix(share ? tr(" %") : tr(" mm"));
+    const double counts = (now.*kind.parameter).value_or(*drawn);
+    box->setValue(counts * perUnit);
+    if (share)
+        box->setToolTip(tr("In per cent of how it was drawn"));
+    form.addRow(kind.label, box);
+    m_fields.push_back({box, kind.edit, *drawn, counts, perUnit});
+}
 
 ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     const core::SculptEdit& drawn, const QString& title, const core::Document& document,
@@ -55,15 +100,16 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     , m_layer(new QComboBox(this))
     , m_throughGaps(new QCheckBox(tr("Goes on behind gaps"), this))
 {
-    const core::StrokeParameters now = core::parametersOf(stroke.form);
-    const bool pressed = std::holds_alternative<core::DrillStroke>(drawn);
-    m_radius = millimetreBox(this, "radius", core::editSchema::drillRadius, now.radiusMm);
-    m_depth = millimetreBox(this, "depth",
-        std::holds_alternative<core::PeelCut>(drawn) ? core::editSchema::peelDepth
-                                                     : core::editSchema::drillDepth,
-        now.depthMm);
-    m_softness = millimetreBox(this, "softness", core::editSchema::maskSoftness, now.softnessMm);
-    m_softness->setSpecialValueText(tr("sharp"));
+    using core::editSchema::drillDepth;
+    using core::editSchema::maskSide;
+    using core::editSchema::peelDepth;
+    using Now = core::StrokeParameters;
+    using Edit = core::ReviseStroke;
+    Now now = core::parametersOf(stroke.form);
+    if (now.factor)
+        now.factor = factorOf(stroke.form, drawn);
+    const bool pressed = std::holds_alternative<core::DrillStroke>(drawn)
+        || std::holds_alternative<core::LaserStroke>(drawn);
     setWindowTitle(tr("Change stroke"));
     m_throughGaps->setObjectName(QStringLiteral("throughGaps"));
     m_throughGaps->setChecked(now.throughGaps.value_or(false));
@@ -74,20 +120,30 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
 
     auto* heading = new QLabel(title, this);
     heading->setProperty("role", QStringLiteral("heading"));
+    heading->setWordWrap(true);
     auto* note = new QLabel(tr("Only what this stroke touches is worked out again. Later strokes "
                                "stay where they are."),
         this);
     note->setProperty("role", QStringLiteral("secondary"));
     note->setWordWrap(true);
     auto* form = new QFormLayout;
-    form->addRow(tr("Radius"), m_radius);
-    form->addRow(pressed ? tr("Depth at full pressure") : tr("Depth"), m_depth);
-    form->addRow(tr("Soft edge"), m_softness);
+    const bool peeled = std::holds_alternative<core::PeelCut>(drawn);
+    for (const Kind& kind : {Kind{"radius", tr("Radius"), &Now::radiusMm, &Edit::radiusMm,
+                                 core::editSchema::drillRadius},
+             Kind{"side", tr("Side"), &Now::sideMm, &Edit::sideMm, maskSide},
+             Kind{"width", tr("Width"), &Now::widthMm, &Edit::widthMm, maskSide},
+             Kind{"height", tr("Height"), &Now::heightMm, &Edit::heightMm, maskSide},
+             Kind{"factor", tr("Size of the outline"), &Now::factor, &Edit::factor,
+                 core::editSchema::outlineFactor},
+             Kind{"depth", pressed ? tr("Depth at full pressure") : tr("Depth"), &Now::depthMm,
+                 &Edit::depthMm, peeled ? peelDepth : drillDepth},
+             Kind{"softness", tr("Soft edge"), &Now::softnessMm, &Edit::softnessMm,
+                 core::editSchema::maskSoftness}})
+        addField(*form, kind, now);
+    if (auto* softness = findChild<QDoubleSpinBox*>(QStringLiteral("softness")))
+        softness->setSpecialValueText(tr("sharp"));
     form->addRow(tr("Layer"), m_layer);
     form->addRow(QString(), m_throughGaps);
-    form->setRowVisible(m_radius, m_drawn.radiusMm.has_value());
-    form->setRowVisible(m_depth, m_drawn.depthMm.has_value());
-    form->setRowVisible(m_softness, m_drawn.softnessMm.has_value());
     form->setRowVisible(m_throughGaps, m_drawn.throughGaps.has_value());
     // With one layer there is nothing to choose.
     form->setRowVisible(m_layer, m_layer->count() > 1);
@@ -107,9 +163,14 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
 core::ReviseStroke ReviseStrokeDialog::edit() const
 {
     core::ReviseStroke edit{.row = m_row};
-    edit.radiusMm = changed(*m_radius, m_drawn.radiusMm);
-    edit.depthMm = changed(*m_depth, m_drawn.depthMm);
-    edit.softnessMm = changed(*m_softness, m_drawn.softnessMm);
+    for (const Field& field : m_fields) {
+        // Values that the box rounds are not changed by looking at them.
+        const double half = 0.5 * std::pow(10.0, -field.box->decimals());
+        const bool kept = std::abs(field.box->value() - field.now * field.perUnit) <= half;
+        const double chosen = kept ? field.now : field.box->value() / field.perUnit;
+        if (chosen != field.drawn)
+            edit.*field.edit = chosen;
+    }
     if (m_layer->currentIndex() >= 0 && m_layer->currentData().toInt() != m_drawn.layer)
         edit.layer = m_layer->currentData().toInt();
     if (m_drawn.throughGaps && m_throughGaps->isChecked() != *m_drawn.throughGaps)

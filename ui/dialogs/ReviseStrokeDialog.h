@@ -5,9 +5,13 @@
 
 #include <QDialog>
 
+#include <optional>
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 
 namespace core {
 struct Document;
@@ -28,11 +32,20 @@ public:
     [[nodiscard]] core::ReviseStroke edit() const;
 
 private:
+    /// A number of the cut, where it has it.
+    struct Field {
+        QDoubleSpinBox* box;
+        std::optional<double> core::ReviseStroke::*edit;
+        double drawn; ///< as the stroke was drawn, in the edit's unit
+        double now; ///< as it counts
+        double perUnit; ///< of the box
+    };
+    struct Kind;
+    void addField(QFormLayout& form, const Kind& kind, const core::StrokeParameters& now);
+
     core::RowId m_row;
     core::StrokeParameters m_drawn;
-    QDoubleSpinBox* m_radius;
-    QDoubleSpinBox* m_depth;
-    QDoubleSpinBox* m_softness;
+    std::vector<Field> m_fields;
     QComboBox* m_layer;
     QCheckBox* m_throughGaps;
 };

@@ -15,6 +15,8 @@ template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
         "rows of the history before this one, ascending (burin history: seq)");
 }
 
+inline constexpr editFields::Number outlineFactor{"", 0.05, 20.0, 1024.0};
+
 template <> inline constexpr const char* editName<ReviseStroke> = "reviseStroke";
 template <>
 inline constexpr const char* editMeaning<ReviseStroke> =
@@ -31,7 +33,7 @@ template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
         "another width of a mask that is an ellipse, a rectangle or rounded");
     visit.maybe("heightMm", edit.heightMm, maskSide,
         "another height of a mask that is an ellipse, a rectangle or rounded");
-    visit.maybe("factor", edit.factor, editFields::Number{"", 0.05, 20.0, 1024.0},
+    visit.maybe("factor", edit.factor, outlineFactor,
         "how many times as large a drawn outline is to be: a mask's about its sample, a peel's or "
         "scissors' about its middle");
     visit.maybe("depthMm", edit.depthMm, drillDepth, "another depth, not of a brush");

@@ -169,7 +169,7 @@ private Q_SLOTS:
             QTest::qWait(20);
         };
         change(1, {"depth", "radius", "softness", "throughGaps"}, "softness", 2.0);
-        change(2, {"depth", "throughGaps"}, "depth", 6.5);
+        change(2, {"depth", "factor", "throughGaps"}, "depth", 6.5);
         change(3, {"radius"}, "radius", 7.0);
         const auto revision = [&session](core::RowId row) {
             return std::get<core::ReviseStroke>(session.history().row(row).edit);
