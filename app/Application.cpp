@@ -215,7 +215,7 @@ void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
 
 core::Result<void> Application::makeRoom()
 {
-    if (!ui::mayLoseUnwrittenSteps(*m_workspace, *m_window))
+    if (!ui::mayLoseUnwrittenSteps(*m_workspace, *m_window, m_window->saver()))
         return core::failure(core::ErrorCode::Cancelled);
     if (m_workspace->session())
         m_workspace->setSession(nullptr);

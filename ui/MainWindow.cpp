@@ -317,7 +317,7 @@ void MainWindow::restoreLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayLoseUnwrittenSteps(m_workspace, *this)) {
+    if (!mayLoseUnwrittenSteps(m_workspace, *this, *m_saver)) {
         event->ignore();
         return;
     }
@@ -452,13 +452,14 @@ void MainWindow::saveSessionAs()
 void MainWindow::offerSessionsIn(const QString& folder)
 {
     m_sessionFolder = folder;
+    m_saver->setWorkingFolder(folder);
     if (!m_workspace.volume())
         m_start->showSessions(folder);
 }
 
 void MainWindow::closeStudy()
 {
-    if (!mayLoseUnwrittenSteps(m_workspace, *this))
+    if (!mayLoseUnwrittenSteps(m_workspace, *this, *m_saver))
         return;
     m_workspace.setSession(nullptr);
 }

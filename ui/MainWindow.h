@@ -56,13 +56,14 @@ public:
     [[nodiscard]] BookmarkMenu& bookmarks() const { return *m_bookmarks; }
     [[nodiscard]] MessageBar& messages() const { return *m_messages; }
     [[nodiscard]] StudyOpener& opener() { return m_opener; }
+    [[nodiscard]] SessionSaver& saver() const { return *m_saver; }
     [[nodiscard]] Actions& actionTable() { return m_actions; }
     [[nodiscard]] bool panelsShown() const;
     void showPanels(bool shown);
     /// The panels as at the first start: all in the column.
     void resetPanels();
 
-    /// The start page offers the sessions in a folder.
+    /// The start page offers the sessions in a folder; they have no names of the user's own.
     void offerSessionsIn(const QString& folder);
 
     /// Size and panels as they were when a window was closed last; from now on closing keeps them.

@@ -22,11 +22,15 @@ namespace {
 const QLatin1String folderKey("sessions/folder");
 
 /// A name for people: the series, or the study's file or folder.
-QString suggestedName(const core::Volume& volume)
+QString nameOfStudy(const core::Volume& volume)
 {
     QString name = volume.identity.seriesDescription;
-    if (name.isEmpty())
+    if (name.isEmpty()) {
         name = QFileInfo(volume.sourcePath).completeBaseName();
+        // Of "ball.nii.gz".
+        if (const QLatin1String inner(".nii"); name.endsWith(inner, Qt::CaseInsensitive))
+            name.chop(inner.size());
+    }
     for (const QChar forbidden : QStringLiteral("/\\:*?\"<>|"))
         name.replace(forbidden, u'_');
     return (name.trimmed().isEmpty() ? QStringLiteral("session") : name.trimmed())
@@ -89,6 +93,14 @@ bool SessionSaver::askAndWait()
     return result.value_or(false);
 }
 
+QString SessionSaver::suggestedName() const
+{
+    const QFileInfo file(m_workspace.session()->file());
+    const bool named = !file.fileName().isEmpty()
+        && (m_workingFolder.isEmpty() || file.absoluteDir() != QDir(m_workingFolder));
+    return named ? file.fileName() : nameOfStudy(*m_workspace.volume());
+}
+
 std::optional<SessionSaver::Choice> SessionSaver::choose(bool offerImages)
 {
     const core::Volume* volume = m_workspace.volume();
@@ -96,7 +108,7 @@ std::optional<SessionSaver::Choice> SessionSaver::choose(bool offerImages)
         return {};
     const bool holdsImages = m_workspace.session()->holdsImages();
     const QString folder = QSettings().value(folderKey, QDir::homePath()).toString();
-    SaveSessionDialog dialog(folder, suggestedName(*volume), &m_window);
+    SaveSessionDialog dialog(folder, suggestedName(), &m_window);
     if (offerImages)
         dialog.offerImages(holdsImages, volume->keptHeaders == nullptr);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
@@ -184,6 +196,7 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
             workspace->say(tr("The session is saved and goes on in %1").arg(target));
         } else if (workspace) {
             workspace->fail(saved.error());
+            workspace->say(tr("The session was not saved there; it goes on where it was"));
         }
         if (done)
             done(saved.has_value());

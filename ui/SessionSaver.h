@@ -37,6 +37,9 @@ public:
     SessionSaver(Workspace& workspace, QWidget& window);
     ~SessionSaver() override; ///< cancels and waits
 
+    /// Sessions in this folder were named by the program: that name is not suggested for another.
+    void setWorkingFolder(const QString& folder) { m_workingFolder = folder; }
+
     /// Asks where, asks before a file is replaced, and saves.
     void ask();
     /// The same, and waits until it is done; steps are what matters then, so that images are not
@@ -56,6 +59,7 @@ Q_SIGNALS:
 private:
     using Staged = core::Result<std::shared_ptr<core::StagedFile>>;
 
+    [[nodiscard]] QString suggestedName() const;
     [[nodiscard]] std::optional<Choice> choose(bool offerImages);
     void stage(const Choice& choice, const std::function<void(bool saved)>& done);
     void takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
@@ -65,6 +69,7 @@ private:
 
     Workspace& m_workspace;
     QWidget& m_window;
+    QString m_workingFolder;
     std::shared_ptr<core::Progress> m_progress; ///< of images that are being written
     core::TaskThread m_worker; ///< last: it uses all of the above
 };

@@ -236,10 +236,10 @@ private Q_SLOTS:
                 ++asked;
                 question->button(replace ? QMessageBox::Yes : QMessageBox::No)->click();
             } else if (auto* choice = qobject_cast<QFileDialog*>(&dialog)) {
-                if (!replace && asked > 0)
-                    return choice->reject();
                 auto* name = choice->findChild<QLineEdit*>();
                 suggested = suggested.isEmpty() ? name->text() : suggested;
+                if (!replace && asked > 0)
+                    return choice->reject();
                 name->setText(target);
                 QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
             }
@@ -258,6 +258,11 @@ private Q_SLOTS:
         QVERIFY(!QFileInfo::exists(working));
         QVERIFY(filesIn(app::sessionFolder()).isEmpty());
         QCOMPARE(ui::RecentStudies::paths().value(0), target);
+        // Saved elsewhere, it is suggested the name that it has.
+        suggested.clear();
+        replace = false;
+        window().actionTable()[QStringLiteral("file.saveAs")].trigger();
+        QCOMPARE(suggested, QStringLiteral("mine.burin"));
         edit(test::drillAt(3));
         window().closeStudy();
         open(target);
@@ -284,8 +289,12 @@ private Q_SLOTS:
         edit(test::drillAt(0));
         const QString working = session().file();
         QSignalSpy failed(&workspace(), &ui::Workspace::failed);
+        QSignalSpy said(&workspace(), &ui::Workspace::said);
         ui::SessionSaver(workspace(), window()).save({.target = path("no/such/mine.burin")});
+        QCOMPARE(said.back()[0].toString(), QStringLiteral("Saving the session …"));
         QVERIFY(failed.wait(patience));
+        QVERIFY2(said.back()[0].toString().startsWith(QStringLiteral("The session was not saved")),
+            qPrintable(said.back()[0].toString()));
         QVERIFY2(
             bar().contains(QStringLiteral("mine.burin: cannot be written")), qPrintable(bar()));
         QCOMPARE(session().file(), working);

@@ -230,6 +230,31 @@ private Q_SLOTS:
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(timeline, &leave);
         QVERIFY(!timeline->popup().isVisible());
+
+        // Dragged there and then undone: it does not go on speaking of a step that was left.
+        const auto at = [timeline](int step) {
+            return QPoint(qRound(timeline->xOf(step)), timeline->height() - 8);
+        };
+        QTest::mousePress(timeline, Qt::LeftButton, {}, at(7));
+        hover(7);
+        QTest::mouseRelease(timeline, Qt::LeftButton, {}, at(7));
+        QVERIFY(bench.session().settle());
+        QTRY_VERIFY(!timeline->isScrubbing());
+        QCOMPARE(bench.session().history().position(), RowId(7));
+        hover(7);
+        QVERIFY(timeline->popup().words().startsWith(QStringLiteral("Step 7:")));
+        QVERIFY(bench.session().undo());
+        QVERIFY(bench.session().settle());
+        QTest::qWait(20);
+        QCOMPARE(timeline->value(), 6);
+        QVERIFY(!timeline->popup().isVisible());
+        hover(6);
+        QVERIFY(timeline->popup().words().startsWith(QStringLiteral("Step 6:")));
+        QTest::keyClick(timeline, Qt::Key_Left);
+        QVERIFY(!timeline->popup().isVisible());
+        QVERIFY(bench.session().settle());
+        hover(5);
+        QVERIFY(timeline->popup().isVisible());
     }
 };
 

@@ -20,7 +20,7 @@ QString tr(const char* text)
 
 } // namespace
 
-bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window)
+bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window, SessionSaver& saver)
 {
     while (true) {
         const core::EditSession* session = workspace.session();
@@ -49,7 +49,7 @@ bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window)
         if (box.clickedButton() != save)
             return false;
         // Whether it worked shows in what is still not written.
-        SessionSaver(workspace, window).askAndWait();
+        static_cast<void>(saver.askAndWait());
     }
 }
 

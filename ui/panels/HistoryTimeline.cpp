@@ -99,6 +99,10 @@ void HistoryTimeline::setRoom(bool room)
 void HistoryTimeline::showStep(int lineIndex)
 {
     const QSignalBlocker quiet(this);
+    // Walked there by other means than this handle: what floats speaks of a place that nobody
+    // means any more, until the pointer is moved again.
+    if (lineIndex != value() && m_pointedAt >= 0 && lineIndex != m_pointedAt && !isSliderDown())
+        hidePopup();
     const int steps = int(m_model.line().size()) - 1;
     setVisible(m_room && steps >= leastSteps);
     setRange(0, std::max(0, steps));
@@ -114,6 +118,8 @@ void HistoryTimeline::want(int lineIndex)
     if (!session || lineIndex >= int(m_model.line().size()))
         return;
     m_wanted = m_model.line()[std::size_t(lineIndex)];
+    if (!isSliderDown())
+        hidePopup(); // by keys
     showStep(lineIndex);
     Q_EMIT scrubbed(lineIndex);
     session->closeGrowth();
