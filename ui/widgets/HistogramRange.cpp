@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ui {
 
@@ -26,9 +27,37 @@ int decimalsFor(const core::Histogram& histogram)
     return std::clamp(int(std::ceil(3.0 - std::log10(range))), 1, 6);
 }
 
+/// Takes numbers beyond its range for the nearest within it. A plain box would refuse their last
+/// digit, and make −102 of −1024 where the volume ends at −1019.
+class NumberBox : public QDoubleSpinBox {
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+
+    QValidator::State validate(QString& text, int& position) const override
+    {
+        const QValidator::State state = QDoubleSpinBox::validate(text, position);
+        return state == QValidator::Invalid && number(text) ? QValidator::Intermediate : state;
+    }
+    void fixup(QString& text) const override
+    {
+        if (const std::optional<double> typed = number(text))
+            text = textFromValue(std::clamp(*typed, minimum(), maximum())) + suffix();
+    }
+
+private:
+    [[nodiscard]] std::optional<double> number(QString text) const
+    {
+        if (text.endsWith(suffix()))
+            text.chop(suffix().size());
+        bool isNumber = false;
+        const double value = locale().toDouble(text.trimmed(), &isNumber);
+        return isNumber ? std::optional(value) : std::nullopt;
+    }
+};
+
 QDoubleSpinBox* numberBox(QWidget* parent, const QString& name, const QString& accessible)
 {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setObjectName(name);
     box->setAccessibleName(accessible);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);

@@ -50,8 +50,6 @@ HistogramRangePlot::Grip HistogramRangePlot::gripAt(double x) const
     const double toLower = std::abs(x - xOf(m_lower));
     const double toUpper = std::abs(x - xOf(m_upper));
     if (std::min(toLower, toUpper) <= reach) {
-        if (toLower == toUpper) // on top of each other: take the one that can move that way
-            return x < xOf(m_lower) ? Grip::Lower : Grip::Upper;
         return toLower < toUpper ? Grip::Lower : Grip::Upper;
     }
     if (x > xOf(m_lower) && x < xOf(m_upper))
@@ -103,6 +101,9 @@ void HistogramRangePlot::mouseMoveEvent(QMouseEvent* event)
                                       : Qt::SizeHorCursor);
         return;
     }
+    // On top of each other: it is the one that can move that way.
+    if (m_grip != Grip::Both && m_pressLower == m_pressUpper && m_lower == m_upper && x != m_pressX)
+        m_grip = m_lastGrip = x < m_pressX ? Grip::Lower : Grip::Upper;
     const double shift = roundedValueAt(x) - roundedValueAt(m_pressX);
     if (m_grip == Grip::Both)
         move(m_grip, m_pressLower + shift, m_pressUpper + shift);

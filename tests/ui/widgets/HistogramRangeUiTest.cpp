@@ -77,6 +77,17 @@ private Q_SLOTS:
         drag(plot, plot.xOf(900.0) - 2.0, plot.xOf(200.0));
         QVERIFY(range.lower() < 300.0);
         QCOMPARE(range.upper(), 900.0);
+        // Caught in the middle, or a little beside it.
+        for (const double beside : {0.0, 2.0, -2.0}) {
+            range.setRange(900.0, 900.0);
+            drag(plot, plot.xOf(900.0) + beside, plot.xOf(200.0));
+            QVERIFY(range.lower() < 300.0);
+            QCOMPARE(range.upper(), 900.0);
+            range.setRange(900.0, 900.0);
+            drag(plot, plot.xOf(900.0) + beside, plot.xOf(1500.0));
+            QCOMPARE(range.lower(), 900.0);
+            QVERIFY(range.upper() > 1400.0);
+        }
     }
 
     void exactNumbersAreTyped()
@@ -100,6 +111,22 @@ private Q_SLOTS:
         QCOMPARE(range.lower(), 2000.0);
         QCOMPARE(range.upper(), 2000.0);
         QCOMPARE(edited.count(), 2);
+        // Beyond what there is: the nearest of it, not what is left of the digits.
+        lower->selectAll();
+        QTest::keyClicks(lower, QStringLiteral("-1024"));
+        QTest::keyClick(lower, Qt::Key_Return);
+        QCOMPARE(range.lower(), -1000.0);
+        QCOMPARE(lower->value(), -1000.0);
+        QCOMPARE(range.upper(), 2000.0);
+        upper->setFocus();
+        upper->selectAll();
+        QTest::keyClicks(upper, QStringLiteral("99999"));
+        QTest::keyClick(upper, Qt::Key_Return);
+        QCOMPARE(range.upper(), 3000.0);
+        lower->selectAll();
+        QTest::keyClicks(lower, QStringLiteral("-x1"));
+        QTest::keyClick(lower, Qt::Key_Return);
+        QCOMPARE(range.lower(), -1.0); // a letter is no digit
     }
 
     void settingTellsNobody()
