@@ -189,6 +189,13 @@ void MainWindow::buildCentre()
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(m_tools);
+    // Options go over the panels too: beside them there is not room for all in a small window.
+    auto* working = new QVBoxLayout;
+    working->setSpacing(0);
+    working->addWidget(new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
+        m_actions[QStringLiteral("edit.redo")], this));
+    working->addWidget(m_splitter, 1);
+    row->addLayout(working, 1);
     auto* middle = new QWidget(m_splitter);
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
@@ -200,9 +207,6 @@ void MainWindow::buildCentre()
     m_splitter->setStretchFactor(1, 0);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(1);
-    row->addWidget(m_splitter, 1);
-    column->addWidget(new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
-        m_actions[QStringLiteral("edit.redo")], this));
     column->addWidget(m_loading);
     column->addWidget(m_messages);
     column->addWidget(m_pages, 1);

@@ -85,7 +85,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
         tr("Freehand")});
     m_shape->setToolTip(tr("What is pressed into the volume"));
     m_outline->setObjectName(QStringLiteral("drillOutline"));
-    m_outline->setText(tr("Draw outline"));
+    m_outline->setText(tr("Draw"));
     m_outline->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_outline->setCheckable(true);
     m_outline->setIconSize(QSize(iconPixels, iconPixels));

@@ -7,6 +7,7 @@
 #include "ui/tools/DrillOptions.h"
 
 #include <QLocale>
+#include <QPainter>
 
 #include <algorithm>
 
@@ -132,6 +133,10 @@ void MaskDrawing::paint(QPainter& painter, const ViewContext& view, const QPoint
 {
     if (m_sketch.drawing())
         m_sketch.paint(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(toolColour());
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(cursor, 2.0, 2.0);
     drawCursorLabel(painter, view.sizePixels, cursor, 6.0,
         {tr("draw the mask's outline"), tr("closes by itself · Esc cancels")});
 }

@@ -6,6 +6,7 @@
 #include "tests/support/WindowFixture.h"
 #include "ui/MaskPresets.h"
 #include "ui/OptionBar.h"
+#include "ui/panels/HistoryPanel.h"
 #include "ui/tools/DrillTool.h"
 #include "ui/tools/LaserTool.h"
 #include "ui/tools/MaskPresetMenu.h"
@@ -30,11 +31,13 @@ class DrillOptionsUiTest : public QObject {
 
 private:
     /// All options that there can be, in a window as small as they come.
-    static void showEverything(test::WindowFixture& fixture, ui::Tool& tool)
+    static void showEverything(test::WindowFixture& fixture, ui::Tool& tool, bool freehand)
     {
         ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
         settings.mode = core::DrillMode::Rate;
         settings.shape = Kind::Rounded;
+        settings.freehand = freehand;
+        settings.outline = {{-1.0, -0.5}, {1.0, -0.25}, {0.5, 0.5}};
         settings.radiusMm = 12.5;
         settings.heightRatio = 1.0;
         settings.rotationDegrees = -135.0;
@@ -176,18 +179,28 @@ private Q_SLOTS:
     }
 
     /// However many options there are, a small window stays small and cuts no text off.
+    void theBarFitsASmallWindow_data()
+    {
+        QTest::addColumn<bool>("freehand");
+        QTest::newRow("a shape") << false;
+        QTest::newRow("drawn by hand") << true;
+    }
     void theBarFitsASmallWindow()
     {
+        QFETCH(bool, freehand);
         test::WindowFixture fixture(test::smallStudy());
+        fixture.window.addPanel(new ui::HistoryPanel(fixture.workspace));
+        fixture.window.showPanels(true);
         core::EditSession& session = *fixture.workspace.session();
         for (const char* name : {"A segment with a name as long as names are", "Another one"})
             QVERIFY(session.apply(core::AddSegment{.name = QLatin1String(name), .rgb = 1}));
         QVERIFY(session.undo());
         QVERIFY(session.settle());
         ui::DrillTool tool(fixture.workspace);
-        showEverything(fixture, tool);
+        showEverything(fixture, tool, freehand);
         QTest::qWait(50);
         QCOMPARE(fixture.window.width(), 1280);
+        QVERIFY(fixture.window.findChild<ui::HistoryPanel*>()->isVisible());
         const auto* bar = fixture.window.findChild<ui::OptionBar*>();
         for (const QDoubleSpinBox* box : bar->findChildren<QDoubleSpinBox*>()) {
             if (!box->isVisible())
@@ -210,7 +223,7 @@ private Q_SLOTS:
             QSKIP("BURIN_SCREENSHOTS names no folder");
         test::WindowFixture fixture(test::smallStudy());
         ui::DrillTool tool(fixture.workspace);
-        showEverything(fixture, tool);
+        showEverything(fixture, tool, true);
         QTest::qWait(200);
         QVERIFY(fixture.window.grab().save(QDir(folder).filePath(QStringLiteral("drill-bar.png"))));
         QMenu& menu = *fixture.window.findChild<ui::PenMenu*>()->menu();
