@@ -19,7 +19,7 @@ namespace {
 
 constexpr int barHeight = 36;
 constexpr int longestNamePixels = 170;
-constexpr int shortestNamePixels = 34; ///< "Undo"
+constexpr int shortestNamePixels = 90; ///< that is cut; less of it tells nothing
 constexpr int iconPixels = 30; ///< a button without a name, and what surrounds a name
 
 QFrame* verticalLine(QWidget* parent)
@@ -83,10 +83,14 @@ void OptionBar::showNames()
     if (m_options)
         room -= m_options->sizeHint().width() - m_options->minimumSizeHint().width();
     const int each = std::min(room / std::max(int(m_steps.size()), 1), longestNamePixels);
+    const bool named = each >= shortestNamePixels
+        || std::all_of(m_steps.begin(), m_steps.end(), [each](const QToolButton* button) {
+               const QString name = button->defaultAction()->text();
+               return button->fontMetrics().horizontalAdvance(name) <= each;
+           });
     for (QToolButton* button : m_steps) {
         const QAction& action = *button->defaultAction();
-        button->setToolButtonStyle(
-            each < shortestNamePixels ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+        button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
         button->setText(button->fontMetrics().elidedText(action.text(), Qt::ElideRight, each));
         button->setToolTip(action.text() + QStringLiteral("  ")
             + action.shortcut().toString(QKeySequence::NativeText));

@@ -416,12 +416,13 @@ void ImageView::paintEvent(QPaintEvent*)
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     if (const core::Volume* volume = m_workspace.volume()) {
         const ViewContext shown = shownContext();
+        paintAnnotations(painter, shown);
+        // Over them: what is said at the cursor is never hidden.
         if (m_tool && !m_navigateKey && m_tool->worksIn(shown)) {
             painter.save();
             m_tool->paintOverlay(painter, shown);
             painter.restore();
         }
-        paintAnnotations(painter, shown);
         if (volume->needsCaution() && !m_workspace.cautionAccepted())
             paintCautionStrip(painter, rect(), *volume);
     }

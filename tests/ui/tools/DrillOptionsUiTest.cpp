@@ -20,6 +20,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QSettings>
+#include <QToolButton>
 #include <QtTest>
 
 using ui::MaskPreset;
@@ -212,6 +213,14 @@ private Q_SLOTS:
                                .arg(box->objectName(), box->text())
                                .arg(edit->width())));
             QVERIFY(bar->rect().contains(QRect(box->mapTo(bar, QPoint(0, 0)), box->size())));
+        }
+        // What a step is called is told, or left out, but not cut to a letter or two.
+        for (const QToolButton* button : bar->findChildren<QToolButton*>()) {
+            const QAction* step = button->defaultAction();
+            if (!step || button->toolButtonStyle() == Qt::ToolButtonIconOnly)
+                continue;
+            QVERIFY2(button->text() == step->text() || button->text().size() > 8,
+                qPrintable(button->text()));
         }
         fixture.workspace.setActiveTool(nullptr);
     }

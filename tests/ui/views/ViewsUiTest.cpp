@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
+#include "ui/Theme.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/OrientationLetters.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -95,6 +97,7 @@ private Q_SLOTS:
     void shiftMovesTheCrosshairAlong();
     void doubleClickMaximises();
     void spaceNavigatesWithAToolInHand();
+    void toolsDrawOverAnnotations();
     void volumeViewTurnsAndZooms();
     void maximumIntensityHasItsOwnWindow();
     void nothingIsDrawnWhileNothingChanges();
@@ -365,6 +368,31 @@ void ViewsUiTest::spaceNavigatesWithAToolInHand()
     QVERIFY(tool.heard.isEmpty());
     QVERIFY(sliceScene(fixture, axial).centreLps != centre);
     QCOMPARE(fixture.workspace.windowLevel(), window);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+void ViewsUiTest::toolsDrawOverAnnotations()
+{
+    /// Covers all there is.
+    class Painter : public NotingTool {
+    public:
+        void paintOverlay(QPainter& painter, const ui::ViewContext& view) const override
+        {
+            painter.fillRect(QRectF({}, view.sizePixels), Qt::magenta);
+        }
+    };
+    test::WindowFixture fixture(test::headFirstSupine());
+    Painter tool;
+    fixture.workspace.setActiveTool(&tool);
+    // Corner texts, crosshair, cube and all.
+    for (ui::ImageView* view : std::initializer_list<ui::ImageView*>{
+             &fixture.window.views().volume(), &fixture.window.views().axial()}) {
+        const QImage shown = view->grab().toImage();
+        for (int y = ui::theme::viewBarHeight; y < shown.height(); y += 2) {
+            for (int x = 0; x < shown.width(); x += 2)
+                QCOMPARE(shown.pixelColor(x, y), QColor(Qt::magenta));
+        }
+    }
     fixture.workspace.setActiveTool(nullptr);
 }
 
