@@ -3,9 +3,12 @@
 
 #include "ui/Theme.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QItemSelectionModel>
 #include <QLabel>
+#include <QLineEdit>
 
 namespace ui {
 
@@ -19,7 +22,12 @@ SaveSessionDialog::SaveSessionDialog(const QString& folder, const QString& name,
     setOption(QFileDialog::DontUseNativeDialog);
     setAcceptMode(QFileDialog::AcceptSave);
     setDefaultSuffix(QStringLiteral("burin"));
-    selectFile(name);
+    // The name alone: a row that is chosen would count, whatever is typed afterwards.
+    findChild<QLineEdit*>()->setText(name);
+    for (const QAbstractItemView* list : findChildren<QAbstractItemView*>()) {
+        if (list->selectionModel())
+            list->selectionModel()->clear();
+    }
     m_images->setObjectName(QStringLiteral("includeImages"));
     m_hint->setFont(theme::smallFont());
     m_hint->setProperty("role", QStringLiteral("secondary"));
