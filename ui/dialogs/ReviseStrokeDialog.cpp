@@ -158,6 +158,15 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     layout->addWidget(note);
     layout->addWidget(buttons);
     setMinimumWidth(340);
+
+    // From above to below, whatever was made first.
+    std::vector<QWidget*> order;
+    for (const Field& field : m_fields)
+        order.push_back(field.box);
+    order.insert(order.end(), {m_layer, m_throughGaps});
+    for (std::size_t i = 1; i < order.size(); ++i)
+        setTabOrder(order[i - 1], order[i]);
+    order.front()->setFocus();
 }
 
 core::ReviseStroke ReviseStrokeDialog::edit() const

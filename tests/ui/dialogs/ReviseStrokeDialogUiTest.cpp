@@ -136,6 +136,11 @@ private Q_SLOTS:
             QVERIFY(each->fontMetrics().horizontalAdvance(each->text()) <= text->width());
             shown += each->objectName();
         }
+        // The uppermost is at hand.
+        const auto* first = qobject_cast<QDoubleSpinBox*>(dialog->focusWidget());
+        QVERIFY(first);
+        for (const QDoubleSpinBox* each : dialog->findChildren<QDoubleSpinBox*>())
+            QVERIFY(first->y() <= each->y());
         shown.sort();
         QCOMPARE(shown.join(u' '), fields);
         const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
