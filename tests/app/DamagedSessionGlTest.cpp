@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/nifti/NiftiWriter.h"
-#include "tests/support/BurinProgram.h"
+#include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
@@ -76,18 +75,9 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        const LoadedVolume study = test::smallStudy();
-        std::vector<std::int16_t> values;
-        for (const std::uint16_t code : study.codes)
-            values.push_back(std::int16_t(code - 1024));
         m_study = m_pattern.filePath(key("small.nii.gz"));
-        QVERIFY(writeNifti(m_study,
-            {.geometry = study.volume.geometry,
-                .voxels = std::span<const std::int16_t>(values),
-                .description = {}}));
-        QJsonArray steps;
-        for (const Edit& edit : test::manyEdits())
-            steps.append(editToJson(edit));
+        QVERIFY(test::writeStudy(m_study, test::smallStudy()));
+        QJsonArray steps = test::toJson(test::manyEdits());
         steps.append(QJsonObject{{key("edit"), key("goTo")}, {key("seq"), 4}});
         steps.append(editToJson(test::drillAt(1))); // row 12, behind row 4
         steps.append(editToJson(test::addSegment("Z")));

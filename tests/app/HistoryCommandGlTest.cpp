@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/nifti/NiftiReader.h"
-#include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/BurinProgram.h"
+#include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 
@@ -24,6 +22,7 @@
 using namespace core;
 using test::burin;
 using test::Outcome;
+using test::toJson;
 
 namespace {
 
@@ -42,79 +41,31 @@ QJsonObject goTo(int seq)
     return {{key("edit"), key("goTo")}, {key("seq"), seq}};
 }
 
-QJsonArray json(const std::vector<Edit>& edits)
-{
-    QJsonArray list;
-    for (const Edit& edit : edits)
-        list.append(editToJson(edit));
-    return list;
-}
-
 } // namespace
 
-/// `burin history`, and what `run` and `replay` do with past states.
-class HistoryCommandGlTest : public QObject {
+/// `burin history`, and what `run` does with past states.
+class HistoryCommandGlTest : public QObject, protected test::CommandFixture {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_studies;
-    QString m_study;
-    std::unique_ptr<QTemporaryDir> m_folder;
-
-    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
-    QString recipe(const char* name, const QJsonObject& content) const
-    {
-        QFile file(path(name));
-        if (!file.open(QIODevice::WriteOnly))
-            qFatal("cannot write %s", name);
-        file.write(QJsonDocument(content).toJson());
-        return file.fileName();
-    }
-    Outcome run(const QString& recipeFile, const char* session, const QStringList& more = {}) const
-    {
-        return burin(QStringList{key("run"), recipeFile, key("--study"), m_study, key("--session"),
-                         path(session)}
-            + more);
-    }
-    QJsonObject history(const char* session) const
-    {
-        const Outcome outcome = burin({key("history"), path(session), key("--json")});
-        return QJsonDocument::fromJson(outcome.output).object();
-    }
     QString lastHash(const Outcome& outcome) const
     {
         return outcome.lines.isEmpty() ? QString() : outcome.lines.last()[key("hash")].toString();
     }
-    QString writeStudy(const char* name, const LoadedVolume& study) const
-    {
-        std::vector<std::int16_t> values;
-        for (const std::uint16_t code : study.codes)
-            values.push_back(std::int16_t(code - 1024));
-        const QString file = m_studies.filePath(QLatin1String(name));
-        const auto written = writeNifti(file,
-            {.geometry = study.volume.geometry,
-                .voxels = std::span<const std::int16_t>(values),
-                .description = {}});
-        return written ? file : QString();
-    }
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        m_study = writeStudy("small.nii.gz", test::smallStudy());
-        QVERIFY(!m_study.isEmpty());
-    }
+    void initTestCase() { QVERIFY(prepareStudy()); }
     void init()
     {
         test::failOnUnexpectedMessages();
-        m_folder = std::make_unique<QTemporaryDir>();
+        makeFolder();
     }
 
     void recipesWalkAndBranch()
     {
         std::vector<Edit> edits = test::manyEdits();
         edits.resize(10);
-        QJsonArray steps = json(edits); // rows 1 … 10
+        QJsonArray steps = toJson(edits); // rows 1 … 10
         steps.append(move("undo")); // at 9
         steps.append(move("undo")); // at 8
         steps.append(move("redo")); // at 9
@@ -164,7 +115,7 @@ private Q_SLOTS:
     void asRecipeEndsAtTheSameHash()
     {
         const Outcome first =
-            run(recipe("r.json", {{key("edits"), json(test::manyEdits())}}), "a.burin");
+            run(recipe("r.json", {{key("edits"), toJson(test::manyEdits())}}), "a.burin");
         QCOMPARE(first.status, 0);
         const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
         QCOMPARE(written.status, 0);
@@ -179,15 +130,15 @@ private Q_SLOTS:
 
     void undoOnlyFindsItsRowsUnderNewNumbers()
     {
-        QJsonArray steps = json({test::addSegment("A"), test::drillAt(-6)}); // rows 1, 2
+        QJsonArray steps = toJson({test::addSegment("A"), test::drillAt(-6)}); // rows 1, 2
         steps.append(move("undo"));
-        for (const QJsonValue& step : json({test::drillAt(5), test::seedInBrain(1),
+        for (const QJsonValue& step : toJson({test::drillAt(5), test::seedInBrain(1),
                  test::growBrain(2), RevertRows{{3}}})) // rows 3 … 6, behind 1
             steps.append(step);
         const Outcome first = run(recipe("r.json", {{key("edits"), steps}}), "a.burin");
         QVERIFY2(first.status == 0, qPrintable(first.complaint));
         QCOMPARE(history("a.burin")[key("position")].toInt(), 6);
-        const QJsonArray seeds = json({RevertRows{{4}}});
+        const QJsonArray seeds = toJson({RevertRows{{4}}});
         const Outcome refused =
             run(recipe("s.json", {{key("edits"), seeds}}), "a.burin", {key("--append")});
         QCOMPARE(refused.status, 1);
@@ -215,9 +166,9 @@ private Q_SLOTS:
     {
         const QDateTime before = QDateTime::currentDateTimeUtc();
         const QString file =
-            recipe("r.json", {{key("edits"), json({test::addSegment("A"), test::drillAt(0)})}});
+            recipe("r.json", {{key("edits"), toJson({test::addSegment("A"), test::drillAt(0)})}});
         QCOMPARE(run(file, "a.burin", {key("--author"), key("  Dr. A ")}).status, 0);
-        const QString more = recipe("s.json", {{key("edits"), json({test::addSegment("B")})}});
+        const QString more = recipe("s.json", {{key("edits"), toJson({test::addSegment("B")})}});
         QCOMPARE(run(more, "a.burin", {key("--append")}).status, 0);
         const QJsonArray commands = history("a.burin")[key("commands")].toArray();
         QCOMPARE(commands.size(), 3);
@@ -240,31 +191,6 @@ private Q_SLOTS:
             commands[1].toObject()[key("hashAfter")]);
     }
 
-    void sessionsOfVersion1AreReplayedAndGoOn()
-    {
-        const QString old = key(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin");
-        QVERIFY(QFile::copy(old, path("a.burin")));
-        QVERIFY(QFile::setPermissions(path("a.burin"), QFile::ReadOwner | QFile::WriteOwner));
-        const Outcome verified =
-            burin({key("replay"), path("a.burin"), key("--verify"), key("--study"), m_study});
-        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
-        QCOMPARE(verified.lines.size(), 13);
-        for (const QJsonObject& line : verified.lines)
-            QVERIFY(line[key("agrees")].toBool());
-        const QJsonArray before = history("a.burin")[key("commands")].toArray();
-        QCOMPARE(before.size(), 13);
-        QVERIFY(before[0].toObject()[key("at")].isNull());
-
-        const QString more = recipe("s.json", {{key("edits"), json({test::addSegment("B")})}});
-        const Outcome appended = run(more, "a.burin", {key("--append"), key("--author"), key("N")});
-        QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
-        const QJsonArray after = history("a.burin")[key("commands")].toArray();
-        QCOMPARE(after.size(), 14);
-        QCOMPARE(after[13].toObject()[key("author")].toString(), key("N"));
-        for (int i = 0; i < 13; ++i)
-            QCOMPARE(after[i], before[i]);
-    }
-
     void reportsNeedNoDisplay()
     {
         const bool hadDisplay = qEnvironmentVariableIsSet("DISPLAY");
@@ -278,7 +204,7 @@ private Q_SLOTS:
             if (!platform.isEmpty())
                 qputenv("QT_QPA_PLATFORM", platform);
         });
-        QJsonArray steps = json(test::manyEdits());
+        QJsonArray steps = toJson(test::manyEdits());
         steps.append(goTo(4));
         steps.append(editToJson(test::drillAt(1)));
         QCOMPARE(run(recipe("r.json", {{key("edits"), steps}}), "a.burin",
@@ -309,9 +235,9 @@ private Q_SLOTS:
         QVERIFY2(nowhere.complaint.contains(path("no/such")), qPrintable(nowhere.complaint));
         QCOMPARE(report("a.txt").status, 2);
         QCOMPARE(report("b.pdf", {key("--json")}).status, 2);
-        const Outcome noSession = burin({key("history"), m_study, key("--report"), path("c.pdf")});
+        const Outcome noSession = burin({key("history"), study(), key("--report"), path("c.pdf")});
         QCOMPARE(noSession.status, 1);
-        QVERIFY(noSession.complaint.contains(m_study));
+        QVERIFY(noSession.complaint.contains(study()));
         QVERIFY(!QFile::exists(path("c.pdf")) && !QFile::exists(path("b.pdf")));
     }
 
@@ -321,12 +247,12 @@ private Q_SLOTS:
         std::vector<Edit> edits = test::manyEdits();
         QVERIFY(edits.size() >= 11);
         edits.resize(11);
-        QJsonArray steps = json(edits);
+        QJsonArray steps = toJson(edits);
         steps.append(goTo(6));
         QCOMPARE(run(recipe("r.json", {{key("edits"), steps}}), "a.burin").status, 0);
         reference::ReferenceEngine oracle;
         const auto session = EditSession::view(
-            oracle, *loadVolume(m_study), path("a.burin"), QStringLiteral("a test looks at it"));
+            oracle, *loadVolume(study()), path("a.burin"), QStringLiteral("a test looks at it"));
         QVERIFY(session);
         QCOMPARE((*session)->keyframes(), (std::vector<RowId>{1, 6, 11}));
         std::vector<QImage> pictures;
@@ -345,7 +271,7 @@ private Q_SLOTS:
             QVERIFY(pictures[2].save(folder + QStringLiteral("/run-keyframe.png")));
 
         // One that goes on has pictures already, and gets one at its end.
-        const QString more = recipe("s.json", {{key("edits"), json({test::drillAt(4)})}});
+        const QString more = recipe("s.json", {{key("edits"), toJson({test::drillAt(4)})}});
         QCOMPARE(
             burin({key("run"), more, key("--session"), path("a.burin"), key("--append")}).status,
             0);
@@ -359,11 +285,11 @@ private Q_SLOTS:
     {
         const DrillStroke drill = test::drillAt(0);
         const auto pictureAt = [this](const char* name, const std::vector<Edit>& edits) {
-            if (run(recipe("p.json", {{key("edits"), json(edits)}}), name).status != 0)
+            if (run(recipe("p.json", {{key("edits"), toJson(edits)}}), name).status != 0)
                 qFatal("not carried out");
             reference::ReferenceEngine oracle;
             const auto session = EditSession::view(
-                oracle, *loadVolume(m_study), path(name), QStringLiteral("a test looks at it"));
+                oracle, *loadVolume(study()), path(name), QStringLiteral("a test looks at it"));
             std::promise<QByteArray> png;
             (*session)->fetchKeyframe((*session)->history().position(),
                 [&png](const QByteArray& fetched) { png.set_value(fetched); });
@@ -390,10 +316,10 @@ private Q_SLOTS:
 
     void imagesTravelWithTheSession()
     {
-        const QString study = path("case.nii.gz");
-        QVERIFY(QFile::copy(m_study, study));
-        const QString edits = recipe("r.json", {{key("edits"), json(test::manyEdits())}});
-        const QStringList words{key("run"), edits, key("--study"), study, key("--session"),
+        const QString copied = path("case.nii.gz");
+        QVERIFY(QFile::copy(study(), copied));
+        const QString edits = recipe("r.json", {{key("edits"), toJson(test::manyEdits())}});
+        const QStringList words{key("run"), edits, key("--study"), copied, key("--session"),
             path("a.burin"), key("--with-images")};
         const Outcome made = burin(words);
         QVERIFY2(made.status == 0, qPrintable(made.complaint));
@@ -405,13 +331,13 @@ private Q_SLOTS:
                      .status,
             2);
 
-        QVERIFY(QFile::remove(study));
+        QVERIFY(QFile::remove(copied));
         const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify"),
             key("--export"), path("mask.nii.gz")});
         QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
         QVERIFY2(replayed.complaint.contains(
                      QStringLiteral("no longer at %1; the images that the session holds are used")
-                         .arg(study)),
+                         .arg(copied)),
             qPrintable(replayed.complaint));
         QVERIFY(QFile::exists(path("mask.nii.gz")));
         const Outcome seg = burin({key("replay"), path("a.burin"), key("--export"), path("m.dcm")});
@@ -419,7 +345,7 @@ private Q_SLOTS:
         QVERIFY2(seg.complaint.contains(QStringLiteral("not read from DICOM images")),
             qPrintable(seg.complaint));
         const Outcome appended =
-            burin({key("run"), recipe("s.json", {{key("edits"), json({test::drillAt(4)})}}),
+            burin({key("run"), recipe("s.json", {{key("edits"), toJson({test::drillAt(4)})}}),
                 key("--session"), path("a.burin"), key("--append")});
         QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
         const Outcome plain = burin({key("replay"), path("plain.burin"), key("--verify")});
@@ -432,11 +358,12 @@ private Q_SLOTS:
         const std::vector<Edit> all = test::manyEdits();
         const std::vector<Edit> start(all.begin(), all.begin() + 4);
         const std::vector<Edit> rest(all.begin() + 4, all.end());
-        const Outcome whole = run(recipe("w.json", {{key("edits"), json(all)}}), "whole.burin");
-        QCOMPARE(run(recipe("s.json", {{key("edits"), json(start)}}), "a.burin").status, 0);
+        const Outcome whole = run(recipe("w.json", {{key("edits"), toJson(all)}}), "whole.burin");
+        QCOMPARE(run(recipe("s.json", {{key("edits"), toJson(start)}}), "a.burin").status, 0);
         // The session knows its study.
-        const Outcome appended = burin({key("run"), recipe("t.json", {{key("edits"), json(rest)}}),
-            key("--session"), path("a.burin"), key("--append")});
+        const Outcome appended =
+            burin({key("run"), recipe("t.json", {{key("edits"), toJson(rest)}}), key("--session"),
+                path("a.burin"), key("--append")});
         QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
         QCOMPARE(appended.lines.first()[key("row")].toInt(), 5);
         QCOMPARE(lastHash(appended), lastHash(whole));
@@ -450,10 +377,10 @@ private Q_SLOTS:
 
     void whatFailsLaterLeavesWhatWasPrinted()
     {
-        QCOMPARE(run(recipe("s.json", {{key("edits"), json({test::addSegment("A")})}}), "a.burin")
+        QCOMPARE(run(recipe("s.json", {{key("edits"), toJson({test::addSegment("A")})}}), "a.burin")
                      .status,
             0);
-        QJsonArray steps = json({test::addSegment("B")});
+        QJsonArray steps = toJson({test::addSegment("B")});
         steps.append(goTo(99));
         const Outcome outcome =
             run(recipe("t.json", {{key("edits"), steps}}), "a.burin", {key("--append")});
@@ -463,158 +390,10 @@ private Q_SLOTS:
         QCOMPARE(history("a.burin")[key("commands")].toArray().size(), 2);
 
         // A recipe that is known to be wrong from the start changes nothing.
-        const QJsonArray wrong = json({test::addSegment("C"), test::seedInBrain(9)});
+        const QJsonArray wrong = toJson({test::addSegment("C"), test::seedInBrain(9)});
         QCOMPARE(
             run(recipe("t.json", {{key("edits"), wrong}}), "a.burin", {key("--append")}).status, 1);
         QCOMPARE(history("a.burin")[key("commands")].toArray().size(), 2);
-    }
-
-    void aRecipeOfAnotherStudyAsksFirst()
-    {
-        QCOMPARE(
-            run(recipe("r.json", {{key("edits"), json(test::manyEdits())}}), "a.burin").status, 0);
-        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
-        const QString file = recipe("again.json", QJsonDocument::fromJson(written.output).object());
-        LoadedVolume other = test::smallStudy();
-        other.codes[0] += 1;
-        const QString study = writeStudy("other.nii.gz", other);
-        const QStringList arguments{
-            key("run"), file, key("--study"), study, key("--session"), path("b.burin")};
-
-        const Outcome asked = burin(arguments);
-        QCOMPARE(asked.status, 1);
-        QVERIFY2(asked.complaint.contains(key("2 addSegment")), qPrintable(asked.complaint));
-        QVERIFY2(asked.complaint.contains(key("2 drill")), qPrintable(asked.complaint));
-        QVERIFY(!QFile::exists(path("b.burin")));
-
-        const Outcome done = burin(arguments + QStringList{key("--apply-elsewhere")});
-        QVERIFY2(done.status == 0, qPrintable(done.complaint));
-        for (const QJsonObject& line : done.lines)
-            QVERIFY(line[key("edit")] != key("drill") && line[key("edit")] != key("seed"));
-        QCOMPARE(history("b.burin")[key("commands")].toArray().size(), 3);
-    }
-
-    void elsewhereNothingActsOnAnotherSegment()
-    {
-        const std::vector<Edit> edits{test::drillAt(0),
-            LayerToSegment{.layer = 1, .target = {.segment = {}, .name = key("Cap"), .rgb = 1}},
-            test::addSegment("Bone"), test::addSegment("Skin"),
-            ChangeSegment{.segment = 2, .name = key("Bone, done"), .locked = true},
-            CutPiece{.layer = 1, .name = key("P"), .pivotLps = glm::dvec3(1.0)},
-            ChangePiece{.piece = 1, .offsetMm = glm::dvec3(9.0, 0.0, 0.0)},
-            PastePiece{.segment = 1, .name = key("Q")}, RemovePiece{.piece = 2}};
-        QCOMPARE(run(recipe("r.json", {{key("edits"), json(edits)}}), "a.burin").status, 0);
-        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
-        const QString file = recipe("again.json", QJsonDocument::fromJson(written.output).object());
-        LoadedVolume other = test::smallStudy();
-        other.codes[0] += 1;
-        const QString study = writeStudy("other2.nii.gz", other);
-
-        const Outcome done = burin({key("run"), file, key("--study"), study, key("--session"),
-            path("b.burin"), key("--apply-elsewhere")});
-        QVERIFY2(done.status == 0, qPrintable(done.complaint));
-        for (const char* told :
-            {"edit 7 (changePiece): the piece that edit 6 (cutPiece) makes is not here",
-                "edit 8 (pastePiece) is skipped: the segment that edit 2 (layerToSegment) makes",
-                "edit 9 (removePiece) is skipped: the piece that edit 8 (pastePiece) makes"})
-            QVERIFY2(done.complaint.contains(key(told)), qPrintable(done.complaint));
-        const QJsonArray commands = history("b.burin")[key("commands")].toArray();
-        QCOMPARE(commands.size(), 3);
-        QCOMPARE(
-            commands[0].toObject()[key("edit")].toObject()[key("name")].toString(), key("Bone"));
-        QCOMPARE(commands[2].toObject()[key("edit")].toObject()[key("segment")].toInt(), 1);
-
-        // A session that goes on has numbers of its own.
-        const QString own = recipe("s.json", {{key("edits"), json({test::addSegment("Own")})}});
-        QCOMPARE(burin({key("run"), own, key("--study"), study, key("--session"), path("c.burin")})
-                     .status,
-            0);
-        const Outcome appended = burin({key("run"), file, key("--session"), path("c.burin"),
-            key("--append"), key("--apply-elsewhere")});
-        QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
-        const QJsonArray four = history("c.burin")[key("commands")].toArray();
-        QCOMPARE(four.size(), 4);
-        QCOMPARE(four[3].toObject()[key("edit")].toObject()[key("segment")].toInt(), 2);
-    }
-
-    void replayExportsAPastState()
-    {
-        QJsonArray steps = json(test::manyEdits());
-        steps.append(goTo(4));
-        QCOMPARE(run(recipe("r.json",
-                         {{key("edits"), steps},
-                             {key("export"),
-                                 QJsonArray{QJsonObject{{key("format"), key("nifti")},
-                                     {key("file"), path("at4.nii.gz")}}}}}),
-                     "a.burin")
-                     .status,
-            0);
-        const auto exported = [this](const char* row, const char* file) {
-            return burin({key("replay"), path("a.burin"), key("--to"), key(row), key("--export"),
-                path(file)});
-        };
-        const Outcome fourth = exported("4", "replayed4.nii.gz");
-        QVERIFY2(fourth.status == 0, qPrintable(fourth.complaint));
-        QCOMPARE(exported("10", "replayed10.nii.gz").status, 0);
-        const auto voxels = [this](const char* file) {
-            const Result<LoadedVolume> volume = loadVolume(path(file));
-            return volume ? volume->codes : std::vector<std::uint16_t>();
-        };
-        QVERIFY(!voxels("at4.nii.gz").empty());
-        QCOMPARE(voxels("replayed4.nii.gz"), voxels("at4.nii.gz"));
-        QVERIFY(voxels("replayed10.nii.gz") != voxels("at4.nii.gz"));
-        QCOMPARE(exported("12", "no.nii.gz").status, 2);
-        QCOMPARE(exported("4", "replayed4.nii.gz").status, 1); // exists
-    }
-
-    void replayExportsWhatWasCarved()
-    {
-        const QJsonArray exports{QJsonObject{{key("format"), key("coverage")}, {key("layer"), 1},
-                                     {key("file"), path("coverage.nii.gz")}},
-            QJsonObject{{key("format"), key("carved-volume")}, {key("file"), path("carved.nii")},
-                {key("fill"), -2000}}};
-        const QString first =
-            recipe("r.json", {{key("edits"), json({test::drillAt(0)})}, {key("export"), exports}});
-        QCOMPARE(run(first, "a.burin").status, 0);
-        const QString more = recipe("s.json", {{key("edits"), json({test::drillAt(5)})}});
-        QCOMPARE(run(more, "a.burin", {key("--append")}).status, 0);
-
-        const auto exported = [this](const char* file, const QStringList& words) {
-            return burin(
-                QStringList{key("replay"), path("a.burin"), key("--export"), path(file)} + words);
-        };
-        const QStringList coverage{key("--format"), key("coverage"), key("--layer"), key("1")};
-        const QStringList carved{
-            key("--format"), key("carved-volume"), key("--fill"), key("-2000")};
-        const QStringList toFirst{key("--to"), key("1")};
-        for (const Outcome& outcome : {exported("coverage1.nii.gz", coverage + toFirst),
-                 exported("coverage2.nii", coverage), exported("carved1.nii", carved + toFirst)})
-            QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
-        const auto voxels = [this](const char* file) {
-            const Result<LoadedVolume> volume = loadVolume(path(file));
-            return volume ? volume->codes : std::vector<std::uint16_t>();
-        };
-        QVERIFY(!voxels("coverage.nii.gz").empty() && !voxels("carved.nii").empty());
-        QCOMPARE(voxels("coverage1.nii.gz"), voxels("coverage.nii.gz"));
-        QVERIFY(voxels("coverage2.nii") != voxels("coverage.nii.gz"));
-        QCOMPARE(voxels("carved1.nii"), voxels("carved.nii"));
-
-        const auto named = [](const Outcome& outcome, int status, const char* words) {
-            return outcome.status == status && outcome.complaint.contains(key(words));
-        };
-        QVERIFY(named(exported("x.nii", {key("--format"), key("coverage")}), 2, "--layer"));
-        QVERIFY(named(exported("x.nii", {key("--format"), key("cover")}), 2, "--format"));
-        QVERIFY(named(exported("x.nii", {key("--layer"), key("1")}), 2, "--layer"));
-        QVERIFY(named(exported("x.nii", carved + QStringList{key("--layer"), key("1")}), 2,
-            "--layer means nothing to --format carved-volume"));
-        QVERIFY(named(exported("x.dcm", coverage), 1, ".nii"));
-        QVERIFY(named(exported("coverage1.nii.gz", coverage), 1, "--force"));
-        QVERIFY(
-            named(exported("x.nii", {key("--format"), key("coverage"), key("--layer"), key("9")}),
-                1, "no sculpt layer 9"));
-        QVERIFY(
-            named(burin(QStringList{key("replay"), path("a.burin"), key("--verify")} + coverage), 2,
-                "--export"));
     }
 
     void runTellsOfStrokesOnARevisedSurface()
@@ -622,7 +401,7 @@ private Q_SLOTS:
         const ReviseStroke removed{.row = 1, .removed = true};
         const Outcome above = run(recipe("r.json",
                                       {{key("edits"),
-                                          json({test::drillAt(0), test::drillAt(0),
+                                          toJson({test::drillAt(0), test::drillAt(0),
                                               test::drillAt(-13), test::drillAt(0), removed})}}),
             "a.burin");
         QVERIFY2(above.status == 0, qPrintable(above.complaint));
@@ -634,7 +413,7 @@ private Q_SLOTS:
             qPrintable(above.complaint));
         const Outcome beside =
             run(recipe("s.json",
-                    {{key("edits"), json({test::drillAt(-10), test::drillAt(5), removed})}}),
+                    {{key("edits"), toJson({test::drillAt(-10), test::drillAt(5), removed})}}),
                 "b.burin");
         QVERIFY2(beside.status == 0, qPrintable(beside.complaint));
         QCOMPARE(beside.lines[2][key("begunOnItsSurface")], QJsonValue(QJsonArray()));
@@ -672,7 +451,7 @@ private Q_SLOTS:
         QFile empty(path("empty.burin"));
         QVERIFY(empty.open(QIODevice::WriteOnly));
         empty.close();
-        for (const QString& file : {path("none.burin"), path("empty.burin"), m_study}) {
+        for (const QString& file : {path("none.burin"), path("empty.burin"), study()}) {
             const Outcome outcome = burin({key("history"), file, key("--json")});
             QCOMPARE(outcome.status, 1);
             QVERIFY2(outcome.complaint.contains(file), qPrintable(outcome.complaint));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/BurinProgram.h"
+#include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "ui/InitialDisplay.h"
@@ -24,16 +23,9 @@
 using namespace core;
 using test::burin;
 using test::Outcome;
+using test::toJson;
 
 namespace {
-
-QJsonArray json(const std::vector<Edit>& edits)
-{
-    QJsonArray list;
-    for (const Edit& edit : edits)
-        list.append(editToJson(edit));
-    return list;
-}
 
 const QString key(const char* name)
 {
@@ -71,15 +63,8 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        const LoadedVolume study = test::smallStudy();
-        std::vector<std::int16_t> values;
-        for (const std::uint16_t code : study.codes)
-            values.push_back(std::int16_t(code - 1024));
         m_study = m_studies.filePath(QStringLiteral("small.nii.gz"));
-        QVERIFY(writeNifti(m_study,
-            {.geometry = study.volume.geometry,
-                .voxels = std::span<const std::int16_t>(values),
-                .description = {}}));
+        QVERIFY(test::writeStudy(m_study, test::smallStudy()));
     }
     void init()
     {
@@ -89,7 +74,7 @@ private Q_SLOTS:
 
     void printsOneLinePerEditAndEqualsTheOracle()
     {
-        const QString file = recipe({{key("edits"), json(test::manyEdits())},
+        const QString file = recipe({{key("edits"), toJson(test::manyEdits())},
             {key("export"),
                 QJsonArray{QJsonObject{
                     {key("format"), key("nifti")}, {key("file"), path("out.nii.gz")}}}}});
@@ -127,7 +112,7 @@ private Q_SLOTS:
             QJsonObject{{key("format"), key("carved-volume")}, {key("file"), path("carved.nii")},
                 {key("fill"), -2000}}};
         const Outcome run = burin(runArguments(
-            recipe({{key("edits"), json({test::drillAt(0)})}, {key("export"), exports}})));
+            recipe({{key("edits"), toJson({test::drillAt(0)})}, {key("export"), exports}})));
         QVERIFY2(run.status == 0, qPrintable(run.complaint));
         const Result<LoadedVolume> study = loadVolume(m_study);
         const Result<LoadedVolume> coverage = loadVolume(path("coverage.nii.gz"));
@@ -159,7 +144,7 @@ private Q_SLOTS:
         laser.mask = drill.mask;
         laser.samples = drill.samples;
         QJsonArray edits;
-        for (const QJsonValue& cut : json({drill, laser, peel, scissors, drill})) {
+        for (const QJsonValue& cut : toJson({drill, laser, peel, scissors, drill})) {
             QJsonObject edit = cut.toObject();
             edit.remove(key("surface"));
             edits.append(edit);
@@ -206,7 +191,7 @@ private Q_SLOTS:
     void anEditThatChangesNothingSaysSo()
     {
         const QString file = recipe({{key("edits"),
-            json({test::addSegment("A"), test::growBrain(), test::addSegment("B")})}});
+            toJson({test::addSegment("A"), test::growBrain(), test::addSegment("B")})}});
         const Outcome outcome = burin(runArguments(file));
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.lines.size(), 3);
@@ -290,7 +275,7 @@ private Q_SLOTS:
     void badPathsAreNamed()
     {
         QFETCH(int, what);
-        QString recipeFile = recipe({{key("edits"), json({test::addSegment("A")})}});
+        QString recipeFile = recipe({{key("edits"), toJson({test::addSegment("A")})}});
         QString study = m_study;
         QString session = path("a.burin");
         QString named;
@@ -347,7 +332,7 @@ private Q_SLOTS:
     void forceReplaces()
     {
         const QString file =
-            recipe({{key("edits"), json({test::addSegment("A"), test::drillAt(0)})}});
+            recipe({{key("edits"), toJson({test::addSegment("A"), test::drillAt(0)})}});
         QCOMPARE(burin(runArguments(file)).status, 0);
         QCOMPARE(burin(runArguments(file)).status, 1);
         QCOMPARE(burin(runArguments(file) + QStringList{key("--force")}).status, 0);
@@ -379,7 +364,7 @@ private Q_SLOTS:
     void replayRefusesATamperedSession()
     {
         const QString file =
-            recipe({{key("edits"), json({test::addSegment("A"), test::drillAt(0)})}});
+            recipe({{key("edits"), toJson({test::addSegment("A"), test::drillAt(0)})}});
         QCOMPARE(burin(runArguments(file)).status, 0);
         {
             QSqlDatabase database = QSqlDatabase::addDatabase(key("QSQLITE"), key("test"));
@@ -425,7 +410,7 @@ private Q_SLOTS:
         std::vector<Edit> edits{test::addSegment("Brain"), test::seedInBrain(1)};
         for (int i = 0; i < 60; ++i)
             edits.push_back(i % 2 ? Edit(test::drillAt(i % 17 - 8)) : Edit(test::growBrain(1)));
-        const QString file = recipe({{key("edits"), json(edits)}});
+        const QString file = recipe({{key("edits"), toJson(edits)}});
         const int kills = qEnvironmentVariableIsSet("BURIN_LONG") ? 10 : 2;
         for (int round = 0; round < kills; ++round) {
             QProcess process;
