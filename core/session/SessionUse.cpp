@@ -139,7 +139,7 @@ SessionLoss sessionLoss(const QString& path)
     constexpr qsizetype headBytes = 100;
     static const QByteArray magic("SQLite format 3", 16);
     // With what lies beside it, it may be whole.
-    if (isSessionUnfinished(path))
+    if (path.isEmpty() || isSessionUnfinished(path))
         return {};
     const std::lock_guard lock(plainFiles);
     if (used.contains(keyOf(path)))
