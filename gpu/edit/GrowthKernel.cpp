@@ -307,8 +307,11 @@ void GrowthKernel::runRings(int count)
         if (ring == count)
             return;
     }
-    // A front that outgrows these groups is walked in strides.
-    const glm::uvec3 groups(std::min((2 * m_frontCount + 255) / 256, 65535u), 1, 1);
+    // A front that outgrows these groups is walked in strides; in few where a voxel is asked in
+    // loops (growCriterion.glsl says why).
+    const bool isLong = m_burst.limits.majority > 0 || m_burst.limits.gradientDifference;
+    const glm::uvec3 groups(
+        std::clamp((2 * m_frontCount + 255) / 256, isLong ? 64u : 1u, 65535u), 1, 1);
     for (; ring < count; ++ring) {
         m_rings->ring.set("ring", unsigned(ring));
         m_rings->ring.dispatch(groups);

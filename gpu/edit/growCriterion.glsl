@@ -3,6 +3,12 @@
 // growth without limits is what it would be without this file. To be included after `codes`,
 // `volumeSize`, lowCode and highCode.
 
+// llvmpipe ends all loops of an invocation after 65535 rounds together, without a word. So where a
+// voxel is asked in loops (27 neighbours, the digits of a root) an invocation asks for fewer voxels.
+#if defined(MAJORITY) || defined(GRADIENT_DIFFERENCE)
+#define LONG_CRITERION
+#endif
+
 #ifdef ONLY_VISIBLE
 layout(binding = 0) uniform usampler3D radiation; // at voxel centres it says what coverage does
 #endif

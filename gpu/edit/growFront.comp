@@ -2,9 +2,13 @@
 // BACK, while it is narrowed: with one that it could prove to qualify.
 // One work-group a listed brick. The queue's order depends on scheduling and decides nothing.
 
-layout(local_size_x = 64) in;
-
 #include "edit/growth.glsl"
+
+#ifdef LONG_CRITERION
+layout(local_size_x = 256) in;
+#else
+layout(local_size_x = 64) in;
+#endif
 
 layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
 
@@ -40,7 +44,7 @@ void main()
     uint entry = pageEntry(origin);
     uint greatestLabel = 0u;
     uint leastLabelDown = 0u;
-    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += int(gl_WorkGroupSize.x)) {
         ivec3 voxel = origin + voxelInBrick(offset);
         if (!inside(voxel, volumeSize))
             continue;

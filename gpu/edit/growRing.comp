@@ -27,7 +27,11 @@ layout(local_size_x = 64) in;
 uniform uint baseGeneration; // before the batch
 #ifdef SEVERAL_RINGS
 uniform uint ringCount;
+#ifdef LONG_CRITERION
+const uint largestFront = 128u;
+#else
 const uint largestFront = 1024u;
+#endif
 #else
 uniform uint ring;
 #endif
