@@ -67,9 +67,6 @@ Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document,
     return WholeCut{*std::move(cut), {}};
 }
 
-/// Shows the layer of a cut, and what else of it can be revised, to a visitor: layer(), radius(),
-/// side(), width(), height(), outline() with what stays in place, depth(), softness(),
-/// throughGaps().
 template <class Visitor> void visitSize(Visitor& visit, MaskShape& mask)
 {
     using Kind = MaskShape::Kind;
@@ -96,6 +93,9 @@ template <class Visitor> void visitOutline(Visitor& visit, std::vector<glm::dvec
     visit.outline(outline, (low + high) / 2.0);
 }
 
+/// Shows the layer of a cut, and what else of it can be revised, to a visitor: layer(), radius(),
+/// side(), width(), height(), outline() with what stays in place, depth(), softness(),
+/// throughGaps().
 template <class Visitor, class Pressed> void visitPressed(Visitor& visit, Pressed& stroke)
 {
     visit.layer(stroke.layer);

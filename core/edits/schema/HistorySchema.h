@@ -21,8 +21,7 @@ template <> inline constexpr const char* editName<ReviseStroke> = "reviseStroke"
 template <>
 inline constexpr const char* editMeaning<ReviseStroke> =
     "Changes or removes an older cut of drill, laser, peel, scissors or brush; what later strokes "
-    "cut "
-    "stays.";
+    "cut stays.";
 template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
 {
     visit.field("row", Presence::Required, edit.row, editFields::Row{},

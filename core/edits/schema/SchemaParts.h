@@ -42,8 +42,7 @@ template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
     visit.group("view", "the camera, orthographic", [&](auto& inside) {
         inside.field("eyeLps", Presence::Required, view.eyeLps, positionLps,
             "on which side of the target the viewer stands, patient coordinates (LPS); it gives "
-            "the "
-            "view's direction only, so that from a place inside the volume it is seen from "
+            "the view's direction only, so that from a place inside the volume it is seen from "
             "outside");
         inside.field("targetLps", Presence::Required, view.targetLps, positionLps,
             "the middle of the view plane, patient coordinates (LPS)");
