@@ -239,7 +239,7 @@ bool readEntries(DeltaReader& reader, Difference& all)
     std::set<BrickKey> keys;
     for (std::uint32_t left = wordAt(&sizes[2 * wordBytes]); left > 0; --left) {
         std::array<std::uint8_t, headBytes> head{};
-        if (!reader.fill(head) || head[0] < 1 || head[0] > 3 || head[2] < 1 || head[2] > 2
+        if (!reader.fill(head) || head[0] < 1 || head[0] > 4 || head[2] < 1 || head[2] > 2
             || head[3] != 0)
             return false;
         Entry entry;

@@ -42,6 +42,9 @@ enum class Field : std::uint8_t {
     Coverage = 1,  ///< one byte, empty 0; `plane` names the sculpt layer
     Labels = 2,    ///< one byte, empty 0; `plane` names the label plane
     SeedWords = 3, ///< four bytes little-endian, empty 0xFFFFFFFF; `plane` names the label plane
+    /// One byte, empty 0; `plane` names the label plane: what growth took there from another label
+    /// (growth/GrowthCommands.h).
+    Beneath = 4,
 };
 
 [[nodiscard]] int bytesPerVoxel(Field field);

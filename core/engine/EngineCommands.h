@@ -30,7 +30,8 @@ using Ticket = std::uint64_t;
 
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
 /// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from
-/// it; what is left of other labels keeps its generations.
+/// it; what is left of other labels keeps its generations. Where the label lies beneath
+/// (GrowthCommands.h), 0 does from now on.
 struct EraseLabel {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
@@ -236,8 +237,8 @@ using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, M
 // ----------------------------------------------------------------------------------------
 
 struct EditStatistics {
-    std::int64_t voxelsChanged = 0; ///< values that differ, over all fields but seed words
-    int bricks = 0; ///< changed, all fields but seed words
+    std::int64_t voxelsChanged = 0; ///< values that differ, of coverage and labels
+    int bricks = 0; ///< changed, of coverage and labels
     /// Steps a growth advanced (the admission of seeds included), or was taken back.
     int generations = 0;
     double milliseconds = 0.0; ///< engine time; never part of a hash

@@ -16,6 +16,16 @@ namespace core {
 
 // Growth as an engine sees it: integers only. Words are those of core/growth/SeedWord.h.
 // SpreadLabels, growing from seeds: core/growth/SeedSpread.h.
+//
+// What growth takes from other labels it can give back: Field::Beneath holds, by voxel, the label
+// that the plane held before a member came. It is asked for only where a member is that added its
+// label to the plane: of a generation above 0 and of a direction that is neither 29 nor 30.
+// Everywhere else it means nothing, whatever it says, so that who paints, erases or fills need not
+// care for it. That holds since
+// - only GrowBurst makes such a member, and where it makes one, it writes what is beneath;
+// - where such a member leaves and the plane holds its label, it is "given back": the plane becomes
+//   what is beneath, and beneath becomes 0. A label that was locked meanwhile gets it back, too;
+// - EraseLabel takes its label from what is beneath: no segment comes back once it is deleted.
 
 /// First take pending seeds of a segment away: where the word is pendingSeed(label) it becomes
 /// unvisited. Then mark voxels as its pending seeds: word = min(word, pendingSeed(label)) where the
@@ -95,8 +105,9 @@ struct LeakAlarm {
 /// Grow all labels of a plane at once (seed A §5.3), ring by ring.
 ///
 /// accept(label, q): the label is not in `frozen`, the limits allow it at q (of which
-/// lowCode ≤ code(q) ≤ highCode is one), and the label plane as it was at the opening holds at q 0,
-/// the label itself, or a label in `overwritable`.
+/// lowCode ≤ code(q) ≤ highCode is one), and the label plane as it was at the opening, once all had
+/// left, holds at q 0, the label itself, or a label in `overwritable`. Of a member that may leave
+/// by Narrow it is asked as if that one had been given back.
 /// Neighbours of a voxel are the 6 that share a face with it, the 18 that share a face or an edge,
 /// or all 26: the first so many of seedWord::offsets.
 /// Opening: what leaves by GrowOpening leaves as ShrinkGrowth says, and the generation is then the
@@ -111,7 +122,9 @@ struct LeakAlarm {
 /// At generation seedWord::maxGeneration nothing is added any more, by opening or step, and this is
 /// not called closure.
 /// Closing with commit: the label plane receives the label of every member whose generation is
-/// greater than at the opening. `EngineResult::generation` tells where it stopped.
+/// greater than at the opening; beneath becomes what it held before, but stays where that was the
+/// label itself. Without `tellsHeld` beneath becomes 0 instead (sessions of before).
+/// `EngineResult::generation` tells where it stopped.
 /// The label plane shows the members of every finished generation at once, so that pictures and
 /// readouts follow a running burst; a rollback takes them back.
 struct GrowBurst {
@@ -139,10 +152,10 @@ struct GrowBurst {
 ///   a seed stays with `keepSeeds`, as one of generation 1; else it becomes a pending seed again;
 ///   any other becomes seedWord::unvisited;
 ///
-/// and where a member goes whose direction is neither 29 nor 30 and the plane holds its label, the
-/// plane becomes 0. So voxels that bore the label before the growth came keep it; what another
-/// label held there before is not put back, nor a pending seed that was grown over. The generation
-/// is then `keep`, or the greatest that a member has, if that is more.
+/// and those that added their label to the plane are given back. So voxels that bore the label
+/// before the growth came keep it, and others return to the label that they were taken from; a
+/// pending seed that was grown over is not put back. The generation is then `keep`, or the greatest
+/// that a member has, if that is more.
 struct ShrinkGrowth {
     std::uint8_t plane = 0;
     std::uint32_t generation = 0; ///< the counter at present; no member has a greater one
@@ -159,9 +172,8 @@ struct ShrinkTo {
 };
 
 /// Take back what grew through some places. Which voxels leave and which are shut is told by the
-/// rules of GrowthCut.h. Where a member leaves whose direction is neither 29 nor 30 and the plane
-/// holds its label, the plane becomes 0. The generation is then the greatest that a member of the
-/// plane has; where nothing leaves, as it was.
+/// rules of GrowthCut.h; what they added to the plane is given back. The generation is then the
+/// greatest that a member of the plane has; where nothing leaves, as it was.
 struct CutGrowth {
     enum class How : std::uint8_t {
         Here, ///< only the voxels named
@@ -195,9 +207,7 @@ struct ForeseenCut {
 /// (CapsuleSweep.h, rule 4).
 ///
 /// Shut: every word becomes seedWord::barrier but those that bear a label in `frozen` (a member's
-/// or a pending seed's). What growth added there goes, as ShrinkGrowth says: where a member was, of
-/// a generation above 0 and of a direction that is neither 29 nor 30, and the plane holds its
-/// label, the plane becomes 0.
+/// or a pending seed's). What growth added there to the plane is given back.
 /// Erase: a barrier becomes unvisited, so growth goes on through it. The label plane stays.
 struct PaintBarrier {
     std::uint8_t plane = 0;

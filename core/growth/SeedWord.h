@@ -67,6 +67,11 @@ constexpr std::uint32_t direction(std::uint32_t word)
 {
     return word & 31u;
 }
+/// Of a member: whether the label plane held its label before it came.
+constexpr bool wasHeld(std::uint32_t word)
+{
+    return direction(word) == heldDirection || direction(word) == heldSeedDirection;
+}
 /// Of a member: whether it was a seed.
 constexpr bool isSeed(std::uint32_t word)
 {

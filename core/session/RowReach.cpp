@@ -170,6 +170,7 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
             for (const std::uint32_t brick : bricksUnder(*path, *frame, geometry)) {
                 bricks.keys.insert({Field::Labels, plane, brick});
                 bricks.keys.insert({Field::SeedWords, plane, brick});
+                bricks.keys.insert({Field::Beneath, plane, brick});
             }
         }
         m_reach = std::move(bricks);
@@ -237,7 +238,8 @@ bool RowReach::covers(const Plane& plane, const BrickKey& key)
 bool RowReach::covers(const Growth& growth, const BrickKey& key)
 {
     const bool isAsked = key.field == Field::Coverage ? growth.coverage : key.plane == growth.plane;
-    return isAsked && (key.field == Field::SeedWords || growth.beside.count(key.brick) != 0);
+    const bool isOfMembers = key.field == Field::SeedWords || key.field == Field::Beneath;
+    return isAsked && (isOfMembers || growth.beside.count(key.brick) != 0);
 }
 
 bool RowReach::covers(const Fields& fields, const BrickKey& key)

@@ -118,6 +118,8 @@ void SessionState::takeIn(const std::vector<BrickChange>& changes)
         case Field::SeedWords:
             seeds = seeds.united(box);
             break;
+        case Field::Beneath: // nothing that is seen
+            break;
         }
     }
     if (!coverage.empty())

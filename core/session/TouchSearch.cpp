@@ -11,10 +11,10 @@ namespace core {
 
 namespace {
 
-/// The segment that a voxel belongs to or waits for; 0: none.
+/// The segment that a voxel belongs to or waits for, or that would have it back; 0: none.
 int labelAt(Field field, const std::uint8_t* voxel)
 {
-    if (field == Field::Labels)
+    if (field != Field::SeedWords)
         return *voxel;
     const std::uint32_t word = std::uint32_t(voxel[0]) | std::uint32_t(voxel[1]) << 8
         | std::uint32_t(voxel[2]) << 16 | std::uint32_t(voxel[3]) << 24;

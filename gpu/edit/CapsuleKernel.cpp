@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t changedLabel = 1; // capsulePaint.comp
 constexpr std::uint32_t changedWord = 2;
+constexpr std::uint32_t changedBeneath = 4;
 constexpr std::size_t piecesAtOnce = 32;
 constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
 
@@ -27,9 +28,9 @@ struct GpuCandidate {
     glm::uvec4 span{0};
 };
 
-Program program(const ShaderLibrary& library, const char* path)
+Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
 {
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
 template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
@@ -66,7 +67,15 @@ CapsulePrograms::CapsulePrograms(const ShaderLibrary& library)
     : paint(program(library, "edit/capsulePaint.comp"))
     , barrier(program(library, "edit/capsuleBarrier.comp"))
     , cut(program(library, "edit/capsuleCut.comp"))
+    , m_library(library)
 {
+}
+
+Program& CapsulePrograms::givingBarrier()
+{
+    if (!m_givingBarrier)
+        m_givingBarrier = program(m_library, "edit/capsuleBarrier.comp", {{"BENEATH", 1}});
+    return m_givingBarrier;
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -90,13 +99,15 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::PaintBarrier& barrier)
     : m_programs(programs)
+    , m_givesBack(!barrier.erase && fields.anythingBeneath(barrier.plane))
     , m_fields(fields)
     , m_before(before)
     , m_edit(barrier)
     , m_frame(barrier.frame)
 {
-    setFrame(m_programs.barrier);
-    m_programs.barrier.set("erase", barrier.erase).set("frozen", barrier.frozen);
+    Program& shut = m_givesBack ? m_programs.givingBarrier() : m_programs.barrier;
+    setFrame(shut);
+    shut.set("erase", barrier.erase).set("frozen", barrier.frozen);
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -218,7 +229,14 @@ void CapsuleKernel::write(const core::PaintLabel& paint, const Candidates& candi
 void CapsuleKernel::write(const core::PaintBarrier& barrier, const Candidates& candidates,
     const std::vector<core::Capsule>& capsules)
 {
-    writeLabels(m_programs.barrier, barrier.plane, !barrier.erase, candidates, capsules);
+    Program& shut = m_givesBack ? m_programs.givingBarrier() : m_programs.barrier;
+    if (m_givesBack) {
+        BrickField& beneath = m_fields.beneath(barrier.plane);
+        m_before.capture(core::Field::Beneath, barrier.plane, candidates.bricks);
+        beneath.pageTable().bindUnit(2);
+        beneath.atlas().bindImage(2, GL_READ_WRITE);
+    }
+    writeLabels(shut, barrier.plane, !barrier.erase, candidates, capsules);
 }
 
 void CapsuleKernel::writeLabels(Program& program, std::uint8_t plane, bool newWords,
@@ -250,6 +268,8 @@ void CapsuleKernel::writeLabels(Program& program, std::uint8_t plane, bool newWo
             words.push_back(brick);
             m_touched.insert({core::Field::SeedWords, plane, brick});
         }
+        if ((found[i] & changedBeneath) != 0)
+            m_touched.insert({core::Field::Beneath, plane, brick});
     }
     releaseUnused(seedWords, fresh, words);
     m_fields.noteChanged(core::Field::Labels, labels);

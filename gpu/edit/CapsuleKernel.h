@@ -14,11 +14,18 @@ namespace gpu {
 /// The compiled kernels of brushes (capsulePaint.comp, capsuleBarrier.comp,
 /// capsuleCut.comp).
 struct CapsulePrograms {
+    /// @param library outlives the programs
     explicit CapsulePrograms(const ShaderLibrary& library);
 
     Program paint;
     Program barrier;
     Program cut;
+    /// Shuts where something lies beneath members; compiled when it is first needed.
+    [[nodiscard]] Program& givingBarrier();
+
+private:
+    const ShaderLibrary& m_library;
+    Program m_givingBarrier;
 };
 
 /// One stroke of a brush while the pen is down: paint (PaintLabel), shut to growth (PaintBarrier)
@@ -62,6 +69,7 @@ private:
         const Candidates& candidates, const std::vector<core::Capsule>& capsules);
 
     CapsulePrograms& m_programs;
+    bool m_givesBack = false; ///< a barrier, where something lies beneath members
     VoxelFields& m_fields;
     BeforeImages& m_before;
     std::variant<core::PaintLabel, core::PaintBarrier, core::CapsuleCut> m_edit;

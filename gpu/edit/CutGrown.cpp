@@ -4,6 +4,9 @@
 #include "core/growth/GrowthCut.h"
 #include "gpu/edit/BrickImages.h"
 
+#include <map>
+#include <utility>
+
 namespace gpu {
 
 namespace {
@@ -33,6 +36,20 @@ std::vector<std::uint8_t> bytesOf(const std::vector<std::uint32_t>& words)
     return bytes;
 }
 
+/// What a field holds in the bricks that a cut writes.
+std::vector<core::BrickImage> imagesOf(
+    VoxelFields& fields, const core::GrowthCutOutcome& cut, core::Field field, std::uint8_t plane)
+{
+    std::vector<core::BrickKey> keys;
+    for (const core::CutBrick& brick : cut.bricks)
+        keys.push_back({.field = field, .plane = plane, .brick = brick.brick});
+    auto bytes = readImages(fields, keys);
+    std::vector<core::BrickImage> images;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        images.push_back({.key = keys[i], .bytes = std::move(bytes[i])});
+    return images;
+}
+
 } // namespace
 
 CutOutcome cutGrown(VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command)
@@ -43,36 +60,34 @@ CutOutcome cutGrown(VoxelFields& fields, BeforeImages& before, const core::CutGr
     const core::GrowthCutOutcome cut = core::cutGrowth(readWords(fields, command.plane), command);
     outcome.generation = cut.generation;
 
-    std::vector<std::uint32_t> bricks;
-    std::vector<core::BrickKey> labelKeys;
-    for (const core::CutBrick& brick : cut.bricks) {
-        bricks.push_back(brick.brick);
-        labelKeys.push_back(
-            {.field = core::Field::Labels, .plane = command.plane, .brick = brick.brick});
-    }
-    const auto labels = readImages(fields, labelKeys);
-    std::vector<std::uint32_t> losing;
+    const std::vector<core::BrickImage> held =
+        imagesOf(fields, cut, core::Field::Labels, command.plane);
+    const std::vector<core::BrickImage> beneath =
+        imagesOf(fields, cut, core::Field::Beneath, command.plane);
     std::vector<core::BrickImage> images;
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
+    for (std::size_t i = 0; i < cut.bricks.size(); ++i) {
         const core::CutBrick& brick = cut.bricks[i];
         images.push_back(
             {.key = {.field = core::Field::SeedWords, .plane = command.plane, .brick = brick.brick},
                 .bytes = bytesOf(brick.words)});
-        std::vector<std::uint8_t> kept = labels[i];
-        bool loses = false;
-        for (std::size_t voxel = 0; voxel < kept.size(); ++voxel) {
-            if (brick.leaving[voxel] == 0 || kept[voxel] != brick.leaving[voxel])
+        core::BrickImage kept = held[i];
+        core::BrickImage below = beneath[i];
+        for (std::size_t voxel = 0; voxel < kept.bytes.size(); ++voxel) {
+            if (brick.leaving[voxel] == 0 || kept.bytes[voxel] != brick.leaving[voxel])
                 continue;
-            kept[voxel] = 0;
-            loses = true;
+            kept.bytes[voxel] =
+                below.bytes.empty() ? std::uint8_t(0) : std::exchange(below.bytes[voxel], 0);
         }
-        if (!loses)
-            continue;
-        losing.push_back(brick.brick);
-        images.push_back({.key = labelKeys[i], .bytes = std::move(kept)});
+        if (kept.bytes != held[i].bytes)
+            images.push_back(std::move(kept));
+        if (below.bytes != beneath[i].bytes)
+            images.push_back(std::move(below));
     }
-    before.capture(core::Field::SeedWords, command.plane, bricks);
-    before.capture(core::Field::Labels, command.plane, losing);
+    std::map<core::Field, std::vector<std::uint32_t>> written;
+    for (const core::BrickImage& image : images)
+        written[image.key.field].push_back(image.key.brick);
+    for (const auto& [field, bricks] : written)
+        before.capture(field, command.plane, bricks);
     for (const core::BrickImage& image : images)
         outcome.keys.push_back(image.key);
     writeImages(fields, std::move(images));

@@ -167,7 +167,7 @@ core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
 {
     core::EditStatistics statistics;
     for (const core::BrickChange& change : changes) {
-        if (change.key.field == core::Field::SeedWords)
+        if (change.key.field == core::Field::SeedWords || change.key.field == core::Field::Beneath)
             continue;
         ++statistics.bricks;
         for (std::size_t i = 0; i < core::BrickGrid::voxelsPerBrick; ++i) {
@@ -295,6 +295,7 @@ core::Result<void> EditTransaction::growAnew(const core::GrowBurst& burst)
         return refusal("plane", "is another one");
     m_before.restore(touchedKeys());
     m_growth->releaseUnused();
+    m_growth->releaseBeneath({});
     m_edit = burst;
     m_growth.emplace(m_growthPrograms, m_fields, m_before, burst);
     m_growth->open();
@@ -351,6 +352,8 @@ std::vector<core::BrickKey> EditTransaction::touchedKeys() const
         const std::vector<std::uint32_t> touched = m_growth->touchedBricks();
         add(core::Field::Labels, grow->plane, touched);
         add(core::Field::SeedWords, grow->plane, touched);
+        if (m_growth->keepsBeneath())
+            add(core::Field::Beneath, grow->plane, touched);
     }
     if (const auto* drill = std::get_if<core::DrillCut>(&m_edit))
         add(core::Field::Coverage, drill->layer, m_drill->touchedBricks());
@@ -373,10 +376,15 @@ void EditTransaction::commit(core::EngineResult& result)
 {
     result.changes = m_before.changes(touchedKeys());
     result.statistics = statisticsOf(result.changes);
+    for (const core::BrickChange& change : result.changes) {
+        if (change.key.field == core::Field::Beneath && change.after.empty())
+            m_fields.beneath(change.key.plane).release(std::span(&change.key.brick, 1));
+    }
     if (m_spread)
         m_spread->close(true);
     if (m_growth) {
         m_growth->releaseUnused();
+        m_growth->releaseBeneath(result.changes);
         result.generation = m_growth->generation();
         result.atClosure = m_growth->atClosure();
         result.alarm = m_growth->alarm();
@@ -403,6 +411,7 @@ void EditTransaction::rollBack(core::EngineResult& result)
         m_spread->close(false);
     if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
         m_growth->releaseUnused();
+        m_growth->releaseBeneath({});
         result.generation = grow->generation;
     }
     if (m_shrink)

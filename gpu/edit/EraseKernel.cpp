@@ -72,7 +72,15 @@ void eraseFrom(core::Field field, Program& kernel, VoxelFields& fields, BeforeIm
 ErasePrograms::ErasePrograms(const ShaderLibrary& library)
     : labels(program(library, {}))
     , seedWords(program(library, {{"SEED_WORDS", 1}}))
+    , m_library(library)
 {
+}
+
+Program& ErasePrograms::beneath()
+{
+    if (!m_beneath)
+        m_beneath = program(m_library, {{"BENEATH", 1}});
+    return m_beneath;
 }
 
 std::vector<std::uint32_t> labelHolders(
@@ -94,6 +102,8 @@ std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fie
     std::vector<core::BrickKey> keys;
     eraseFrom(core::Field::Labels, programs.labels, fields, before, erase, keys);
     eraseFrom(core::Field::SeedWords, programs.seedWords, fields, before, erase, keys);
+    if (fields.anythingBeneath(erase.plane))
+        eraseFrom(core::Field::Beneath, programs.beneath(), fields, before, erase, keys);
     return keys;
 }
 

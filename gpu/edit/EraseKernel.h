@@ -11,10 +11,17 @@ namespace gpu {
 
 /// The compiled kernels that take a label away (eraseLabel.comp).
 struct ErasePrograms {
+    /// @param library outlives the programs
     explicit ErasePrograms(const ShaderLibrary& library);
 
     Program labels;
     Program seedWords;
+    /// Compiled when it is first needed.
+    [[nodiscard]] Program& beneath();
+
+private:
+    const ShaderLibrary& m_library;
+    Program m_beneath;
 };
 
 /// The bricks in which a plane holds a label. Engine thread only.

@@ -49,13 +49,16 @@ Buffer listOf(
 } // namespace
 
 FrontBitsPrograms::FrontBitsPrograms(
-    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits)
+    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits, bool beneath)
     : open(program(shaders, "edit/frontBitsOpen.comp", definesOf(limits)))
     , fill(program(shaders, "edit/frontBitsFill.comp", {}))
     , reach(program(shaders, "edit/frontBitsReach.comp", {{"CONNECTIVITY", connectivity}}))
-    , ring(program(shaders, "edit/frontBitsRing.comp", {{"CONNECTIVITY", connectivity}}))
     , end(program(shaders, "edit/frontBitsEnd.comp", {}))
 {
+    ShaderDefines defines{{"CONNECTIVITY", connectivity}};
+    if (beneath)
+        defines.emplace_back("BENEATH", 1);
+    ring = program(shaders, "edit/frontBitsRing.comp", defines);
 }
 
 bool FrontBits::isFor(const core::GrowLimits& limits)

@@ -16,8 +16,9 @@ namespace gpu {
 
 /// The compiled kernels of fronts as bits (frontBits*.comp).
 struct FrontBitsPrograms {
-    FrontBitsPrograms(
-        const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
+    /// @param beneath what lies beneath members is written
+    FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
+        const core::GrowLimits& limits, bool beneath);
 
     Program open;
     Program fill;

@@ -320,7 +320,7 @@ core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys
 {
     for (const core::BrickKey& key : keys) {
         const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
-            || key.field == core::Field::SeedWords;
+            || key.field == core::Field::SeedWords || key.field == core::Field::Beneath;
         if (!known || key.brick >= std::uint32_t(m_fields->grid().brickCount()))
             return refusal("brick", "not in this volume");
     }

@@ -11,11 +11,6 @@ namespace gpu {
 
 namespace {
 
-Program program(const ShaderLibrary& library, const char* path, const ShaderDefines& defines = {})
-{
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
-}
-
 constexpr std::uint32_t holdsFront = 2; // growth.glsl
 constexpr std::uint32_t smallFront = 256; // voxels that one work group grows from
 
@@ -27,53 +22,6 @@ Buffer listBuffer(std::span<const std::uint32_t> list)
 }
 
 } // namespace
-
-GrowthPrograms::Rings::Rings(
-    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits, bool back)
-{
-    ShaderDefines defines = definesOf(limits);
-    if (!back)
-        admit = program(shaders, "edit/growAdmit.comp", defines);
-    defines.emplace_back("CONNECTIVITY", connectivity);
-    if (back)
-        defines.emplace_back("BACK", 1);
-    front = program(shaders, "edit/growFront.comp", defines);
-    // A front that cannot pass costs one look more, once; so only rings ask.
-    if (core::isAsked(limits.passage) && !back)
-        defines.emplace_back("PASSAGE", 1);
-    ring = program(shaders, "edit/growRing.comp", defines);
-    defines.emplace_back("SEVERAL_RINGS", 1);
-    severalRings = program(shaders, "edit/growRing.comp", defines);
-}
-
-GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
-    : placeSeeds(program(shaders, "edit/placeSeeds.comp"))
-    , label(program(shaders, "edit/growLabel.comp"))
-    , seedStatistics(program(shaders, "edit/seedStatistics.comp"))
-    , shrink(shaders)
-    , passage(shaders)
-    , m_shaders(shaders)
-{
-    (void)rings(6, {});
-}
-
-GrowthPrograms::Rings& GrowthPrograms::rings(int connectivity, const core::GrowLimits& limits)
-{
-    const std::pair<int, unsigned> kind(connectivity, kindOf(limits));
-    const auto known = m_rings.find(kind);
-    if (known != m_rings.end())
-        return known->second;
-    return m_rings.try_emplace(kind, m_shaders, connectivity, limits, false).first->second;
-}
-
-FrontBitsPrograms& GrowthPrograms::frontBits(int connectivity, const core::GrowLimits& limits)
-{
-    const Kind kind(connectivity, kindOf(limits));
-    const auto known = m_frontBits.find(kind);
-    if (known != m_frontBits.end())
-        return known->second;
-    return m_frontBits.try_emplace(kind, m_shaders, connectivity, limits).first->second;
-}
 
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement)
@@ -113,10 +61,15 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::GrowBurst& burst)
     : m_programs(programs)
-    , m_rings(&programs.rings(burst.connectivity, burst.limits))
     , m_fields(fields)
     , m_before(before)
     , m_burst(burst)
+    , m_mayTake(burst.tellsHeld && burst.overwritable.any())
+    // What is there by now may be gone once this growth is shrunk, and must not come back then.
+    , m_kind{.connectivity = burst.connectivity,
+          .limits = burst.limits,
+          .beneath = m_mayTake || fields.anythingBeneath(burst.plane)}
+    , m_rings(&programs.rings(m_kind))
     , m_criterion(programs.seedStatistics, fields, burst)
     , m_state({.label = "growth state", .bytes = sizeof(State)})
     , m_generation(burst.generation)
@@ -124,7 +77,7 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
 {
     setQueues(1u << 18);
     for (Program* each :
-        {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &programs.label})
+        {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &m_rings->label})
         setUniforms(*each);
     if (core::isAsked(burst.limits.passage))
         m_passage.emplace(programs.passage, fields, burst);
@@ -153,6 +106,11 @@ void GrowthKernel::bind()
     if (m_passage)
         m_passage->bind();
     words.pageTable().bindImage(3, GL_READ_ONLY);
+    if (m_kind.beneath) {
+        BrickField& beneath = m_fields.beneath(m_burst.plane);
+        beneath.atlas().bindImage(4, GL_READ_WRITE);
+        beneath.pageTable().bindUnit(3);
+    }
     words.pageOwners().bindBase(GL_SHADER_STORAGE_BUFFER, 5);
     m_state.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     m_queues.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
@@ -164,9 +122,10 @@ void GrowthKernel::setQueues(std::uint32_t capacity)
     m_queueCapacity = capacity;
     m_queues = Buffer(
         {.label = "growth fronts", .bytes = 2 * std::size_t(capacity) * sizeof(std::uint32_t)});
-    for (Program* each :
-        {&m_rings->front, &m_rings->ring, &m_rings->severalRings, &m_programs.label})
+    for (Program* each : {&m_rings->front, &m_rings->ring, &m_rings->severalRings})
         each->set("queueCapacity", m_queueCapacity);
+    if (!m_floodsBack)
+        m_rings->label.set("queueCapacity", m_queueCapacity);
 }
 
 void GrowthKernel::start(const State& state)
@@ -184,9 +143,7 @@ void GrowthKernel::open()
     const std::vector<std::uint32_t> held = m_fields.seedWords(m_burst.plane).heldBricks();
     if (held.empty())
         return;
-    m_before.capture(core::Field::SeedWords, m_burst.plane, held);
-    m_before.capture(core::Field::Labels, m_burst.plane, held);
-
+    capture(held);
     if (m_burst.opening == core::GrowOpening::Narrow)
         narrow(held);
     else if (m_burst.opening == core::GrowOpening::Restart)
@@ -238,6 +195,23 @@ void GrowthKernel::findFront(const std::vector<std::uint32_t>& bricks)
     m_allTouched = touchedBefore;
 }
 
+void GrowthKernel::capture(std::span<const std::uint32_t> bricks)
+{
+    m_before.capture(core::Field::SeedWords, m_burst.plane, bricks);
+    m_before.capture(core::Field::Labels, m_burst.plane, bricks);
+    if (!m_kind.beneath)
+        return;
+    m_before.capture(core::Field::Beneath, m_burst.plane, bricks);
+    if (!m_mayTake)
+        return;
+    BrickField& beneath = m_fields.beneath(m_burst.plane);
+    for (const std::uint32_t brick : bricks) {
+        if (!beneath.holds(brick))
+            m_newBeneath.insert(brick);
+    }
+    beneath.ensure(bricks);
+}
+
 std::vector<std::uint32_t> GrowthKernel::prepareBricks()
 {
     std::vector<std::uint32_t> reachable = m_fields.withNeighbours(m_frontBricks);
@@ -247,8 +221,7 @@ std::vector<std::uint32_t> GrowthKernel::prepareBricks()
     if (fresh.empty())
         return reachable;
     BrickField& words = m_fields.seedWords(m_burst.plane);
-    m_before.capture(core::Field::SeedWords, m_burst.plane, fresh);
-    m_before.capture(core::Field::Labels, m_burst.plane, fresh);
+    capture(fresh);
     for (const std::uint32_t brick : fresh) {
         m_prepared[brick] = true;
         if (!words.holds(brick))
@@ -263,7 +236,7 @@ void GrowthKernel::chooseForm(const std::vector<std::uint32_t>& bricks)
     const bool wide = !m_guard && m_onlyLabel && FrontBits::isFor(m_burst.limits)
         && m_frontBits.pays(m_frontCount, bricks.size());
     if (wide && !m_frontBits.holdsFront()) {
-        FrontBitsPrograms& programs = m_programs.frontBits(m_burst.connectivity, m_burst.limits);
+        FrontBitsPrograms& programs = m_programs.frontBits(m_kind);
         for (Program* each :
             {&programs.open, &programs.fill, &programs.reach, &programs.ring, &programs.end})
             setUniforms(*each);
@@ -291,9 +264,10 @@ void GrowthKernel::preparePassages()
 
 void GrowthKernel::runRings(int count)
 {
-    GrowthPrograms& programs = m_programs;
-    for (Program* each : {&m_rings->ring, &m_rings->severalRings, &programs.label})
+    for (Program* each : {&m_rings->ring, &m_rings->severalRings})
         each->set("firstQueue", m_frontQueue).set("baseGeneration", m_generation);
+    if (!m_floodsBack)
+        m_rings->label.set("firstQueue", m_frontQueue);
     m_frontQueue = (m_frontQueue + unsigned(count)) % 2;
 
     int ring = 0;
@@ -321,8 +295,8 @@ void GrowthKernel::runRings(int count)
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         return;
     }
-    programs.label.set("ring", unsigned(count));
-    programs.label.dispatch(groups);
+    m_rings->label.set("ring", unsigned(count));
+    m_rings->label.dispatch(groups);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
@@ -389,9 +363,8 @@ int GrowthKernel::advanceBatch(int rings)
         state.counts[0] = m_frontCount;
         start(state);
         if (m_frontBits.holdsFront())
-            m_frontBits.advance(m_programs.frontBits(m_burst.connectivity, m_burst.limits),
-                m_fields.seedWords(m_burst.plane), m_fields.grid().bricks(), m_generation, wanted,
-                reachable);
+            m_frontBits.advance(m_programs.frontBits(m_kind), m_fields.seedWords(m_burst.plane),
+                m_fields.grid().bricks(), m_generation, wanted, reachable);
         else
             runRings(wanted);
         state = takeBatch();
@@ -457,6 +430,23 @@ void GrowthKernel::releaseUnused(std::span<const std::uint32_t> reachable)
         m_prepared[brick] = false;
     }
     m_fields.seedWords(m_burst.plane).release(unused);
+    if (!m_mayTake)
+        return;
+    std::erase_if(unused, [this](std::uint32_t brick) { return m_newBeneath.erase(brick) == 0; });
+    m_fields.beneath(m_burst.plane).release(unused);
+}
+
+void GrowthKernel::releaseBeneath(std::span<const core::BrickChange> changes)
+{
+    if (!m_mayTake)
+        return;
+    for (const core::BrickChange& change : changes) {
+        if (change.key.field == core::Field::Beneath && !change.after.empty())
+            m_newBeneath.erase(change.key.brick);
+    }
+    m_fields.beneath(m_burst.plane)
+        .release(std::vector<std::uint32_t>(m_newBeneath.begin(), m_newBeneath.end()));
+    m_newBeneath.clear();
 }
 
 } // namespace gpu

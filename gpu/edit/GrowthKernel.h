@@ -19,6 +19,15 @@
 
 namespace gpu {
 
+/// What kernels of growing are compiled for.
+struct GrowthKind {
+    int connectivity = 6; ///< 6, 18 or 26
+    core::GrowLimits limits{};
+    bool beneath = false; ///< what lies beneath members is read and written
+
+    [[nodiscard]] ShaderDefines defines() const;
+};
+
 /// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
 struct GrowthPrograms {
     /// @param shaders outlives them
@@ -28,41 +37,40 @@ struct GrowthPrograms {
     struct Rings {
         /// @param back the flood by which a growth that is narrowed finds out who stays; it admits
         /// no seeds
-        Rings(const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits,
-            bool back);
+        Rings(const ShaderLibrary& shaders, const GrowthKind& kind, bool back);
 
         Program admit;
+        Program label;
         Program front;
         Program ring;
         Program severalRings;
     };
     /// Compiled when first needed, but for a growth over faces (6) without limits.
-    /// @param connectivity 6, 18 or 26
-    [[nodiscard]] Rings& rings(int connectivity, const core::GrowLimits& limits);
+    [[nodiscard]] Rings& rings(const GrowthKind& kind);
 
     /// The further kernels of narrowing.
     struct Narrowing {
-        Narrowing(const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits);
+        Narrowing(const ShaderLibrary& shaders, const GrowthKind& kind);
 
         Program doubt;
         Rings back;
         Program sweep;
     };
     /// Compiled when first needed.
-    [[nodiscard]] Narrowing& narrowing(int connectivity, const core::GrowLimits& limits);
+    [[nodiscard]] Narrowing& narrowing(const GrowthKind& kind);
 
     /// Compiled when first needed.
-    [[nodiscard]] FrontBitsPrograms& frontBits(int connectivity, const core::GrowLimits& limits);
+    [[nodiscard]] FrontBitsPrograms& frontBits(const GrowthKind& kind);
 
     Program placeSeeds;
-    Program label;
     Program seedStatistics;
     ShrinkPrograms shrink;
     PassagePrograms passage;
 
 private:
     const ShaderLibrary& m_shaders;
-    using Kind = std::pair<int, unsigned>; ///< neighbours, kindOf(limits)
+    using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), beneath
+    [[nodiscard]] static Kind keyOf(const GrowthKind& kind);
     std::map<Kind, Rings> m_rings;
     std::map<Kind, Narrowing> m_narrowings;
     std::map<Kind, FrontBitsPrograms> m_frontBits;
@@ -102,6 +110,10 @@ public:
     /// Gives back the pages of bricks that were prepared and not reached, but for those listed
     /// (ascending).
     void releaseUnused(std::span<const std::uint32_t> reachable = {});
+    /// Whether it may change what lies beneath members; if so, in the bricks touched.
+    [[nodiscard]] bool keepsBeneath() const { return m_kind.beneath; }
+    /// Gives back the pages that were taken for it and that these changes put nothing in.
+    void releaseBeneath(std::span<const core::BrickChange> changes);
 
 private:
     struct State {
@@ -117,6 +129,8 @@ private:
 
     void bind();
     void setUniforms(Program& program) const;
+    /// Of label plane, seed words and what lies beneath: saved, and ready for what may be taken.
+    void capture(std::span<const std::uint32_t> bricks);
     void admitSeeds(const std::vector<std::uint32_t>& held);
     // What leaves at the opening (GrowthNarrowing.cpp). @param held bricks with words, captured
     void narrow(const std::vector<std::uint32_t>& held);
@@ -145,10 +159,12 @@ private:
     void watch(const std::vector<core::LeakGuard::Voxel>& added);
 
     GrowthPrograms& m_programs;
-    GrowthPrograms::Rings* m_rings;
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;
+    bool m_mayTake; ///< from other labels, and will give it back
+    GrowthKind m_kind;
+    GrowthPrograms::Rings* m_rings;
     GrowCriterion m_criterion;
     std::optional<PassageField> m_passage; ///< none where growth goes through everything
     Buffer m_state;
@@ -168,6 +184,7 @@ private:
     std::vector<bool> m_prepared; ///< bricks that are captured and have a page
     std::set<std::uint32_t> m_allTouched;
     std::set<std::uint32_t> m_newPages;
+    std::set<std::uint32_t> m_newBeneath;
     std::vector<std::uint32_t> m_lastTouched; ///< bricks of the last batch
     std::optional<core::LeakGuard> m_guard;
     std::optional<core::LeakAlarm> m_alarm;

@@ -8,32 +8,9 @@
 
 namespace gpu {
 
-GrowthPrograms::Narrowing::Narrowing(
-    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits)
-    : back(shaders, connectivity, limits, true)
-{
-    ShaderDefines defines = definesOf(limits);
-    doubt = Program(shaders,
-        ComputeProgramOptions{.label = "doubt", .path = "edit/growDoubt.comp", .defines = defines});
-    defines.emplace_back("CONNECTIVITY", connectivity);
-    sweep = Program(shaders,
-        ComputeProgramOptions{.label = "sweep", .path = "edit/growSweep.comp", .defines = defines});
-}
-
-GrowthPrograms::Narrowing& GrowthPrograms::narrowing(
-    int connectivity, const core::GrowLimits& limits)
-{
-    const Kind kind(connectivity, kindOf(limits));
-    const auto known = m_narrowings.find(kind);
-    if (known != m_narrowings.end())
-        return known->second;
-    return m_narrowings.try_emplace(kind, m_shaders, connectivity, limits).first->second;
-}
-
 void GrowthKernel::narrow(const std::vector<std::uint32_t>& held)
 {
-    GrowthPrograms::Narrowing& narrowing =
-        m_programs.narrowing(m_burst.connectivity, m_burst.limits);
+    GrowthPrograms::Narrowing& narrowing = m_programs.narrowing(m_kind);
     for (Program* each : {&narrowing.doubt, &narrowing.back.front, &narrowing.back.ring,
              &narrowing.back.severalRings, &narrowing.sweep})
         setUniforms(*each);

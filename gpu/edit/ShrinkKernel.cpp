@@ -44,18 +44,29 @@ ShrinkPrograms::ShrinkPrograms(const ShaderLibrary& library)
     : look(program(library, "look for generations", "edit/shrink.comp", {{"LOOK", 1}}))
     , shrink(program(library, "shrink", "edit/shrink.comp"))
     , count(program(library, "count generations", "edit/countGenerations.comp"))
+    , m_library(library)
 {
+}
+
+Program& ShrinkPrograms::giveBack()
+{
+    if (!m_giveBack)
+        m_giveBack =
+            program(m_library, "shrink and give back", "edit/shrink.comp", {{"BENEATH", 1}});
+    return m_giveBack;
 }
 
 ShrinkKernel::ShrinkKernel(ShrinkPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::ShrinkGrowth& command)
     : m_programs(programs)
+    , m_givesBack(fields.anythingBeneath(command.plane))
+    , m_shrink(m_givesBack ? programs.giveBack() : programs.shrink)
     , m_fields(fields)
     , m_before(before)
     , m_command(command)
     , m_keep(command.generation)
 {
-    for (Program* each : {&programs.look, &programs.shrink})
+    for (Program* each : {&programs.look, &m_shrink})
         each->set("frozen", command.frozen);
     look();
     shrinkTo(command.keep, command.keepSeeds);
@@ -96,6 +107,8 @@ void ShrinkKernel::save()
     const BrickCopier& copier = m_fields.copier();
     m_words = copier.packed(m_fields.textures(core::Field::SeedWords, m_command.plane), bricks);
     m_labels = copier.packed(m_fields.textures(core::Field::Labels, m_command.plane), bricks);
+    if (m_givesBack)
+        m_beneath = copier.packed(m_fields.textures(core::Field::Beneath, m_command.plane), bricks);
 }
 
 void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
@@ -122,6 +135,8 @@ void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
         save();
     m_before.capture(core::Field::SeedWords, m_command.plane, bricks);
     m_before.capture(core::Field::Labels, m_command.plane, bricks);
+    if (m_givesBack)
+        m_before.capture(core::Field::Beneath, m_command.plane, bricks);
 
     BrickField& words = m_fields.seedWords(m_command.plane);
     const Buffer list = listOf("shrink bricks", bricks);
@@ -133,9 +148,15 @@ void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
     words.pageTable().bindUnit(1);
     words.atlas().bindImage(0, GL_WRITE_ONLY);
     m_fields.labels(m_command.plane).bindImage(1, GL_WRITE_ONLY);
-    setGrid(m_programs.shrink, m_fields.grid(), bricks.size());
-    m_programs.shrink.set("keep", keep).set("keepSeeds", keepSeeds);
-    dispatch(m_programs.shrink, bricks.size());
+    if (m_givesBack) {
+        BrickField& beneath = m_fields.beneath(m_command.plane);
+        m_beneath.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+        beneath.pageTable().bindUnit(2);
+        beneath.atlas().bindImage(2, GL_WRITE_ONLY);
+    }
+    setGrid(m_shrink, m_fields.grid(), bricks.size());
+    m_shrink.set("keep", keep).set("keepSeeds", keepSeeds);
+    dispatch(m_shrink, bricks.size());
     m_fields.noteChanged(core::Field::Labels, bricks);
 }
 
@@ -147,7 +168,10 @@ std::uint32_t ShrinkKernel::generation() const
 std::vector<core::BrickKey> ShrinkKernel::touchedKeys() const
 {
     std::vector<core::BrickKey> keys;
-    for (const core::Field field : {core::Field::SeedWords, core::Field::Labels}) {
+    for (const core::Field field :
+        {core::Field::SeedWords, core::Field::Labels, core::Field::Beneath}) {
+        if (field == core::Field::Beneath && !m_givesBack)
+            continue;
         for (const Brick& each : m_bricks) {
             if (each.written)
                 keys.push_back({.field = field, .plane = m_command.plane, .brick = each.brick});

@@ -17,6 +17,12 @@ struct ShrinkPrograms {
     Program look;
     Program shrink;
     Program count;
+    /// Shrinks where something lies beneath; compiled when it is first needed.
+    [[nodiscard]] Program& giveBack();
+
+private:
+    const ShaderLibrary& m_library;
+    Program m_giveBack;
 };
 
 /// One shrinking of a growth while it is open (ShrinkGrowth, ShrinkTo in
@@ -48,12 +54,15 @@ private:
     void save();
 
     ShrinkPrograms& m_programs;
+    bool m_givesBack; ///< something lies beneath
+    Program& m_shrink;
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::ShrinkGrowth m_command;
     std::vector<Brick> m_bricks; ///< that have members that may go; in this order they are saved
     Buffer m_words; ///< as they were at the opening
     Buffer m_labels;
+    Buffer m_beneath;
     std::uint32_t m_keep = 0;
     bool m_keepSeeds = false;
     std::uint32_t m_greatestFrozen = 0;

@@ -39,6 +39,9 @@ public:
 
     [[nodiscard]] BrickField& coverage(std::uint8_t layer);
     [[nodiscard]] BrickField& seedWords(std::uint8_t plane);
+    /// Field::Beneath; only bricks where growth took something from another label have pages.
+    [[nodiscard]] BrickField& beneath(std::uint8_t plane);
+    [[nodiscard]] bool anythingBeneath(std::uint8_t plane) const;
     [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
     /// What growing from seeds works out, and keeps for the next time; no truth.
     [[nodiscard]] SpreadField& spread() { return m_spread; }
@@ -113,6 +116,7 @@ private:
     RadiationKernel m_radiationKernel;
     std::map<std::uint8_t, BrickField> m_coverage;
     std::map<std::uint8_t, BrickField> m_seedWords;
+    std::map<std::uint8_t, BrickField> m_beneath;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
     SpreadField m_spread;
     BarrierBricks m_barriers; ///< of plane 0

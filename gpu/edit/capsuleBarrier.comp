@@ -1,5 +1,5 @@
 // Shuts voxels to growth in the candidate bricks of a brush, or opens them again (PaintBarrier in
-// core/growth/GrowthCommands.h). One work-group a brick, each voxel written by one invocation.
+// core/growth/GrowthCommands.h). BENEATH: labels that lie beneath members return to the plane. One work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
 
@@ -10,12 +10,17 @@ layout(local_size_x = 64) in;
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 0, r8ui) uniform uimage3D labels;
 layout(binding = 1, r32ui) uniform uimage3D words; // atlas
+#ifdef BENEATH
+layout(binding = 2) uniform usampler3D beneathPages;
+layout(binding = 2, r8ui) uniform uimage3D beneath; // atlas
+#endif
 
 uniform bool erase;
 uniform uint frozen[8]; // one bit a label
 
 const uint changedLabel = 1u;
 const uint changedWord = 2u;
+const uint changedBeneath = 4u;
 
 bool stays(uint word)
 {
@@ -52,7 +57,17 @@ void main()
         imageStore(words, texel, uvec4(erase ? unvisited : barrierWord));
         found |= changedWord;
         if (!erase && wasAdded(word) && imageLoad(labels, voxel).r == labelOf(word)) {
-            imageStore(labels, voxel, uvec4(0u));
+            uint below = 0u;
+#ifdef BENEATH
+            uint beneathEntry = texelFetch(beneathPages, voxel >> 4, 0).r;
+            if (beneathEntry != 0u)
+                below = imageLoad(beneath, atlasTexel(beneathEntry, voxel)).r;
+            if (below != 0u) {
+                imageStore(beneath, atlasTexel(beneathEntry, voxel), uvec4(0u));
+                found |= changedBeneath;
+            }
+#endif
+            imageStore(labels, voxel, uvec4(below));
             found |= changedLabel;
         }
     }

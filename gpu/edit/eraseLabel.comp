@@ -1,16 +1,19 @@
 // Takes a label out of listed bricks (EraseLabel in core/engine/EngineCommands.h): of a label plane,
-// or with SEED_WORDS of a seed map. Tells which of them hold it; writes only where it is told to.
+// with SEED_WORDS of a seed map, with BENEATH of what lies beneath members. Tells which of them hold it; writes only where it is told to.
 
 layout(local_size_x = 64) in;
 
 #include "edit/bricks.glsl"
 #include "edit/seedWord.glsl"
 
-#ifdef SEED_WORDS
+#if defined(SEED_WORDS) || defined(BENEATH)
+#define PAGED
 layout(binding = 1) uniform usampler3D pageTable;
+#endif
+#ifdef SEED_WORDS
 layout(binding = 0, r32ui) uniform uimage3D voxels; // atlas
 #else
-layout(binding = 0, r8ui) uniform uimage3D voxels;
+layout(binding = 0, r8ui) uniform uimage3D voxels; // with BENEATH an atlas
 #endif
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 layout(binding = 1, std430) writeonly buffer Found { uint found[]; };
@@ -41,14 +44,14 @@ void main()
 {
     for (uint slot = gl_WorkGroupID.x; slot < brickCount; slot += gl_NumWorkGroups.x) {
         ivec3 brick = brickPosition(int(bricks[slot]), volumeBricks);
-#ifdef SEED_WORDS
+#ifdef PAGED
         uint entry = texelFetch(pageTable, brick, 0).r;
 #endif
         for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
             ivec3 voxel = brick * brickSide + voxelInBrick(offset);
             if (!inside(voxel, volumeSize))
                 continue;
-#ifdef SEED_WORDS
+#ifdef PAGED
             ivec3 texel = atlasTexel(entry, voxel);
 #else
             ivec3 texel = voxel;

@@ -122,6 +122,6 @@ void main()
             direction = heldDirection;
         imageStore(
             words, pageTexel(brick.page, offset), uvec4(memberWord(generation, growing, direction)));
-        imageStore(labels, voxel, uvec4(growing));
+        showLabel(growing, voxel);
     } while (bits != 0u);
 }

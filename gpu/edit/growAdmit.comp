@@ -24,7 +24,7 @@ void main()
             continue;
         uint direction = held ? heldSeedDirection : seedDirection;
         imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), direction)));
-        imageStore(labels, voxel, uvec4(labelOf(word)));
+        showLabel(labelOf(word), voxel);
         reached[entry - 1u] = holdsFront;
         atomicAdd(state.admitted, 1u);
     }

@@ -26,12 +26,10 @@ void main()
             imageStore(words, texel, uvec4(word | notMember));
             continue;
         }
-        bool held;
-        if (accepts(label, voxel, held))
+        if (acceptsMember(word, voxel))
             continue;
         imageStore(words, texel, uvec4(pendingSeedWord(label)));
-        if ((word & 31u) == seedDirection && imageLoad(labels, voxel).r == label)
-            imageStore(labels, voxel, uvec4(0u));
+        giveBack(word, voxel);
         reached[entry - 1u] = heldFront;
     }
 }

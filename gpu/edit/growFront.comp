@@ -20,20 +20,19 @@ bool canGoOn(ivec3 voxel, uint own)
     Parent parent = parentAt(voxel);
     for (int direction = 0; direction < CONNECTIVITY; ++direction) {
         ivec3 neighbour = voxel + neighbourOffsets[direction];
-        bool held;
         if (!inside(neighbour, volumeSize))
             continue;
         uint entry = pageEntry(neighbour);
         uint word = entry != 0u ? imageLoad(words, atlasTexel(entry, neighbour)).r : unvisited;
 #ifdef BACK
-        if (!canProve(own, word))
-            continue;
-#else
-        if (isMember(word) || word == barrierWord)
-            continue;
-#endif
-        if (accepts(label, neighbour, held) && follows(parent, neighbour))
+        if (canProve(own, word) && acceptsMember(word, neighbour) && follows(parent, neighbour))
             return true;
+#else
+        bool held;
+        if (!isMember(word) && word != barrierWord && accepts(label, neighbour, held)
+            && follows(parent, neighbour))
+            return true;
+#endif
     }
     return false;
 }
@@ -53,7 +52,7 @@ void main()
             continue;
 #ifndef BACK
         if (generationOf(word) > openGeneration)
-            imageStore(labels, voxel, uvec4(labelOf(word)));
+            showLabel(labelOf(word), voxel);
 #endif
         if (!mayGrow(labelOf(word)) || !canGoOn(voxel, word))
             continue;

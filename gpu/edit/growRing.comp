@@ -45,6 +45,13 @@ uint neighbourEntry(uint ownEntry, ivec3 neighbour, ivec3 origin)
     return entry;
 }
 
+#ifdef BACK
+uint wordAt(uint ownEntry, ivec3 neighbour, ivec3 origin)
+{
+    return imageLoad(words, atlasTexel(neighbourEntry(ownEntry, neighbour, origin), neighbour)).r;
+}
+#endif
+
 void growFrom(uint entry, uint ring)
 {
     uint generation = baseGeneration + ring + 1u;
@@ -56,7 +63,7 @@ void growFrom(uint entry, uint ring)
     uint label = labelOf(own);
 #ifndef BACK
     // A word is final one generation after its claim: now the label plane may show it.
-    imageStore(labels, voxel, uvec4(label));
+    showLabel(label, voxel);
     reached[page] = heldFront;
 #endif
 
@@ -95,7 +102,12 @@ void growFrom(uint entry, uint ring)
         ivec3 neighbour = voxel + step;
         bool held = false;
         // A brick at the rim reaches beyond the volume.
-        if (inside(neighbour, volumeSize) && accepts(label, neighbour, held)
+        if (inside(neighbour, volumeSize)
+#if defined(BACK) && defined(BENEATH)
+            && acceptsMember(wordAt(page + 1u, neighbour, origin), neighbour)
+#else
+            && accepts(label, neighbour, held)
+#endif
             && follows(parent, neighbour)
 #ifdef PASSAGE
             && passes(room, roomAt(label, neighbour))

@@ -21,9 +21,8 @@ uint directionOf(uint word, ivec3 voxel)
         if (entry == 0u)
             continue;
         uint there = imageLoad(words, atlasTexel(entry, parent)).r;
-        bool held;
         if (isMember(there) && labelOf(there) == label && generationOf(there) < generationOf(word)
-            && accepts(label, voxel, held) && follows(parentAt(parent), voxel))
+            && acceptsMember(word, voxel) && follows(parentAt(parent), voxel))
             return direction;
     }
     return word & 31u;
@@ -44,8 +43,7 @@ void main()
         uint label = labelOf(word);
         if (isDoubtful(word)) {
             imageStore(words, texel, uvec4(unvisited));
-            if ((word & 31u) != heldDirection && imageLoad(labels, voxel).r == label)
-                imageStore(labels, voxel, uvec4(0u));
+            giveBack(word, voxel);
             changed = true;
             continue;
         }

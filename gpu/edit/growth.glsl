@@ -37,6 +37,13 @@ uniform bool tellsHeld;
 uniform uint queueCapacity; // of each
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
+// What lies beneath members (core/growth/GrowthCommands.h). Only there where its define is: a growth
+// that takes nothing from other labels pays nothing for it.
+#ifdef BENEATH
+layout(binding = 3) uniform usampler3D beneathPages;
+layout(binding = 4, r8ui) uniform uimage3D beneath; // atlas
+#endif
+
 #include "edit/growCriterion.glsl"
 
 uint pageEntry(ivec3 voxel)
@@ -62,6 +69,58 @@ bool accepts(uint label, ivec3 voxel, out bool held)
     if (!mayEnter)
         mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
     return mayEnter && allows(label, voxel, code);
+}
+
+// Of a member, or of one that is doubtful: whether it added its label to the plane.
+bool hasAdded(uint word, ivec3 voxel)
+{
+    uint direction = word & 31u;
+    return direction != heldDirection && direction != heldSeedDirection
+        && imageLoad(labels, voxel).r == labelOf(word);
+}
+
+// The same as accepts(), of one that may leave, as if it had been given back.
+bool acceptsMember(uint word, ivec3 voxel)
+{
+    bool held;
+#ifdef BENEATH
+    uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
+    if (entry != 0u && hasAdded(word, voxel)) {
+        uint below = imageLoad(beneath, atlasTexel(entry, voxel)).r;
+        if (below != 0u && below != labelOf(word)
+            && (overwritable[below >> 5] >> (below & 31u) & 1u) == 0u)
+            return false;
+    }
+#endif
+    return accepts(labelOf(word), voxel, held);
+}
+
+// Before it leaves.
+void giveBack(uint word, ivec3 voxel)
+{
+    if (!hasAdded(word, voxel))
+        return;
+    uint below = 0u;
+#ifdef BENEATH
+    uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
+    if (entry != 0u) {
+        below = imageLoad(beneath, atlasTexel(entry, voxel)).r;
+        imageStore(beneath, atlasTexel(entry, voxel), uvec4(0u));
+    }
+#endif
+    imageStore(labels, voxel, uvec4(below));
+}
+
+// A member shows in the plane. To be said of it as often as one likes.
+void showLabel(uint label, ivec3 voxel)
+{
+#ifdef BENEATH
+    uint there = imageLoad(labels, voxel).r;
+    uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
+    if (entry != 0u && (there != label || !tellsHeld))
+        imageStore(beneath, atlasTexel(entry, voxel), uvec4(tellsHeld ? there : 0u));
+#endif
+    imageStore(labels, voxel, uvec4(label));
 }
 
 // Marked while a growth is narrowed: leaves unless it proves to qualify. No seed is.
@@ -108,7 +167,7 @@ void showFront(uint ring, uint first, uint stride)
         uint page = entry >> 12;
         int offset = int(entry & 4095u);
         uint word = imageLoad(words, pageTexel(page, offset)).r;
-        imageStore(labels, ownerOrigin(page) + voxelInBrick(offset), uvec4(labelOf(word)));
+        showLabel(labelOf(word), ownerOrigin(page) + voxelInBrick(offset));
         reached[page] = holdsFront;
         i += stride;
     } while (i < count);

@@ -2,6 +2,7 @@
 // core/growth/GrowthCommands.h), or puts it there again.
 //
 // LOOK: only tells of each brick which generations it has that may go.
+// BENEATH: labels that lie beneath members return to the plane.
 // Else what a brick becomes is worked out from what was saved of it, so it can be done again and
 // again for other generations.
 
@@ -72,6 +73,11 @@ layout(binding = 1, r8ui) uniform writeonly uimage3D labels;
 layout(binding = 1, std430) readonly buffer Places { uint places[]; }; // in the saved lists
 layout(binding = 2, std430) readonly buffer SavedWords { uint savedWords[]; };
 layout(binding = 3, std430) readonly buffer SavedLabels { uint savedLabels[]; }; // four to a word
+#ifdef BENEATH
+layout(binding = 4, std430) readonly buffer SavedBeneath { uint savedBeneath[]; }; // likewise
+layout(binding = 2) uniform usampler3D beneathPages;
+layout(binding = 2, r8ui) uniform writeonly uimage3D beneath; // atlas
+#endif
 
 uniform uint keep;
 uniform bool keepSeeds;
@@ -82,6 +88,9 @@ void main()
         ivec3 brick = brickPosition(int(bricks[slot]), volumeBricks);
         uint entry = texelFetch(pageTable, brick, 0).r;
         uint place = places[slot];
+#ifdef BENEATH
+        uint beneathEntry = texelFetch(beneathPages, brick, 0).r;
+#endif
         for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
             ivec3 voxel = brick * brickSide + voxelInBrick(offset);
             if (!inside(voxel, volumeSize))
@@ -98,7 +107,13 @@ void main()
             bool wasHeld = (word & 31u) == heldDirection || (word & 31u) == heldSeedDirection;
             bool loses = !stays && !seedStays && !wasHeld && held == label;
             imageStore(words, atlasTexel(entry, voxel), uvec4(stays ? word : after));
-            imageStore(labels, voxel, uvec4(loses ? 0u : held));
+            uint below = 0u;
+#ifdef BENEATH
+            below = savedBeneath[place * 1024u + uint(offset >> 2)] >> (8 * (offset & 3)) & 255u;
+            if (beneathEntry != 0u)
+                imageStore(beneath, atlasTexel(beneathEntry, voxel), uvec4(loses ? 0u : below));
+#endif
+            imageStore(labels, voxel, uvec4(loses ? below : held));
         }
     }
 }

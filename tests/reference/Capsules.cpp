@@ -2,6 +2,7 @@
 #include "tests/reference/Capsules.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/reference/Growth.h"
 #include "tests/reference/MaskPlane.h"
 #include "tests/reference/Rays.h"
 
@@ -180,13 +181,9 @@ void Capsules::shut(const core::PaintBarrier& shut, const glm::ivec3& voxel)
         return;
     }
     const std::uint32_t label = seedWord::label(word);
-    const std::uint32_t direction = seedWord::direction(word);
     if (bears(word, label) && shut.frozen.test(label))
         return;
-    std::uint8_t& held = m_fields.labels(shut.plane).at(voxel);
-    if (seedWord::isMember(word) && seedWord::generation(word) > 0 && direction != 29
-        && direction != 30 && held == label)
-        held = 0;
+    giveBack(m_fields, shut.plane, voxel, word);
     word = seedWord::barrier;
 }
 

@@ -52,6 +52,18 @@ DenseArray<std::uint32_t>& DenseFields::seedWords(std::uint8_t plane)
     return named<std::uint32_t>(m_seedWords, plane, size(), core::seedWord::unvisited);
 }
 
+DenseArray<std::uint8_t>& DenseFields::beneath(std::uint8_t plane)
+{
+    return named<std::uint8_t>(m_beneath, plane, size(), 0);
+}
+
+const DenseFields::Layers& DenseFields::layersOf(core::Field field) const
+{
+    return field == core::Field::Labels ? m_labels
+        : field == core::Field::Beneath ? m_beneath
+                                        : m_coverage;
+}
+
 DenseArray<std::uint8_t> DenseFields::composedCoverage(const std::bitset<256>& muted) const
 {
     DenseFields nothing(size());
@@ -68,7 +80,7 @@ DenseArray<std::uint8_t> DenseFields::composedCoverage(const std::bitset<256>& m
 bool DenseFields::holds(const core::BrickKey& key) const
 {
     const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
-        || key.field == core::Field::SeedWords;
+        || key.field == core::Field::SeedWords || key.field == core::Field::Beneath;
     return known && key.brick < std::uint32_t(m_grid.brickCount());
 }
 
@@ -93,7 +105,7 @@ std::vector<std::uint8_t> DenseFields::readBrick(const core::BrickKey& key) cons
             });
         }
     } else {
-        const Layers& layers = key.field == core::Field::Labels ? m_labels : m_coverage;
+        const Layers& layers = layersOf(key.field);
         if (const auto found = layers.find(key.plane); found != layers.end()) {
             const auto& field = found->second;
             forEachVoxel(box, [&](const glm::ivec3& voxel) { put(voxel, field.at(voxel), 0); });
@@ -122,7 +134,9 @@ void DenseFields::writeBrick(const core::BrickKey& key, std::span<const std::uin
         auto& field = seedWords(key.plane);
         forEachVoxel(box, [&](const glm::ivec3& voxel) { field.at(voxel) = get(voxel); });
     } else {
-        auto& field = key.field == core::Field::Labels ? labels(key.plane) : coverage(key.plane);
+        auto& field = key.field == core::Field::Labels ? labels(key.plane)
+            : key.field == core::Field::Beneath        ? beneath(key.plane)
+                                                       : coverage(key.plane);
         forEachVoxel(
             box, [&](const glm::ivec3& voxel) { field.at(voxel) = std::uint8_t(get(voxel)); });
     }
@@ -141,6 +155,8 @@ std::vector<core::BrickKey> DenseFields::allKeys() const
         add(core::Field::Labels, plane);
     for (const auto& [plane, field] : m_seedWords)
         add(core::Field::SeedWords, plane);
+    for (const auto& [plane, field] : m_beneath)
+        add(core::Field::Beneath, plane);
     return keys;
 }
 

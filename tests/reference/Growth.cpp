@@ -49,12 +49,27 @@ void eraseLabel(DenseFields& fields, const core::EraseLabel& erase)
         if (bears && seedWord::label(word) == erase.label)
             word = seedWord::unvisited;
     }
+    for (std::uint8_t& beneath : fields.beneath(erase.plane).values) {
+        if (beneath == erase.label)
+            beneath = 0;
+    }
+}
+
+void giveBack(DenseFields& fields, std::uint8_t plane, const glm::ivec3& voxel, std::uint32_t word)
+{
+    std::uint8_t& held = fields.labels(plane).at(voxel);
+    const std::uint32_t direction = seedWord::direction(word);
+    if (!seedWord::isMember(word) || seedWord::generation(word) == 0 || direction == 29
+        || direction == 30 || held != seedWord::label(word))
+        return;
+    std::uint8_t& beneath = fields.beneath(plane).at(voxel);
+    held = beneath;
+    beneath = 0;
 }
 
 std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink)
 {
     auto& words = fields.seedWords(shrink.plane);
-    auto& labels = fields.labels(shrink.plane);
     std::uint32_t greatest = shrink.keep;
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
         std::uint32_t& word = words.at(voxel);
@@ -67,10 +82,8 @@ std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink
             if (seed && shrink.keepSeeds) {
                 word = seedWord::member(1, label, direction);
             } else {
+                giveBack(fields, shrink.plane, voxel, word);
                 word = seed ? seedWord::pendingSeed(label) : seedWord::unvisited;
-                std::uint8_t& held = labels.at(voxel);
-                if (direction != 29 && direction != 30 && held == label)
-                    held = 0;
                 return;
             }
         }
@@ -82,8 +95,10 @@ std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink
 Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> coverage,
     DenseFields& fields, core::GrowBurst burst)
     : m_burst(std::move(burst))
+    , m_fields(fields)
     , m_words(fields.seedWords(m_burst.plane))
     , m_labels(fields.labels(m_burst.plane))
+    , m_beneath(fields.beneath(m_burst.plane))
     , m_criterion(codes, std::move(coverage), m_words, m_burst)
     , m_generation(m_burst.generation)
 {
@@ -144,9 +159,7 @@ void Growth::narrow()
     std::vector<glm::ivec3> grown;
     const auto goes = [this](const glm::ivec3& voxel, std::uint32_t becomes) {
         std::uint32_t& word = m_words.at(voxel);
-        const bool wasThere = seedWord::direction(word) == 29 || seedWord::direction(word) == 30;
-        if (!wasThere && m_labels.at(voxel) == seedWord::label(word))
-            m_labels.at(voxel) = 0;
+        giveBack(m_fields, m_burst.plane, voxel, word);
         word = becomes;
     };
     forEachVoxel(m_words.size, [&](const glm::ivec3& voxel) {
@@ -157,7 +170,7 @@ void Growth::narrow()
             return;
         if (!seedWord::isSeed(word))
             grown.push_back(voxel);
-        else if (!accepts(label, voxel))
+        else if (!acceptsMember(voxel))
             goes(voxel, seedWord::pendingSeed(label));
     });
     // From early to late: whoever comes before has been decided on.
@@ -189,7 +202,7 @@ std::optional<std::uint32_t> Growth::parentDirection(const glm::ivec3& voxel) co
          ++direction) {
         const std::array<int, 3>& offset = seedWord::offsets[direction];
         const glm::ivec3 parent = voxel - glm::ivec3(offset[0], offset[1], offset[2]);
-        if (!m_words.contains(parent) || !accepts(seedWord::label(word), voxel)
+        if (!m_words.contains(parent) || !acceptsMember(voxel)
             || !m_criterion.follows(parent, voxel))
             continue;
         const std::uint32_t there = m_words.at(parent);
@@ -202,7 +215,20 @@ std::optional<std::uint32_t> Growth::parentDirection(const glm::ivec3& voxel) co
 
 bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
 {
-    const std::uint8_t held = m_labels.at(voxel); // changes only where members are
+    return mayEnter(label, voxel, m_labels.at(voxel)); // changes only where members are
+}
+
+bool Growth::acceptsMember(const glm::ivec3& voxel) const
+{
+    const std::uint32_t word = m_words.at(voxel);
+    const std::uint32_t direction = seedWord::direction(word);
+    const bool added =
+        direction != 29 && direction != 30 && m_labels.at(voxel) == seedWord::label(word);
+    return mayEnter(seedWord::label(word), voxel, added ? m_beneath.at(voxel) : m_labels.at(voxel));
+}
+
+bool Growth::mayEnter(std::uint32_t label, const glm::ivec3& voxel, std::uint8_t held) const
+{
     return !m_burst.frozen.test(label) && m_criterion.allows(label, voxel)
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
@@ -249,8 +275,15 @@ void Growth::finishGeneration(std::vector<glm::ivec3> added)
 {
     ++m_generation;
     m_frontSizes.push_back(std::uint32_t(added.size()));
-    for (const glm::ivec3& voxel : added)
-        m_labels.at(voxel) = std::uint8_t(seedWord::label(m_words.at(voxel)));
+    for (const glm::ivec3& voxel : added) {
+        const auto label = std::uint8_t(seedWord::label(m_words.at(voxel)));
+        std::uint8_t& held = m_labels.at(voxel);
+        if (!m_burst.tellsHeld)
+            m_beneath.at(voxel) = 0;
+        else if (held != label)
+            m_beneath.at(voxel) = held;
+        held = label;
+    }
     if (m_watch)
         m_alarm = m_watch->look(m_generation, added);
     m_front = std::move(added);

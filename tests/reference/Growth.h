@@ -18,6 +18,10 @@ void placeSeeds(DenseFields& fields, const core::SeedPlacement& placement);
 /// Takes a label out of labels and seed words (core::EraseLabel).
 void eraseLabel(DenseFields& fields, const core::EraseLabel& erase);
 
+/// A member is about to leave: what it added to the plane is given back
+/// (core/growth/GrowthCommands.h). @param word its own
+void giveBack(DenseFields& fields, std::uint8_t plane, const glm::ivec3& voxel, std::uint32_t word);
+
 /// Takes back what a growth added (core::ShrinkGrowth). @return the generation then
 std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink);
 
@@ -41,6 +45,10 @@ public:
 
 private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
+    /// The same of a member, as if it had been given back.
+    [[nodiscard]] bool acceptsMember(const glm::ivec3& voxel) const;
+    [[nodiscard]] bool mayEnter(
+        std::uint32_t label, const glm::ivec3& voxel, std::uint8_t held) const;
     /// Whether the label plane held the label there before, where that is told.
     [[nodiscard]] bool holds(std::uint32_t label, const glm::ivec3& voxel) const;
     /// core::GrowOpening::Narrow.
@@ -57,8 +65,10 @@ private:
     void finishGeneration(std::vector<glm::ivec3> added);
 
     core::GrowBurst m_burst;
+    DenseFields& m_fields;
     DenseArray<std::uint32_t>& m_words;
     DenseArray<std::uint8_t>& m_labels;
+    DenseArray<std::uint8_t>& m_beneath;
     GrowCriterion m_criterion;
     std::unique_ptr<Passage> m_passage; ///< none where it asks nothing
     std::vector<glm::ivec3> m_front; ///< members that may have neighbours to take

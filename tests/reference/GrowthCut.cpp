@@ -3,6 +3,7 @@
 
 #include "core/growth/GrowthCut.h"
 #include "core/growth/SeedWord.h"
+#include "tests/reference/Growth.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -363,7 +364,6 @@ private:
 std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command)
 {
     Words& words = fields.seedWords(command.plane);
-    DenseArray<std::uint8_t>& labels = fields.labels(command.plane);
     const Words before = words;
     bool anything = false;
     for (std::uint32_t label = 1; label < 256; ++label) {
@@ -382,10 +382,8 @@ std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command)
         const Set leaving = cut.leaving(sketch);
         Set shut;
         for (const std::size_t voxel : leaving) {
+            giveBack(fields, command.plane, placeOf(before, voxel), before.values[voxel]);
             words.values[voxel] = seedWord::unvisited;
-            const std::uint32_t direction = seedWord::direction(before.values[voxel]);
-            if (direction != 29 && direction != 30 && labels.values[voxel] == label)
-                labels.values[voxel] = 0;
             for (const std::size_t next : neighbours(before, voxel)) {
                 if (command.barrier && cut.isMember(next) && leaving.count(next) == 0)
                     shut.insert(voxel);

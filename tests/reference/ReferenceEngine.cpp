@@ -32,7 +32,7 @@ core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
 {
     core::EditStatistics statistics;
     for (const core::BrickChange& change : changes) {
-        if (change.key.field == core::Field::SeedWords)
+        if (change.key.field == core::Field::SeedWords || change.key.field == core::Field::Beneath)
             continue;
         ++statistics.bricks;
         for (std::size_t i = 0; i < core::BrickGrid::voxelsPerBrick; ++i) {

@@ -48,6 +48,7 @@ namespace test {
 [[nodiscard]] std::vector<EngineCase> growLimitCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> wideGrowthCases(int randomCount); ///< of one label
 [[nodiscard]] std::vector<EngineCase> intervalCases(int randomCount); ///< barriers between
+[[nodiscard]] std::vector<EngineCase> beneathCases(int randomCount); ///< taken and given back
 [[nodiscard]] std::vector<EngineCase> passageCases(int randomCount); ///< of a given width
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> laserCases(int randomCount);

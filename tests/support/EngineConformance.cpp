@@ -15,7 +15,8 @@ constexpr std::uint8_t highestPlane = 2;
 
 QString describe(const core::BrickKey& key)
 {
-    static const std::array<const char*, 4> names{"?", "coverage", "labels", "seed words"};
+    static const std::array<const char*, 5> names{
+        "?", "coverage", "labels", "seed words", "beneath"};
     return QStringLiteral("%1 of plane %2, brick %3")
         .arg(QLatin1String(names.at(std::size_t(key.field))))
         .arg(key.plane)
@@ -203,8 +204,9 @@ private:
         for (const std::uint32_t keep : step.then) {
             carryOut(core::EngineCommand(
                 core::ExtendEdit{core::ShrinkTo{keep % (shrink.generation + 1)}}));
-            submit(core::ReadBricks{{{core::Field::Labels, shrink.plane, 0},
-                {core::Field::SeedWords, shrink.plane, 0}}});
+            submit(core::ReadBricks{
+                {{core::Field::Labels, shrink.plane, 0}, {core::Field::SeedWords, shrink.plane, 0},
+                    {core::Field::Beneath, shrink.plane, 0}}});
             submit(core::CountGenerations{shrink.plane});
         }
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
@@ -263,7 +265,8 @@ private:
     {
         core::ReadBricks read;
         const core::BrickGrid grid{m_size};
-        for (const auto field : {core::Field::Labels, core::Field::SeedWords}) {
+        for (const auto field :
+            {core::Field::Labels, core::Field::SeedWords, core::Field::Beneath}) {
             for (int brick = 0; brick < grid.brickCount(); ++brick)
                 read.keys.push_back({field, plane, std::uint32_t(brick)});
         }
@@ -320,8 +323,8 @@ private:
     {
         core::ReadBricks read;
         const core::BrickGrid grid{m_size};
-        for (const auto field :
-            {core::Field::Coverage, core::Field::Labels, core::Field::SeedWords}) {
+        for (const auto field : {core::Field::Coverage, core::Field::Labels, core::Field::SeedWords,
+                 core::Field::Beneath}) {
             for (int plane = 0; plane <= highestPlane; ++plane) {
                 for (int brick = 0; brick < grid.brickCount(); ++brick)
                     read.keys.push_back({field, std::uint8_t(plane), std::uint32_t(brick)});

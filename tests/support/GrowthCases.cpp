@@ -31,8 +31,9 @@ void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst,
             // A finished generation shows at once.
             steps.push_back(Settle{});
             steps.push_back(command(core::ProbeVoxels{{{0, 0, 0}}, burst.plane}));
-            steps.push_back(command(core::ReadBricks{{{core::Field::Labels, burst.plane, 0},
-                {core::Field::SeedWords, burst.plane, 0}}}));
+            steps.push_back(command(core::ReadBricks{
+                {{core::Field::Labels, burst.plane, 0}, {core::Field::SeedWords, burst.plane, 0},
+                    {core::Field::Beneath, burst.plane, 0}}}));
         }
     }
     steps.push_back(command(core::EndEdit{ending}));

@@ -36,6 +36,7 @@ std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, con
         ask(Field::Coverage, layer);
     ask(Field::Labels, 0);
     ask(Field::SeedWords, 0);
+    ask(Field::Beneath, 0);
     const Ticket ticket = engine.submit(std::move(read));
     engine.finish();
     std::map<BrickKey, std::vector<std::uint8_t>> found;
@@ -53,7 +54,7 @@ std::map<BrickKey, std::vector<std::uint8_t>> withoutLabel(
     std::map<BrickKey, std::vector<std::uint8_t>> bricks, int label)
 {
     for (auto& [key, bytes] : bricks) {
-        if (key.field == Field::Labels)
+        if (key.field == Field::Labels || key.field == Field::Beneath)
             std::replace(bytes.begin(), bytes.end(), std::uint8_t(label), std::uint8_t(0));
         for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
             // Bits 12 … 5 of a word; all ones is an empty voxel.

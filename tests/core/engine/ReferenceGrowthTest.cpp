@@ -409,6 +409,8 @@ void ReferenceGrowthTest::shrinkingIsTheInverse()
     for (int label = 1; label <= 3; ++label)
         seeds.push_back({.label = std::uint8_t(label),
             .voxels = {test::randomVoxel(random, size), test::randomVoxel(random, size)}});
+    for (std::size_t label = 1; label <= 3; ++label)
+        grow.overwritable[label] = random() % 2;
     const auto grown = [&](int steps) {
         auto engine = std::make_unique<ReferenceEngine>();
         (void)engine->openVolume(size, codes.values);
@@ -459,6 +461,7 @@ void ReferenceGrowthTest::shrinkingIsTheInverse()
     submitWhole(*engine, ShrinkGrowth{.generation = 1});
     there = engine->fields();
     QVERIFY(there.labels(0).values == labels.values);
+    QVERIFY(there.beneath(0).values == std::vector<std::uint8_t>(labels.values.size(), 0));
     for (const std::uint32_t word : there.seedWords(0).values)
         QVERIFY(word == seedWord::unvisited || seedWord::isPendingSeed(word));
 }
@@ -479,7 +482,7 @@ void ReferenceGrowthTest::shrinkingLeavesWhatWasThere()
     QCOMPARE(fields.labels(0).values, std::vector<std::uint8_t>(10, 4));
     submitWhole(engine, ShrinkGrowth{.generation = 10, .keepSeeds = true});
     fields = engine.fields();
-    QCOMPARE(fields.labels(0).values, (std::vector<std::uint8_t>{4, 0, 4, 0, 0, 0, 0, 0, 0, 0}));
+    QCOMPARE(fields.labels(0).values, (std::vector<std::uint8_t>{4, 0, 4, 0, 0, 9, 0, 0, 0, 0}));
     // Locked: neither shrinks nor lets the generation fall below its own.
     submitWhole(engine, GrowBurst{.lowCode = 5, .highCode = 5, .generation = 1}, {GrowAdvance{4}});
     ShrinkGrowth locked{.generation = 5, .keep = 2};

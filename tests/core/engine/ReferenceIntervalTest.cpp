@@ -133,6 +133,8 @@ void ReferenceIntervalTest::movesEqualGrowingFromScratch()
     for (int move = 0; move < 50; ++move) {
         burst.lowCode = test::randomInt(random, 0, 600);
         burst.highCode = test::randomInt(random, 400, test::tissueCode);
+        for (std::size_t label = 1; label <= 4; ++label)
+            burst.overwritable[label] = random() % 2;
         burst.opening = GrowOpening::Narrow;
         const EngineResult result = grow(*engine, burst, generation);
         generation = result.generation;
@@ -172,6 +174,8 @@ void ReferenceIntervalTest::growingAnewEqualsScratchWordForWord()
         const Scene scene = randomScene(random, 3);
         const auto engine = sketched(scene);
         GrowBurst burst{.connectivity = std::array<int, 3>{6, 18, 26}[random() % 3]};
+        for (std::size_t label = 1; label <= 4; ++label)
+            burst.overwritable[label] = random() % 2;
         std::uint32_t generation = 0;
         for (int move = 0; move < 10; ++move) {
             burst.lowCode = test::randomInt(random, 0, 300);
