@@ -15,8 +15,7 @@ LeavingBricks leavingBricks(const WordBricks& words, const CutGrowth& command)
     for (const auto& [label, voxels] : leavingVoxels(words, command)) {
         leaving.members += std::int64_t(voxels.size());
         for (const WordBricks::Voxel voxel : voxels) {
-            const std::uint32_t direction = seedWord::direction(words[voxel]);
-            if (direction == seedWord::heldDirection || direction == seedWord::heldSeedDirection)
+            if (seedWord::wasHeld(words[voxel]))
                 continue;
             std::size_t& place = places[voxel >> 12];
             if (place == none) {

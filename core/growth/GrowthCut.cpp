@@ -371,10 +371,7 @@ void write(CutWriting& writing, const WordBricks& words, const std::vector<std::
 {
     std::vector<glm::ivec3> shut;
     for (const Voxel voxel : leaving) {
-        const std::uint32_t direction = seedWord::direction(words[voxel]);
-        const bool held =
-            direction == seedWord::heldDirection || direction == seedWord::heldSeedDirection;
-        writing.leave(voxel, held ? 0 : label);
+        writing.leave(voxel, seedWord::wasHeld(words[voxel]) ? 0 : label);
         bool bounds = false;
         words.forNeighbours(voxel, 0, barrier ? seedWord::directions : 0,
             [&](Voxel neighbour, std::uint32_t word, std::uint32_t) {
