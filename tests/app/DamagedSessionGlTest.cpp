@@ -14,16 +14,8 @@
 
 using namespace core;
 using test::burin;
+using test::key;
 using test::Outcome;
-
-namespace {
-
-QString key(const char* name)
-{
-    return QLatin1String(name);
-}
-
-} // namespace
 
 /// A damaged session on the command line: what is sound of what was asked for is given, the rest is
 /// named in one sentence, and the status is 0 where nothing that was asked for is lost.

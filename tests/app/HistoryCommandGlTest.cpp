@@ -21,24 +21,16 @@
 
 using namespace core;
 using test::burin;
+using test::goTo;
+using test::key;
 using test::Outcome;
 using test::toJson;
 
 namespace {
 
-QString key(const char* name)
-{
-    return QLatin1String(name);
-}
-
 QJsonObject move(const char* name)
 {
     return {{key("edit"), key(name)}};
-}
-
-QJsonObject goTo(int seq)
-{
-    return {{key("edit"), key("goTo")}, {key("seq"), seq}};
 }
 
 } // namespace

@@ -10,22 +10,10 @@
 
 using namespace core;
 using test::burin;
+using test::goTo;
+using test::key;
 using test::Outcome;
 using test::toJson;
-
-namespace {
-
-QString key(const char* name)
-{
-    return QLatin1String(name);
-}
-
-QJsonObject goTo(int seq)
-{
-    return {{key("edit"), key("goTo")}, {key("seq"), seq}};
-}
-
-} // namespace
 
 /// `burin replay`.
 class ReplayCommandGlTest : public QObject, protected test::CommandFixture {

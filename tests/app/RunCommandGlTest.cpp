@@ -22,17 +22,9 @@
 
 using namespace core;
 using test::burin;
+using test::key;
 using test::Outcome;
 using test::toJson;
-
-namespace {
-
-const QString key(const char* name)
-{
-    return QLatin1String(name);
-}
-
-} // namespace
 
 class RunCommandGlTest : public QObject {
     Q_OBJECT

@@ -9,17 +9,9 @@
 
 using namespace core;
 using test::burin;
+using test::key;
 using test::Outcome;
 using test::toJson;
-
-namespace {
-
-QString key(const char* name)
-{
-    return QLatin1String(name);
-}
-
-} // namespace
 
 /// `burin run --apply-elsewhere`.
 class RunElsewhereGlTest : public QObject, protected test::CommandFixture {

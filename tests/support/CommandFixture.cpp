@@ -7,6 +7,7 @@
 
 #include <QFile>
 #include <QJsonDocument>
+#include <QJsonObject>
 
 namespace test {
 
@@ -21,6 +22,16 @@ bool writeStudy(const QString& path, const core::LoadedVolume& study)
             .voxels = std::span<const std::int16_t>(values),
             .description = {}})
         .has_value();
+}
+
+QString key(const char* name)
+{
+    return QLatin1String(name);
+}
+
+QJsonObject goTo(int seq)
+{
+    return {{key("edit"), key("goTo")}, {key("seq"), seq}};
 }
 
 QJsonArray toJson(const std::vector<core::Edit>& edits)

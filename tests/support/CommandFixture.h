@@ -17,6 +17,10 @@ namespace test {
 /// Writes a study whose codes are its values + 1024, as NIfTI. @return whether it could
 [[nodiscard]] bool writeStudy(const QString& path, const core::LoadedVolume& study);
 
+/// A word of JSON or of the command line.
+[[nodiscard]] QString key(const char* name);
+/// An entry of a recipe.
+[[nodiscard]] QJsonObject goTo(int seq);
 /// As a recipe's list of edits.
 [[nodiscard]] QJsonArray toJson(const std::vector<core::Edit>& edits);
 
