@@ -21,6 +21,10 @@ uniform ivec3 volumeSize;
 uniform uint differenceWeight;
 uniform uint lengths[13]; // of directions 2n and 2n + 1
 
+// A brick that has not come to rest by then waits for its next turn: llvmpipe ends all loops of an
+// invocation after 65535 rounds.
+const uint mostRounds = 64u;
+
 shared uint word[4096];
 shared uint codePair[2048]; // of a voxel and of the one 8 slices on
 shared uint changed;
@@ -199,17 +203,16 @@ void main()
 #ifndef DOUBT
     takeFromBeyond(origin, lane);
 #endif
-    for (;;) {
+    bool again = true;
+    for (uint round = 0u; again && round < mostRounds; ++round) {
         if (lane == 0u)
             changed = 0u;
         barrier();
         if (work(origin, lane))
             changed = 1u;
         barrier();
-        bool again = changed != 0u;
+        again = changed != 0u;
         barrier();
-        if (!again)
-            break;
     }
 
     uint beside = 0u;
@@ -230,6 +233,13 @@ void main()
         atomicMin(least, cost);
     }
     barrier();
+    if (lane == 0u && again) {
+#ifdef DOUBT
+        doubtful[slot] = 0u;
+#else
+        pending[slot] = 0u;
+#endif
+    }
     // The first 27 invocations tell a brick each.
     if (lane < 27u && (around >> lane & 1u) != 0u) {
         int other = brickBeside(brick, lane);

@@ -14,6 +14,10 @@ layout(local_size_x = 256) in;
 layout(binding = 0) uniform usampler3D codes;
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 
+// A brick that has not come to rest by then waits for its next turn: llvmpipe ends all loops of an
+// invocation after 65535 rounds.
+const uint mostRounds = 64u;
+
 shared uint pair[4096]; // cost << 16 | tolerance; of a wall both are `wall`
 shared uint changed;
 shared uint around; // bricks beside, a bit each, that this one may bring something
@@ -165,17 +169,16 @@ void main()
     }
     barrier();
     takeFromBeyond(origin, lane);
-    for (;;) {
+    bool again = true;
+    for (uint round = 0u; again && round < mostRounds; ++round) {
         if (lane == 0u)
             changed = 0u;
         barrier();
         if (work(lane))
             changed = 1u;
         barrier();
-        bool again = changed != 0u;
+        again = changed != 0u;
         barrier();
-        if (!again)
-            break;
     }
 
     for (uint offset = lane; offset < 4096u; offset += 256u) {
@@ -188,6 +191,8 @@ void main()
             tellBeyond(origin, local, now);
     }
     barrier();
+    if (lane == 0u && again)
+        pending[bricks[gl_WorkGroupID.x]] = 0u;
     if (lane < 27u && (around >> lane & 1u) != 0u) {
         ivec3 other = brick + ivec3(int(lane % 3u), int(lane / 3u % 3u), int(lane / 9u)) - 1;
         atomicMin(pending[brickIndex(other, volumeBricks)], least);

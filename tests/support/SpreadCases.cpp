@@ -215,6 +215,29 @@ std::vector<EngineCase> spreadCases(int randomCount)
     appendPreview(shut.steps, between({1, 2}), core::Ending::Commit);
     cases.push_back(shut);
 
+    // Hundreds of rounds to rest in one brick, when a seed comes and when it goes.
+    const glm::ivec3 zigzagSize(32, 14, 15);
+    for (const int connectivity : {18, 26}) {
+        EngineCase zigzag{"growing from seeds along a zigzag, " + QByteArray::number(connectivity)
+                + " neighbours",
+            zigzagCorridor(zigzagSize), {}};
+        Bytes sides = noLabels(zigzagSize);
+        for (std::size_t i = 0; i < sides.values.size(); ++i)
+            sides.values[i] = zigzag.codes.values[i] == tissueCode ? 0 : 9;
+        SpreadLabels along = between({1, 2});
+        along.connectivity = connectivity;
+        along.box = core::VoxelBox{glm::ivec3(0), zigzagSize};
+        sides.at({0, 0, 0}) = 1;
+        sides.at({1, 1, 0}) = 2;
+        zigzag.steps.push_back(painted(sides));
+        appendPreview(zigzag.steps, along, core::Ending::Rollback);
+        sides.at({1, 1, 0}) = 0;
+        sides.at({0, 0, 14}) = 2;
+        zigzag.steps.push_back(painted(sides));
+        appendPreview(zigzag.steps, along, core::Ending::Commit);
+        cases.push_back(zigzag);
+    }
+
     EngineCase far{"paths that would cost too much", checkerboard({70, 5, 5}), {}};
     for (std::uint16_t& code : far.codes.values)
         code = code == tissueCode ? 65535 : 0;

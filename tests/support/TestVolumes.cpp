@@ -73,6 +73,24 @@ Codes spiralCorridor(const glm::ivec3& size)
     });
 }
 
+Codes zigzagCorridor(const glm::ivec3& size)
+{
+    const int lastRow = (size.y - 2) / 3;
+    const auto endOf = [&](int row) { return row % 2 ? 0 : size.x - 1; };
+    return made(size, [&](const glm::ivec3& v) {
+        const int slice = v.z / 2;
+        const int row = v.y / 3;
+        if (v.z % 2) {
+            const int joinRow = slice % 2 ? 0 : lastRow;
+            const int joinX = slice % 2 ? 0 : endOf(lastRow);
+            return v.y == 3 * joinRow + joinX % 2 && v.x == joinX ? tissueCode : 0;
+        }
+        if (v.y % 3 == 2)
+            return v.x == endOf(row) && row < lastRow ? tissueCode : 0;
+        return row <= lastRow && v.y % 3 == v.x % 2 ? tissueCode : 0;
+    });
+}
+
 Codes balls(const glm::ivec3& size, int count, Random& random)
 {
     struct Ball {

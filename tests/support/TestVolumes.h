@@ -29,6 +29,8 @@ constexpr std::uint16_t tissueCode = 1000;
 [[nodiscard]] Codes checkerboard(const glm::ivec3& size);
 /// One corridor, one voxel wide, that winds through the whole volume from (0, 0, 0).
 [[nodiscard]] Codes spiralCorridor(const glm::ivec3& size);
+/// Likewise, but every step along x goes across a row of voxels too: only growth over edges follows.
+[[nodiscard]] Codes zigzagCorridor(const glm::ivec3& size);
 /// Overlapping balls of tissue in noise.
 [[nodiscard]] Codes balls(const glm::ivec3& size, int count, Random& random);
 /// Two concentric shells of tissue with grey inside: a skull, roughly.

@@ -193,6 +193,19 @@ std::vector<EngineCase> toleranceCases(int randomCount)
     maze.steps.emplace_back(wherever({49, 49, 9}));
     cases.push_back(maze);
 
+    // Hundreds of rounds to rest in one brick.
+    const glm::ivec3 zigzagSize(32, 14, 15);
+    for (const int connectivity : {18, 26}) {
+        EngineCase zigzag{"tracing along a zigzag, " + QByteArray::number(connectivity)
+                + " neighbours",
+            zigzagCorridor(zigzagSize), {}};
+        appendWhole(zigzag.steps, SeedPlacement{.label = 2, .voxels = {{0, 0, 0}}});
+        zigzag.steps.emplace_back(
+            EngineCommand(TraceTolerance{{.label = 2, .connectivity = connectivity}}));
+        zigzag.steps.emplace_back(wherever(zigzagSize));
+        cases.push_back(zigzag);
+    }
+
     EngineCase refused{"tracing that is refused", noiseVolume({20, 20, 20}, 9, random), {}};
     refused.steps.emplace_back(EngineCommand(TraceTolerance{{.label = 2}})); // no seeds
     appendWhole(refused.steps, SeedPlacement{.label = 2, .voxels = {{3, 3, 3}}});
