@@ -129,7 +129,9 @@ int LeakGuard::narrowPlace(const Front& front) const
         if (256 * front.size < m_rule.factor256 * narrow || front.size < narrow + m_rule.excess)
             continue;
         const auto wider = [narrow](std::int64_t size) { return 2 * size >= 3 * narrow; };
-        const auto within = [narrow](std::int64_t size) { return 2 * size <= 3 * narrow; };
+        const auto within = [narrow](std::int64_t size) {
+            return narrow <= 2 * size && 2 * size <= 3 * narrow;
+        };
         const auto earlier = front.trunk.begin() + k;
         if (wider(front.widestBefore) || std::any_of(earlier, front.trunk.end(), wider))
             return k;

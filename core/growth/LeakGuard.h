@@ -20,8 +20,9 @@ namespace core {
 ///    its offset there). The trunk's trunk and so on lead back to the beginning; s(1), s(2), … are
 ///    the sizes on that way, s(0) is the front's own.
 /// 3. A narrow place is a k from 1 to `window` with s(0) ≥ factor · s(k) and s(0) ≥ s(k) + excess,
-///    where growth had been wider before, s(j) ≥ 3/2 s(k) for some j > k, or had been narrow for
-///    long: s(j) ≤ 3/2 s(k) for all j from k + 1 to k + window, and they are there.
+///    where growth had been wider before, s(j) ≥ 3/2 s(k) for some j > k, or had been as narrow
+///    for long: 1/2 s(k) ≤ s(j) ≤ 3/2 s(k) for all j from k + 1 to k + window, and they are there.
+///    (A front that has only ever widened, out of a tip or corner, has none.)
 /// 4. A generation alarms if one of its fronts has a narrow place. The alarm names the largest of
 ///    these fronts, of equals the one with the least voxel, that voxel, and its least k.
 class LeakGuard {

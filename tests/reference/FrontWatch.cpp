@@ -112,7 +112,7 @@ int FrontWatch::narrowPlace(const Front& front) const
             wasWider = wasWider || s[std::size_t(j)] * 2 >= narrow * 3;
         bool wasNarrow = k + m_rule.window <= last;
         for (int j = k + 1; j <= k + m_rule.window && wasNarrow; ++j)
-            wasNarrow = s[std::size_t(j)] * 2 <= narrow * 3;
+            wasNarrow = s[std::size_t(j)] * 2 <= narrow * 3 && s[std::size_t(j)] * 2 >= narrow;
         if (wasWider || wasNarrow)
             return k;
     }

@@ -121,6 +121,8 @@ private Q_SLOTS:
     void guardAndPlug();
     void shrinkAt();
     void falseAlarms();
+    void convexBodies_data();
+    void convexBodies();
     void passageWidth();
 
 private:
@@ -246,6 +248,58 @@ void LeakPhantomsGlTest::falseAlarms()
     }
     qInfo("false alarms: %d of %d", alarms, count());
     QVERIFY(alarms * 20 <= count());
+}
+
+void LeakPhantomsGlTest::convexBodies_data()
+{
+    QTest::addColumn<QByteArray>("body");
+    QTest::addColumn<glm::ivec3>("seed");
+    QTest::newRow("a box from its corner") << QByteArray("box") << glm::ivec3(2, 2, 2);
+    QTest::newRow("a box from its edge") << QByteArray("box") << glm::ivec3(2, 2, 36);
+    QTest::newRow("a box from its middle") << QByteArray("box") << glm::ivec3(36, 36, 36);
+    QTest::newRow("a ball from its middle") << QByteArray("ball") << glm::ivec3(36, 36, 36);
+    QTest::newRow("a ball from its edge") << QByteArray("ball") << glm::ivec3(36, 36, 4);
+    QTest::newRow("a cone from its tip") << QByteArray("cone") << glm::ivec3(36, 36, 2);
+    QTest::newRow("a cone from its rim") << QByteArray("cone") << glm::ivec3(4, 36, 69);
+}
+
+/// A front that only ever widens comes out of no narrow place.
+void LeakPhantomsGlTest::convexBodies()
+{
+    QFETCH(QByteArray, body);
+    QFETCH(glm::ivec3, seed);
+    constexpr int side = 73;
+    const auto isInside = [&body](const glm::dvec3& voxel) {
+        const glm::dvec3 fromMiddle = voxel - 36.0;
+        if (body == "ball")
+            return glm::length(fromMiddle) <= 34.0;
+        const double widest = body == "cone" ? 0.5 * voxel.z : 34.0;
+        const double out = body == "cone"
+            ? std::hypot(fromMiddle.x, fromMiddle.y)
+            : std::max(std::abs(fromMiddle.x), std::abs(fromMiddle.y));
+        return std::abs(fromMiddle.z) <= 34.0 && out <= widest;
+    };
+    LeakPhantom phantom;
+    phantom.codes = test::constantVolume(glm::ivec3(side), 0);
+    phantom.leak.size = glm::ivec3(side);
+    phantom.leak.values.assign(std::size_t(side) * side * side, 0);
+    for (int z = 0; z < side; ++z) {
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                if (isInside(glm::dvec3(x, y, z)))
+                    phantom.codes.at({x, y, z}) = test::tissueCode;
+            }
+        }
+    }
+    phantom.seed = seed;
+    phantom.lowCode = phantom.highCode = test::tissueCode;
+    Patient patient(m_fixture->engine(), phantom);
+    const core::EngineResult grown = patient.grow(core::GuardRule{});
+    QVERIFY2(!grown.alarm,
+        qPrintable(
+            QStringLiteral("at generation %1").arg(grown.alarm ? grown.alarm->generation : 0)));
+    QVERIFY(grown.atClosure);
+    QVERIFY(patient.taken().body > 40000);
 }
 
 QTEST_MAIN(LeakPhantomsGlTest)
