@@ -91,9 +91,32 @@ core::GrowCriteria criteriaOf(const GrowSettings& settings)
     return criteria;
 }
 
+void takeCriteria(const core::GrowCriteria& criteria, GrowSettings& settings)
+{
+    const auto take = [](Limit& limit, const auto& value) {
+        limit.on = value.has_value();
+        if (value)
+            limit.value = double(*value);
+    };
+    settings.lower = criteria.lower;
+    settings.upper = criteria.upper;
+    settings.connectivity = criteria.connectivity;
+    take(settings.sigmas, criteria.sigmas);
+    take(settings.difference, criteria.difference);
+    take(settings.gradient, criteria.gradient);
+    take(settings.gradientDifference, criteria.gradientDifference);
+    take(settings.majority, criteria.majority);
+    take(settings.passage, criteria.passage);
+    settings.onlyVisible = criteria.onlyVisible;
+    settings.boxed = criteria.box.has_value();
+    if (criteria.box)
+        settings.box = criteria.box;
+    settings.overwriteUnlocked = criteria.overwriteUnlocked;
+}
+
 core::GrowSteps growthOf(const GrowSettings& settings)
 {
-    return {.criteria = criteriaOf(settings), .guardFactor = asked(settings.guard)};
+    return {.criteria = criteriaOf(settings), .guard = {.factor = asked(settings.guard)}};
 }
 
 int limitsOn(const GrowSettings& settings)

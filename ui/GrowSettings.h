@@ -39,6 +39,8 @@ struct GrowSettings {
 };
 
 [[nodiscard]] core::GrowCriteria criteriaOf(const GrowSettings& settings);
+/// The other way round; limits that are not asked for keep their values, but are off.
+void takeCriteria(const core::GrowCriteria& criteria, GrowSettings& settings);
 /// To closure, with the criteria and the guard.
 [[nodiscard]] core::GrowSteps growthOf(const GrowSettings& settings);
 

@@ -2,6 +2,7 @@
 #include "ui/LiveInterval.h"
 
 #include "core/session/RecentGrowth.h"
+#include "ui/GrowSettings.h"
 #include "ui/Workspace.h"
 
 namespace ui {
@@ -96,6 +97,7 @@ void LiveInterval::send(bool atOnce)
         core::ChangeInterval change;
         change.criteria.lower = m_wanted->first;
         change.criteria.upper = m_wanted->second;
+        change.guard = growthOf(m_workspace.growSettings()).guard;
         if (const auto begun = session->begin(change); !begun) {
             close();
             m_workspace.fail(begun.error());

@@ -213,17 +213,22 @@ struct GrowCriteria {
     bool operator==(const GrowCriteria&) const = default;
 };
 
+/// Where a growth stops by itself (LeakGuard.h).
+struct GrowGuard {
+    /// Where a front that came out of a narrow place is so many times as wide; none: nowhere.
+    std::optional<double> factor{};
+    int voxels = 60; ///< and so many voxels wider
+    int generations = 20; ///< how far a narrow place lies back at most
+    bool operator==(const GrowGuard&) const = default;
+};
+
 struct GrowSteps {
     GrowCriteria criteria{};
     std::optional<int> steps{}; ///< none: to closure
     /// Voxels that the segment held before are told from those that grow over them, so that
     /// shrinking leaves them. False in sessions of schema 3 and before.
     bool tellsHeld = true;
-    /// Stops where a front that came out of a narrow place is so many times as wide (LeakGuard.h);
-    /// none: not guarded.
-    std::optional<double> guardFactor{};
-    int guardVoxels = 60; ///< and so many voxels wider
-    int guardGenerations = 20; ///< how far a narrow place lies back at most
+    GrowGuard guard{};
 };
 
 /// Give a growth another interval: what qualifies now is recovered, what does not any more is taken
@@ -234,7 +239,9 @@ struct ChangeInterval {
     /// The growth is taken back to its seeds and made anew; none: where more than one segment
     /// grows, or its criteria are not fixed, which is told once it is carried out.
     std::optional<bool> fromSeeds{};
-    std::optional<int> steps{}; ///< none: to closure
+    /// None: to closure. With `fromSeeds` true counted from the seeds, else from what there is.
+    std::optional<int> steps{};
+    GrowGuard guard{};
 };
 
 /// Go on with the growth before, by its own criteria. Kept as the GrowSteps that it was.

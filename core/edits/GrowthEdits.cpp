@@ -127,6 +127,19 @@ Result<GrowBurst> burstOf(
 
 } // namespace
 
+namespace {
+
+std::optional<GuardRule> guardRule(const GrowGuard& guard)
+{
+    if (!guard.factor)
+        return std::nullopt;
+    return GuardRule{.factor256 = int(std::lround(*guard.factor * 256.0)),
+        .excess = guard.voxels,
+        .window = guard.generations};
+}
+
+} // namespace
+
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
 {
     Result<GrowBurst> burst = burstOf(grow.criteria, document, QStringLiteral("grow"));
@@ -136,10 +149,7 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
         return failure(ErrorCode::InvalidField, QStringLiteral("grow.tellsHeld"),
             QStringLiteral("must be true with a passage width"));
     burst->tellsHeld = grow.tellsHeld;
-    if (grow.guardFactor)
-        burst->guard = GuardRule{.factor256 = int(std::lround(*grow.guardFactor * 256.0)),
-            .excess = grow.guardVoxels,
-            .window = grow.guardGenerations};
+    burst->guard = guardRule(grow.guard);
     return burst;
 }
 
@@ -152,6 +162,7 @@ Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& docume
     if (burst->opening == GrowOpening::Narrow && isAsked(burst->limits.passage))
         return failure(ErrorCode::InvalidField, QStringLiteral("interval.fromSeeds"),
             QStringLiteral("must be true with a passage width"));
+    burst->guard = guardRule(change.guard);
     return burst;
 }
 

@@ -314,6 +314,12 @@ std::vector<RowId> EditSession::strokesOnRevisedSurface() const
     return revision.row == history().position() ? revision.begunInside : std::vector<RowId>();
 }
 
+std::optional<LeakAlarm> EditSession::leakAlarm() const
+{
+    const std::optional<SessionState::Alarm>& alarm = m_queue->state().lastAlarm;
+    return alarm && alarm->row == history().position() ? std::optional(alarm->found) : std::nullopt;
+}
+
 void EditSession::ask(EngineCommand question, Answer answer)
 {
     m_queue->ask(std::move(question), std::move(answer));

@@ -124,6 +124,9 @@ public:
     /// Later strokes that started on the surface that the last ReviseStroke changed: they stay
     /// where they are. Empty unless that edit is the position.
     [[nodiscard]] std::vector<RowId> strokesOnRevisedSurface() const;
+    /// What the guard suspected of the growth that is the position; none of other steps, nor of a
+    /// session that was opened.
+    [[nodiscard]] std::optional<LeakAlarm> leakAlarm() const;
 
     /// Ask the engine about voxels (ProbeVoxels or PickVoxels; read-only, no step of undo). The
     /// answer is given by poll(), in order with the edits; it is dropped when the session closes.

@@ -3,16 +3,16 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/GrowLimits.h"
+#include "core/growth/SeedWord.h"
 
+#include <algorithm>
 #include <bitset>
 
 namespace core {
 
 namespace {
 
-/// Whether more than one segment has seeds and may grow: then the order in which they come decides
-/// who gets a voxel, and only growing anew gives what would have been.
-bool segmentsCompete(const History& history, const Document& document)
+std::bitset<256> segmentsWithSeeds(const History& history)
 {
     std::bitset<256> growing;
     for (const RowId id : history.standing()) {
@@ -23,6 +23,14 @@ bool segmentsCompete(const History& history, const Document& document)
         if (paint && paint->seeds && !paint->erase)
             growing.set(std::size_t(paint->segment));
     }
+    return growing;
+}
+
+/// Whether more than one segment has seeds and may grow: then the order in which they come decides
+/// who gets a voxel, and only growing anew gives what would have been.
+bool segmentsCompete(const History& history, const Document& document)
+{
+    std::bitset<256> growing = segmentsWithSeeds(history);
     for (std::size_t label = 0; label < growing.size(); ++label) {
         const Segment* segment = growing[label] ? document.segment(int(label)) : nullptr;
         growing[label] = segment && !segment->locked;
@@ -36,30 +44,43 @@ bool asksPassage(const GrowCriteria& criteria, const Document& document)
         && isAsked(passageOf(*criteria.passage, document.volumes.front().geometry));
 }
 
-/// The growth before, with its guard.
-GrowSteps recentSteps(const History& history)
+/// What a growth goes by.
+struct Rules {
+    GrowCriteria criteria;
+    GrowGuard guard;
+};
+
+std::optional<Rules> rulesOf(const Edit& edit)
+{
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return Rules{grow->criteria, grow->guard};
+    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+        return Rules{change->criteria, change->guard};
+    return std::nullopt;
+}
+
+std::optional<Rules> recentRules(const History& history)
 {
     const std::vector<RowId> rows = history.standing();
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-        if (const auto* grow = std::get_if<GrowSteps>(&history.row(*row).edit))
-            return *grow;
+        if (std::optional<Rules> rules = rulesOf(history.row(*row).edit))
+            return rules;
     }
-    return {};
+    return std::nullopt;
 }
 
 } // namespace
 
 std::optional<GrowCriteria> recentCriteria(const History& history)
 {
-    const std::vector<RowId> rows = history.standing();
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-        const Edit& edit = history.row(*row).edit;
-        if (const auto* grow = std::get_if<GrowSteps>(&edit))
-            return grow->criteria;
-        if (const auto* change = std::get_if<ChangeInterval>(&edit))
-            return change->criteria;
-    }
-    return std::nullopt;
+    const std::optional<Rules> rules = recentRules(history);
+    return rules ? std::optional(rules->criteria) : std::nullopt;
+}
+
+bool bringsNewCriteria(const Edit& edit, const History& history)
+{
+    const std::optional<Rules> rules = rulesOf(edit);
+    return rules && recentCriteria(history) != rules->criteria && segmentsWithSeeds(history).any();
 }
 
 Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
@@ -69,26 +90,30 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
     if (!resume && !change)
         return {};
     if (resume || change->asBefore) {
-        std::optional<GrowCriteria> criteria = recentCriteria(history);
-        if (!criteria)
+        std::optional<Rules> rules = recentRules(history);
+        if (!rules)
             return failure(ErrorCode::InvalidField, editName(edit),
                 QStringLiteral("nothing has grown before"));
         if (resume) {
-            GrowSteps again = recentSteps(history);
-            again.criteria = *criteria;
-            again.steps = resume->steps;
-            again.tellsHeld = true;
-            edit = again;
+            edit = GrowSteps{
+                .criteria = rules->criteria, .steps = resume->steps, .guard = rules->guard};
             return {};
         }
-        criteria->lower = change->criteria.lower;
-        criteria->upper = change->criteria.upper;
-        change->criteria = *criteria;
+        rules->criteria.lower = change->criteria.lower;
+        rules->criteria.upper = change->criteria.upper;
+        change->criteria = rules->criteria;
         change->asBefore = false;
     }
-    if (!change->fromSeeds)
-        change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
-            || segmentsCompete(history, document);
+    if (change->fromSeeds)
+        return {};
+    change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
+        || segmentsCompete(history, document);
+    // As many generations again as there are, of which the seeds are the first, and those asked
+    // for.
+    const Growth* growth = document.growth(0);
+    if (*change->fromSeeds && change->steps && growth && growth->generation > 0)
+        *change->steps =
+            std::min(*change->steps + int(growth->generation) - 1, int(seedWord::maxGeneration));
     return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/edits/SculptEdits.h"
 #include "core/session/ChangeName.h"
+#include "core/session/GrownSteps.h"
 #include "core/session/RowWords.h"
 
 #include <algorithm>
@@ -203,6 +204,28 @@ QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,
             stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
 }
 
+/// "120 … 300 HU"
+QString intervalText(const GrowCriteria& criteria, const Document& document)
+{
+    const QString unit = document.volumes.front().unit;
+    return QStringLiteral("%1 … %2%3")
+        .arg(QString::number(criteria.lower, 'g', 6), QString::number(criteria.upper, 'g', 6),
+            unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+}
+
+QString growName(const GrowSteps& grow, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const Document& document)
+{
+    if (changes.empty())
+        return QStringLiteral("Grow %1, no voxel reached")
+            .arg(intervalText(grow.criteria, document));
+    const Growth* before = document.growth(0);
+    const int steps = grownSteps(before ? before->generation : 0, statistics, changes);
+    return QStringLiteral("Grow %1%2, +%3")
+        .arg(whatGrew(changes, document), counted(steps, "step"),
+            counted(statistics.voxelsChanged, "voxel"));
+}
+
 /// "Recover 120 … 300 HU, +2 104 voxels"; the name says what was done.
 QString intervalName(
     const ChangeInterval& change, const std::vector<BrickChange>& changes, const Document& document)
@@ -229,11 +252,11 @@ QString intervalName(
         figures += QLatin1Char('+') + grouped(gained);
     if (lost > 0)
         figures += QStringLiteral("−") + grouped(lost);
-    const QString unit = document.volumes.front().unit;
-    return QStringLiteral("%1 %2 … %3%4, %5")
-        .arg(what, QString::number(change.criteria.lower, 'g', 6),
-            QString::number(change.criteria.upper, 'g', 6),
-            unit.isEmpty() ? QString() : QLatin1Char(' ') + unit,
+    if (changes.empty())
+        return QStringLiteral("Interval %1, no voxel changed")
+            .arg(intervalText(change.criteria, document));
+    return QStringLiteral("%1 %2, %3")
+        .arg(what, intervalText(change.criteria, document),
             figures.isEmpty() ? counted(seedWordsChanged(changes), "seed voxel")
                               : figures.join(QLatin1Char(' ')) + QStringLiteral(" voxels"));
 }
@@ -343,10 +366,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return name;
     if (const auto* seed = std::get_if<SeedStroke>(&edit))
         return seedName(*seed, changes, document);
-    if (std::holds_alternative<GrowSteps>(edit))
-        return QStringLiteral("Grow %1%2, +%3")
-            .arg(whatGrew(changes, document), counted(statistics.generations, "step"),
-                counted(statistics.voxelsChanged, "voxel"));
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return growName(*grow, statistics, changes, document);
     if (const auto* change = std::get_if<ChangeInterval>(&edit))
         return intervalName(*change, changes, document);
     if (const auto* barrier = std::get_if<BarrierStroke>(&edit))

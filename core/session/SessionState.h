@@ -28,6 +28,12 @@ public:
         std::vector<RowId> begunInside; ///< later strokes that would have met another surface
     };
 
+    /// Why the last growth that stopped by itself did.
+    struct Alarm {
+        RowId row = 0; ///< the one it became
+        LeakAlarm found;
+    };
+
     SessionState(EditEngine& lentEngine, Volume volume);
 
     /// A command was carried out on voxels: what it changes in the document, and a row for it, in
@@ -64,6 +70,7 @@ public:
 
     RecentSteps recent;
     Revision lastRevision;
+    std::optional<Alarm> lastAlarm;
     std::vector<DocumentChange> news; ///< not told yet
     std::vector<Error> errors; ///< not told yet
     std::vector<std::function<void()>> answers; ///< to questions about the history; not given yet

@@ -5,7 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
 #include "core/edits/SparedSegments.h"
-#include "core/growth/SeedWord.h"
+#include "core/session/GrownSteps.h"
 #include "core/session/RecentGrowth.h"
 
 #include <utility>
@@ -13,29 +13,6 @@
 namespace core {
 
 namespace {
-
-std::uint32_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t voxel)
-{
-    const std::uint8_t* word = &bytes[voxel * 4];
-    return std::uint32_t(word[0]) | std::uint32_t(word[1]) << 8 | std::uint32_t(word[2]) << 16
-        | std::uint32_t(word[3]) << 24;
-}
-
-/// Whether the opening of a burst admitted a pending seed: it is a member of that generation then.
-bool openingAdmittedSeeds(const std::vector<BrickChange>& changes, std::uint32_t generation)
-{
-    for (const BrickChange& change : changes) {
-        if (change.key.field != Field::SeedWords || change.after.empty())
-            continue;
-        for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
-            const std::uint32_t word = wordAt(change.after, voxel);
-            if (seedWord::isMember(word) && seedWord::generation(word) == generation
-                && seedWord::isSeed(word))
-                return true;
-        }
-    }
-    return false;
-}
 
 /// The samples of a stroke of drill or laser; null for other edits.
 std::vector<PenSample>* samplesOf(Edit& edit)
@@ -329,8 +306,9 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.engine.submit(SwapBricks{imagesBefore(result.changes)});
     if (movesGeneration())
         state.tell(DocumentChange::What::Growth);
-    const bool changed =
-        !result.changes.empty() || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit));
+    const bool changed = !result.changes.empty()
+        || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit))
+        || (m_ending == Ending::Commit && bringsNewCriteria(m_edit, state.history));
     if (result.error || m_failed || !changed) {
         if (m_again != 0 && !result.error && !m_failed)
             state.fail({ErrorCode::SessionDamaged,
@@ -348,6 +326,8 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
     if (movesGeneration())
         generation = result.generation;
     state.commit(edit, std::move(result.changes), result.statistics, generation);
+    if (result.alarm)
+        state.lastAlarm = {state.history.position(), *result.alarm};
 }
 
 /// The edit as replay must repeat it: a burst that the user watched says how far it came, and so
@@ -360,10 +340,8 @@ Edit VoxelOperation::carriedOut(const EngineResult& result) const
     std::optional<int>& steps = *stepsOf(done);
     steps.reset();
     if (!result.atClosure) {
-        const int generations = result.statistics.generations;
-        const std::uint32_t first = result.generation - std::uint32_t(generations);
-        const bool admitted = openingAdmittedSeeds(result.changes, first + 1);
-        steps = generations - (admitted ? 1 : 0);
+        const auto generations = std::uint32_t(result.statistics.generations);
+        steps = grownSteps(result.generation - generations, result.statistics, result.changes);
     }
     return done;
 }

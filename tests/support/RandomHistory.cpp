@@ -337,7 +337,7 @@ private:
         if (chance(10))
             grow.criteria.sigmas = between(10, 40) / 10.0;
         if (chance(15))
-            grow.guardFactor = between(10, 40) / 10.0;
+            grow.guard.factor = between(10, 40) / 10.0;
         // Of the row's number: the histories of before stay as they are but for this.
         const std::size_t row = m_session->history().rows().size();
         if (row % 7 == 0)
@@ -368,6 +368,8 @@ private:
             change.criteria.upper = between(100, 2000);
             if (chance(40))
                 change.steps = between(0, 4);
+            if (chance(25))
+                change.guard.factor = between(10, 40) / 10.0;
             return change;
         }
         case 5: {

@@ -229,7 +229,7 @@ int userActions(const Edit& edit, const VolumeGeometry& geometry)
         + (criteria.connectivity != 6) + criteria.sigmas.has_value()
         + criteria.difference.has_value() + criteria.gradient.has_value()
         + criteria.gradientDifference.has_value() + criteria.majority.has_value()
-        + criteria.onlyVisible + criteria.overwriteUnlocked + grow->guardFactor.has_value();
+        + criteria.onlyVisible + criteria.overwriteUnlocked + grow->guard.factor.has_value();
     if (criteria.box) {
         const glm::ivec3 from(glm::round(geometry.toIndex(criteria.box->fromLps)));
         const glm::ivec3 to(glm::round(geometry.toIndex(criteria.box->toLps)));

@@ -485,9 +485,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     openCut.barrier = false;
     const core::PlugLeak plug{.pointLps = here.pointsLps.front()};
     core::GrowSteps guarded = over;
-    guarded.guardFactor = 1.5;
-    guarded.guardVoxels = 4;
-    guarded.guardGenerations = 6;
+    guarded.guard = {.factor = 1.5, .voxels = 4, .generations = 6};
     cases.push_back({"shrinking here", volume, {first, seeds, over}, here});
     cases.push_back({"shrinking only here", volume, {first, seeds, over}, onlyHere});
     cases.push_back({"shrinking here, cut left open", volume, {first, seeds, over}, openCut});

@@ -257,12 +257,26 @@ void GrowthPanel::showVolume()
             settings.upper = volume->maximum;
             m_workspace.setGrowSettings(settings);
         }
+        takeRecentCriteria();
     }
     showSettings();
     m_range->showRange();
     m_fromSeeds->ask();
     showState();
     Q_EMIT summaryChanged(summary());
+}
+
+/// What a recipe has grown goes on by its own criteria, since no window has kept any for it.
+void GrowthPanel::takeRecentCriteria()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || session->display().contains(QLatin1String("growth")))
+        return;
+    if (const auto criteria = core::recentCriteria(session->history())) {
+        Workspace::GrowSettings settings = m_workspace.growSettings();
+        takeCriteria(*criteria, settings);
+        m_workspace.setGrowSettings(settings);
+    }
 }
 
 void GrowthPanel::showSettings()

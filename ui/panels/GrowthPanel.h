@@ -52,6 +52,7 @@ public Q_SLOTS:
 private:
     void build();
     void showVolume();
+    void takeRecentCriteria();
     void showSettings();
     void takeSettings();
     void showState();

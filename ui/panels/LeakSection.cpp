@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/LeakSection.h"
 
+#include "core/session/EditSession.h"
 #include "ui/CountText.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
@@ -12,6 +13,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace ui {
 
@@ -89,7 +92,10 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     });
     connect(&workspace, &Workspace::viewOptionsChanged, this, &LeakSection::showBarriers);
     connect(&workspace, &Workspace::growSettingsChanged, this, &LeakSection::showSettings);
-    connect(&workspace, &Workspace::sessionChanged, this, [this] { showAlarm({}); });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_told = 0;
+        showAlarm({});
+    });
     connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
     showSettings();
     showBarriers();
@@ -135,11 +141,18 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
                                     .arg(theme::accent.name(), tr("Show\u00a0it"))));
 }
 
-/// Undone, shrunk or grown on by other means, there is nothing to decide any more.
+/// A growth that ended with an alarm is told of once, however it was made. Undone, shrunk or grown
+/// on by other means, there is nothing to decide any more.
 void LeakSection::follow()
 {
     const core::EditSession* session = m_workspace.session();
-    if (!m_alarm || !session)
+    if (!session)
+        return;
+    const core::RowId row = session->history().position();
+    const std::optional<core::LeakAlarm> alarm = session->leakAlarm();
+    if (alarm && row != std::exchange(m_told, row) && alarm != m_alarm)
+        showAlarm(alarm);
+    if (!m_alarm)
         return;
     const core::Growth* growth = session->document().growth(0);
     const bool there = growth && growth->generation == m_alarm->generation;

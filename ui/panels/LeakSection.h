@@ -3,6 +3,7 @@
 
 #include "core/edits/Edits.h"
 #include "core/engine/EngineCommands.h"
+#include "core/history/History.h"
 
 #include <QWidget>
 
@@ -52,6 +53,7 @@ private:
     QLabel* m_text = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
     bool m_stands = false; ///< the growth has come to the alarm's generation
+    core::RowId m_told = 0; ///< the last growth whose alarm was shown
 };
 
 } // namespace ui

@@ -71,6 +71,20 @@ template <class Visitor> void visitInterval(Visitor& visit, GrowCriteria& criter
         "upper", Presence::Required, criteria.upper, modalityValue, "greatest value, inclusive");
 }
 
+template <class Visitor> void visitGuard(Visitor& visit, GrowGuard& guard)
+{
+    visit.maybe("guardFactor", guard.factor, editFields::Number{"", 1.0, 1000.0, 256.0},
+        "the growth stops where a front that came out of a narrow place is so many times as wide "
+        "as that",
+        "no leak guard");
+    visit.when(guard.factor.has_value(), [&] {
+        visit.field("guardVoxels", Presence::Optional, guard.voxels,
+            editFields::WholeNumber{0, 1000000}, "and so many voxels wider");
+        visit.field("guardGenerations", Presence::Optional, guard.generations,
+            editFields::WholeNumber{1, 1000}, "how far back a narrow place lies at most");
+    });
+}
+
 template <> inline constexpr const char* editName<GrowSteps> = "grow";
 template <>
 inline constexpr const char* editMeaning<GrowSteps> =
@@ -83,16 +97,7 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
         "rings to add after the seeds, or until nothing is left to add");
     visit.field("tellsHeld", Presence::Optional, edit.tellsHeld, editFields::Flag{},
         "whether shrinking leaves what the segment held before; false in sessions of old");
-    visit.maybe("guardFactor", edit.guardFactor, editFields::Number{"", 1.0, 1000.0, 256.0},
-        "the growth stops where a front that came out of a narrow place is so many times as wide "
-        "as that",
-        "no leak guard");
-    visit.when(edit.guardFactor.has_value(), [&] {
-        visit.field("guardVoxels", Presence::Optional, edit.guardVoxels,
-            editFields::WholeNumber{0, 1000000}, "and so many voxels wider");
-        visit.field("guardGenerations", Presence::Optional, edit.guardGenerations,
-            editFields::WholeNumber{1, 1000}, "how far back a narrow place lies at most");
-    });
+    visitGuard(visit, edit.guard);
 }
 
 template <> inline constexpr const char* editName<ChangeInterval> = "interval";
@@ -110,7 +115,9 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
         "whether it is taken back to the seeds and grown anew; told once it is carried out",
         "where several segments grow, or sigmas or a passage are asked for");
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
-        "rings to add after the change, or until nothing is left to add");
+        "rings to add after the change, or until nothing is left to add; where fromSeeds is true, "
+        "rings after the seeds");
+    visitGuard(visit, edit.guard);
 }
 
 template <> inline constexpr const char* editName<ResumeGrowth> = "resume";

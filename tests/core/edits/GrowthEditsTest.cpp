@@ -63,14 +63,14 @@ private Q_SLOTS:
     }
     void guardsAreWholeNumbers()
     {
-        GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0}, .guardFactor = 1.5};
-        grow.guardVoxels = 7;
+        GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0}, .guard = {.factor = 1.5}};
+        grow.guard.voxels = 7;
         const Result<GrowBurst> burst = growBurst(grow, smallDocument());
         QVERIFY(burst && burst->guard);
         QCOMPARE(burst->guard->factor256, 384);
         QCOMPARE(burst->guard->excess, 7);
         QCOMPARE(burst->guard->window, 20);
-        grow.guardFactor.reset();
+        grow.guard.factor.reset();
         QVERIFY(!growBurst(grow, smallDocument())->guard);
     }
     void seedsLandOnTheNearestVoxelOnce()

@@ -136,7 +136,7 @@ private Q_SLOTS:
         // A segment's name keeps its comma; what a growth changed stands at the right.
         QVERIFY(names(model)[1].contains(QStringLiteral("Ventricle, left")));
         QVERIFY(model.index(1).data(HistoryModel::DetailRole).toString().isEmpty());
-        QVERIFY(names(model)[3].endsWith(QStringLiteral("'Ventricle, left' 3 steps")));
+        QVERIFY(names(model)[3].endsWith(QStringLiteral("'Ventricle, left' 2 steps")));
         QVERIFY(model.index(3)
                     .data(HistoryModel::DetailRole)
                     .toString()

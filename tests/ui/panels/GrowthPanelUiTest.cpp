@@ -87,6 +87,30 @@ private Q_SLOTS:
         QCOMPARE(panel.summary(), QStringLiteral("Segment 1"));
     }
 
+    /// A session that a recipe has made has no settings of a window in it.
+    void showsWhatARecipeHasGrownBy()
+    {
+        WorkspaceFixture fixture;
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        fixture.apply(core::GrowSteps{.criteria = {.lower = -7.0,
+                                          .upper = 33.0,
+                                          .connectivity = 18,
+                                          .majority = 9,
+                                          .overwriteUnlocked = true}});
+        GrowthPanel panel(fixture.workspace);
+        const ui::GrowSettings& shown = fixture.workspace.growSettings();
+        QCOMPARE(shown.lower, -7.0);
+        QCOMPARE(shown.upper, 33.0);
+        QCOMPARE(shown.connectivity, 18);
+        QVERIFY(shown.majority.on && !shown.gradient.on);
+        QCOMPARE(shown.majority.value, 9.0);
+        QVERIFY(shown.overwriteUnlocked);
+        const auto* range = panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
+        QCOMPARE(range->lower(), -7.0);
+        QCOMPARE(range->upper(), 33.0);
+    }
+
     void aStepIsOneGenerationAndOneRow()
     {
         SeededPanel fixture;

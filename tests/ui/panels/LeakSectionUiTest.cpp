@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/LeakPhantoms.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "ui/LiveInterval.h"
 #include "ui/SegmentActions.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/widgets/GenerationBar.h"
@@ -116,12 +117,12 @@ private Q_SLOTS:
         auto& guard = *section.findChild<QCheckBox*>(QStringLiteral("growGuard"));
         auto& factor = *section.findChild<QDoubleSpinBox*>(QStringLiteral("growGuardFactor"));
         QVERIFY(!guard.isChecked() && !factor.isEnabled());
-        QVERIFY(!ui::growthOf(fixture.workspace.growSettings()).guardFactor);
+        QVERIFY(!ui::growthOf(fixture.workspace.growSettings()).guard.factor);
         guard.click();
         QVERIFY(factor.isEnabled());
-        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guardFactor.value_or(0.0), 2.0);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 2.0);
         factor.setValue(3.5);
-        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guardFactor.value_or(0.0), 3.5);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 3.5);
 
         // The session keeps it, and what another window kept is shown.
         const QByteArray kept =
@@ -171,6 +172,27 @@ private Q_SLOTS:
         const auto labels = *fixture.session().labels(0);
         const glm::ivec3 size = phantom().leak.size;
         QCOMPARE(int(labels[std::size_t(voxel.x + size.x * (voxel.y + size.y * voxel.z))]), 1);
+    }
+
+    /// Widened, a growth leaks as well as any.
+    void aChangeOfIntervalIsGuardedToo()
+    {
+        LeakyPanel fixture;
+        core::GrowSteps begun = ui::growthOf(fixture.workspace.growSettings());
+        begun.steps = 2;
+        begun.guard = {};
+        fixture.apply(begun);
+        QVERIFY(!fixture.offered());
+        ui::LiveInterval interval(fixture.workspace);
+        interval.move(phantom().lowCode - 1.0, phantom().highCode);
+        interval.settle();
+        fixture.settle();
+        QVERIFY(std::holds_alternative<core::ChangeInterval>(fixture.lastEdit()));
+        QVERIFY(fixture.offered());
+        QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!fixture.offered());
     }
 
     void plugShutsAndGrowsOn()
