@@ -230,9 +230,6 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
             return refused(changedPart(row.edit) == DocumentChange::What::Layers
                     ? QStringLiteral("%1 changed the list of sculpt layers too").arg(titled(row))
                     : QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
-        if (row.statistics.bricks == 0)
-            return refused(QStringLiteral("%1 changed no voxel, only what later growths go by")
-                               .arg(titled(row)));
         std::set<RowId> decided;
         addDecided(state.history, id, decided);
         for (const RowId other : m_edit.rows) {
@@ -286,6 +283,9 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
         const HistoryRow& row = history.row(id);
         const auto differences = m_differences.find(id);
         if (isTakenBack(id)) {
+            if (differences->second.empty())
+                return refused(QStringLiteral("%1 changed no voxel, only what later growths go by")
+                                   .arg(titled(row)));
             for (const BrickKey& key : keysOf(differences->second))
                 taken.emplace(key, id);
             claimWhatReturns(state, id, id, keysOf(differences->second), claims);
