@@ -72,6 +72,7 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     , m_rings(&programs.rings(m_kind))
     , m_criterion(programs.seedStatistics, fields, burst)
     , m_state({.label = "growth state", .bytes = sizeof(State)})
+    , m_openGeneration(burst.generation)
     , m_generation(burst.generation)
     , m_prepared(std::size_t(fields.grid().brickCount()), false)
 {
@@ -92,6 +93,7 @@ void GrowthKernel::setUniforms(Program& each) const
         .set("overwritable", m_burst.overwritable)
         .set("frozen", m_burst.frozen)
         .set("tellsHeld", m_burst.tellsHeld)
+        .set("openGeneration", m_openGeneration)
         .set("queueCapacity", m_queueCapacity);
     m_criterion.setUniforms(each);
 }
@@ -148,7 +150,10 @@ void GrowthKernel::open()
         narrow(held);
     else if (m_burst.opening == core::GrowOpening::Restart)
         restart();
-    m_rings->front.set("openGeneration", m_generation);
+    m_openGeneration = m_generation;
+    for (Program* each : {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings,
+             &m_rings->label})
+        each->set("openGeneration", m_openGeneration);
     if (m_generation < core::seedWord::maxGeneration)
         admitSeeds(held);
     findFront(m_fields.seedWords(m_burst.plane).heldBricks());

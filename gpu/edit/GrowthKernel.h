@@ -172,6 +172,7 @@ private:
     Buffer m_reached;
     std::uint32_t m_queueCapacity = 1u << 18;
     bool m_floodsBack = false; ///< only while it is narrowed: m_rings are those of the flood
+    std::uint32_t m_openGeneration = 0; ///< after what leaves at the opening has left
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;
     unsigned m_frontQueue = 0; ///< which of the queues holds the front

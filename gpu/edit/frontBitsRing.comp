@@ -120,8 +120,8 @@ void main()
             direction |= (directions[digit] >> bit & 1u) << digit;
         if (tellsHeld && imageLoad(labels, voxel).r == growing)
             direction = heldDirection;
-        imageStore(
-            words, pageTexel(brick.page, offset), uvec4(memberWord(generation, growing, direction)));
-        showLabel(growing, voxel);
+        uint word = memberWord(generation, growing, direction);
+        imageStore(words, pageTexel(brick.page, offset), uvec4(word));
+        showLabel(word, voxel);
     } while (bits != 0u);
 }

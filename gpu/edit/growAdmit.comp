@@ -23,8 +23,9 @@ void main()
         if (!isPendingSeed(word) || !mayGrow(labelOf(word)) || !accepts(labelOf(word), voxel, held))
             continue;
         uint direction = held ? heldSeedDirection : seedDirection;
-        imageStore(words, texel, uvec4(memberWord(admittedGeneration, labelOf(word), direction)));
-        showLabel(labelOf(word), voxel);
+        word = memberWord(admittedGeneration, labelOf(word), direction);
+        imageStore(words, texel, uvec4(word));
+        showLabel(word, voxel);
         reached[entry - 1u] = holdsFront;
         atomicAdd(state.admitted, 1u);
     }

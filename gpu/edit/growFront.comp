@@ -12,8 +12,6 @@ layout(local_size_x = 64) in;
 
 layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
 
-uniform uint openGeneration; // members of later generations show in the label plane
-
 bool canGoOn(ivec3 voxel, uint own)
 {
     uint label = labelOf(own);
@@ -52,7 +50,7 @@ void main()
             continue;
 #ifndef BACK
         if (generationOf(word) > openGeneration)
-            showLabel(labelOf(word), voxel);
+            showLabel(word, voxel);
 #endif
         if (!mayGrow(labelOf(word)) || !canGoOn(voxel, word))
             continue;

@@ -63,7 +63,7 @@ void growFrom(uint entry, uint ring)
     uint label = labelOf(own);
 #ifndef BACK
     // A word is final one generation after its claim: now the label plane may show it.
-    showLabel(label, voxel);
+    showLabel(own, voxel);
     reached[page] = heldFront;
 #endif
 

@@ -34,6 +34,7 @@ uniform uint highCode;
 uniform uint overwritable[8]; // one bit a label
 uniform uint frozen[8]; // likewise: labels that do not grow
 uniform bool tellsHeld;
+uniform uint openGeneration; // members of later generations are this burst's
 uniform uint queueCapacity; // of each
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
@@ -111,13 +112,14 @@ void giveBack(uint word, ivec3 voxel)
     imageStore(labels, voxel, uvec4(below));
 }
 
-// A member shows in the plane. To be said of it as often as one likes.
-void showLabel(uint label, ivec3 voxel)
+// A member shows in the plane. To be said of it as often as one likes, and of those of before too.
+void showLabel(uint word, ivec3 voxel)
 {
+    uint label = labelOf(word);
 #ifdef BENEATH
     uint there = imageLoad(labels, voxel).r;
     uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
-    if (entry != 0u && (there != label || !tellsHeld))
+    if (entry != 0u && generationOf(word) > openGeneration && (there != label || !tellsHeld))
         imageStore(beneath, atlasTexel(entry, voxel), uvec4(tellsHeld ? there : 0u));
 #endif
     imageStore(labels, voxel, uvec4(label));
@@ -167,7 +169,7 @@ void showFront(uint ring, uint first, uint stride)
         uint page = entry >> 12;
         int offset = int(entry & 4095u);
         uint word = imageLoad(words, pageTexel(page, offset)).r;
-        showLabel(labelOf(word), ownerOrigin(page) + voxelInBrick(offset));
+        showLabel(word, ownerOrigin(page) + voxelInBrick(offset));
         reached[page] = holdsFront;
         i += stride;
     } while (i < count);
