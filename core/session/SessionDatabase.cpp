@@ -48,7 +48,7 @@ const Addition additions[]{
         "CREATE TABLE pixels (piece INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, bytes BLOB NOT"
         " NULL)"},
 };
-static_assert(SessionDatabase::schemaVersion == 4);
+static_assert(SessionDatabase::schemaVersion == 5);
 
 /// What is copied into another session, and since which version it is there.
 struct CopiedTable {

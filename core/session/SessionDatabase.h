@@ -20,7 +20,7 @@ namespace core {
 class SessionDatabase {
 public:
     static constexpr int applicationId = 0x4275726E; // "Burn"
-    static constexpr int schemaVersion = 4;
+    static constexpr int schemaVersion = 5;
 
     /// @pre the file exists and is empty
     static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);

@@ -310,12 +310,12 @@ private Q_SLOTS:
     void aNewerSchemaIsRefused()
     {
         makeSession(m_path);
-        test::runSql(m_path, QStringLiteral("PRAGMA user_version=5"));
+        test::runSql(m_path, QStringLiteral("PRAGMA user_version=6"));
         const QByteArray before = contentOf(m_path);
         Opened opened;
         const Result<void> result = openSession(opened, m_path);
         QCOMPARE(result.error().code, ErrorCode::UnsupportedFormat);
-        QVERIFY(result.error().arguments.value(1).contains(QStringLiteral("session format 5")));
+        QVERIFY(result.error().arguments.value(1).contains(QStringLiteral("session format 6")));
         QCOMPARE(contentOf(m_path), before);
     }
 

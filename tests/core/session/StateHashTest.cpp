@@ -29,7 +29,7 @@ public:
     {
         QByteArray message("\xFF"
                            "BurinState1");
-        for (int field = 1; field <= 3; ++field) {
+        for (int field = 1; field <= 4; ++field) {
             for (int plane = 0; plane < 256; ++plane) {
                 const QByteArray hash = node(field, plane, 0, 6);
                 if (!hash.isEmpty())
@@ -101,6 +101,11 @@ private Q_SLOTS:
         hash.update({BrickImage{{Field::SeedWords, 0, 0x123456}, filled(Field::SeedWords, 0)}});
         QCOMPARE(hash.root("{}"), written(3));
         QCOMPARE(hash.root("{\"segments\":[]}"), written(4));
+        hash.update({BrickImage{{Field::Beneath, 0, 0}, filled(Field::Beneath, 2)}});
+        QCOMPARE(hash.root("{}"), written(5));
+        // What growth gave back leaves no trace.
+        hash.update({BrickImage{{Field::Beneath, 0, 0}, filled(Field::Beneath, 0)}});
+        QCOMPARE(hash.root("{}"), written(3));
     }
 
     void equalsTheDefinitionAfterManyUpdates()
@@ -113,7 +118,7 @@ private Q_SLOTS:
             std::vector<BrickChange> changes;
             std::map<BrickKey, bool> used;
             for (int i = 0; i < 10; ++i) {
-                const Field field = Field(1 + random() % 3);
+                const Field field = Field(1 + random() % 4);
                 const BrickKey key{field, std::uint8_t(random() % 2),
                     std::uint32_t(random() % 4 == 0 ? random() & 0xFFFFFF : random() % 300)};
                 if (!used.emplace(key, true).second)
