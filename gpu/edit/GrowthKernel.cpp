@@ -151,8 +151,8 @@ void GrowthKernel::open()
     else if (m_burst.opening == core::GrowOpening::Restart)
         restart();
     m_openGeneration = m_generation;
-    for (Program* each : {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings,
-             &m_rings->label})
+    for (Program* each :
+        {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &m_rings->label})
         each->set("openGeneration", m_openGeneration);
     if (m_generation < core::seedWord::maxGeneration)
         admitSeeds(held);
