@@ -10,6 +10,7 @@
 #include <array>
 #include <bitset>
 #include <cmath>
+#include <map>
 
 namespace core {
 
@@ -226,23 +227,43 @@ QString growName(const GrowSteps& grow, const EditStatistics& statistics,
             counted(statistics.voxelsChanged, "voxel"));
 }
 
+struct GrownAndLost {
+    std::int64_t grown = 0;
+    std::int64_t lost = 0; ///< voxels that returned to other segments too
+};
+
+GrownAndLost grownAndLost(const std::vector<BrickChange>& changes)
+{
+    std::map<std::uint32_t, const BrickChange*> beneath;
+    for (const BrickChange& brick : changes) {
+        if (brick.key.field == Field::Beneath)
+            beneath[brick.key.brick] = &brick;
+    }
+    GrownAndLost count;
+    for (const BrickChange& brick : changes) {
+        if (brick.key.field != Field::Labels)
+            continue;
+        const auto below = beneath.find(brick.key.brick);
+        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
+            const auto at = [i](const std::vector<std::uint8_t>& bytes) {
+                return bytes.empty() ? 0 : bytes[i];
+            };
+            const int after = at(brick.after);
+            if (after == at(brick.before))
+                continue;
+            const bool isGivenBack = below != beneath.end() && after == at(below->second->before)
+                && at(below->second->after) == 0;
+            ++(after == 0 || isGivenBack ? count.lost : count.grown);
+        }
+    }
+    return count;
+}
+
 /// "Recover 120 … 300 HU, +2 104 voxels"; the name says what was done.
 QString intervalName(
     const ChangeInterval& change, const std::vector<BrickChange>& changes, const Document& document)
 {
-    std::int64_t gained = 0;
-    std::int64_t lost = 0;
-    const std::vector<std::uint8_t> empty(std::size_t(BrickGrid::voxelsPerBrick), 0);
-    for (const BrickChange& brick : changes) {
-        if (brick.key.field != Field::Labels)
-            continue;
-        const std::vector<std::uint8_t>& before = brick.before.empty() ? empty : brick.before;
-        const std::vector<std::uint8_t>& after = brick.after.empty() ? empty : brick.after;
-        for (std::size_t i = 0; i < empty.size(); ++i) {
-            gained += after[i] != before[i] && after[i] != 0 ? 1 : 0;
-            lost += after[i] != before[i] && after[i] == 0 ? 1 : 0;
-        }
-    }
+    const auto [gained, lost] = grownAndLost(changes);
     const QString what = change.fromSeeds.value_or(false) ? QStringLiteral("Grow anew from seeds")
         : gained > 0 && lost > 0                          ? QStringLiteral("Recover and withdraw")
         : lost > 0                                        ? QStringLiteral("Withdraw to")

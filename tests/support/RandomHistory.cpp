@@ -58,6 +58,9 @@ public:
     }
 
 private:
+    /// How the name of a row ends that only has criteria for later growths.
+    static constexpr QLatin1String noVoxel{", no voxel"};
+
     int between(int low, int high) { return low + int(m_random() % std::uint32_t(high - low + 1)); }
     bool chance(int percent) { return between(1, 100) <= percent; }
     template <class T> const T& any(const std::vector<T>& list)
@@ -100,8 +103,12 @@ private:
         const std::size_t rows = m_session->history().rows().size();
         if (!result)
             ++m_result.refused[what];
-        else if (!rowsBefore || rows > *rowsBefore)
+        else if (!rowsBefore)
             ++m_result.done[what];
+        else if (rows > *rowsBefore)
+            ++m_result.done[m_session->history().rows().back().name.contains(noVoxel)
+                    ? what + noVoxel
+                    : what];
         return what;
     }
     QString jump()
@@ -350,7 +357,7 @@ private:
         if (m_truth.grownVoxels(m_session->history().position()).empty())
             return chance(50) ? Edit(randomSeeds(any(m_session->document().segments).label))
                               : Edit(randomGrowth());
-        switch (between(0, 8)) {
+        switch (between(0, 10)) {
         case 0:
             return chance(30) ? ShrinkSteps{} : ShrinkSteps{.steps = between(1, 4)};
         case 1:
@@ -368,8 +375,8 @@ private:
             change.criteria.upper = between(100, 2000);
             if (chance(40))
                 change.steps = between(0, 4);
-            if (chance(25))
-                change.guard.factor = between(10, 40) / 10.0;
+            if (m_session->history().rows().size() % 4 == 0)
+                change.guard.factor = 1.5;
             return change;
         }
         case 5: {

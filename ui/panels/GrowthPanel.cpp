@@ -266,11 +266,12 @@ void GrowthPanel::showVolume()
     Q_EMIT summaryChanged(summary());
 }
 
-/// What a recipe has grown goes on by its own criteria, since no window has kept any for it.
+/// What a recipe has grown goes on by its own criteria; what a window has kept for the session comes
+/// after this and wins (DisplayState).
 void GrowthPanel::takeRecentCriteria()
 {
     const core::EditSession* session = m_workspace.session();
-    if (!session || session->display().contains(QLatin1String("growth")))
+    if (!session)
         return;
     if (const auto criteria = core::recentCriteria(session->history())) {
         Workspace::GrowSettings settings = m_workspace.growSettings();

@@ -19,7 +19,7 @@ private Q_SLOTS:
         QTest::addColumn<uint>("seed");
         const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
         for (uint seed = 1; seed <= (isLong ? 20u : 6u); ++seed)
-            QTest::addRow("seed %u", seed) << (isLong ? 500 : 260) << seed;
+            QTest::addRow("seed %u", seed) << (isLong ? 500 : 340) << seed;
     }
     void equalsTheTruthAfterEveryStep()
     {

@@ -361,7 +361,7 @@ private Q_SLOTS:
         QCOMPARE(filesIn(*m_folder), QStringList{QStringLiteral("a.burin")});
     }
 
-    void version1GoesOnAsVersion4()
+    void version1GoesOnAsVersion5()
     {
         QVERIFY(QFile::copy(version1, m_path));
         QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
@@ -379,7 +379,7 @@ private Q_SLOTS:
             QVERIFY(session->apply(test::drillAt(4)));
             QVERIFY(session->settle());
         }
-        QCOMPARE(schemaOf(m_path), 4);
+        QCOMPARE(schemaOf(m_path), 5);
         const QByteArray upgraded = contentOf(m_path);
         {
             const auto session = EditSession::open(engine, study, m_path);
@@ -410,7 +410,7 @@ private Q_SLOTS:
         }
     }
 
-    void version2GoesOnAsVersion4()
+    void version2GoesOnAsVersion5()
     {
         QVERIFY(QFile::copy(version2, m_path));
         QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
@@ -425,7 +425,7 @@ private Q_SLOTS:
                 QVERIFY((*session)->settle());
             }
         }
-        QCOMPARE(schemaOf(m_path), 4);
+        QCOMPARE(schemaOf(m_path), 5);
         const auto session = EditSession::open(engine, study, m_path);
         QVERIFY(session);
         const History& history = (*session)->history();
@@ -454,7 +454,7 @@ private Q_SLOTS:
             session->retryWriting();
             QVERIFY(session->settle());
         }
-        QCOMPARE(schemaOf(m_path), 4);
+        QCOMPARE(schemaOf(m_path), 5);
         const auto session = EditSession::open(engine, study, m_path);
         QVERIFY(session);
         QCOMPARE((*session)->history().rows().size(), std::size_t(14));
@@ -484,7 +484,7 @@ private Q_SLOTS:
             QVERIFY((*session)->apply(test::drillAt(4)));
             QVERIFY((*session)->settle());
         }
-        QCOMPARE(schemaOf(m_path), 4);
+        QCOMPARE(schemaOf(m_path), 5);
         const auto session = EditSession::open(engine, study, m_path);
         QVERIFY(session);
         const History& history = (*session)->history();

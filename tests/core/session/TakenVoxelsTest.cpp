@@ -109,8 +109,14 @@ void TakenVoxelsTest::aNarrowerIntervalReturnsThem()
 {
     ChangeInterval narrow{.criteria = takingAll().criteria};
     narrow.criteria.lower = narrow.criteria.upper = 99.0;
+    const std::int64_t all = voxels(grown);
     run(narrow);
     QVERIFY(labels() == m_before);
+    // What returns to another segment is lost to this one.
+    QString digits;
+    for (const QChar each : m_session->history().rows().back().name)
+        digits += each.isDigit() || each == u'−' || each == u'+' ? QString(each) : QString();
+    QVERIFY2(digits.endsWith(QStringLiteral("9999−%1").arg(all)), qPrintable(digits));
     ChangeInterval wide{.criteria = takingAll().criteria};
     run(wide);
     QCOMPARE(voxels(painted), 0);
