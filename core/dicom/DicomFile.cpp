@@ -1,374 +1,246 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/DicomFile.h"
 
+#include "core/dicom/Dcmtk.h"
+#include "core/dicom/Rle.h"
 #include "core/dicom/TransferSyntax.h"
 
-#include <zlib.h>
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcistrmf.h>
+#include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <string_view>
 
 namespace core {
 
 namespace {
 
-using Bytes = DicomFile::Bytes;
-
-constexpr std::size_t openEnd = SIZE_MAX;
-constexpr std::size_t maximumDepth = 64;
-constexpr std::uint32_t undefinedLength = 0xffffffffu;
-constexpr std::uint32_t itemTag = 0xfffee000u;
-constexpr std::uint32_t itemEndTag = 0xfffee00du;
-constexpr std::uint32_t sequenceEndTag = 0xfffee0ddu;
-constexpr std::uint32_t pixelDataTag = 0x7fe00010u;
-
-std::uint16_t read16(Bytes bytes, std::size_t at, bool bigEndian)
+QString uidText(DicomBytes bytes, const DicomElement& element)
 {
-    return bigEndian ? std::uint16_t(bytes[at] << 8 | bytes[at + 1])
-                     : std::uint16_t(bytes[at + 1] << 8 | bytes[at]);
+    return QString::fromLatin1(
+        reinterpret_cast<const char*>(bytes.data()) + element.value, qsizetype(element.length))
+        .remove(QChar(0))
+        .trimmed();
 }
 
-std::uint32_t read32(Bytes bytes, std::size_t at, bool bigEndian)
+tl::unexpected<Error> notDicom(const QString& path)
 {
-    const std::uint32_t first = read16(bytes, at, bigEndian);
-    const std::uint32_t second = read16(bytes, at + 2, bigEndian);
-    return bigEndian ? first << 16 | second : second << 16 | first;
-}
-
-std::uint32_t readTag(Bytes bytes, std::size_t at, bool bigEndian)
-{
-    return std::uint32_t(read16(bytes, at, bigEndian)) << 16 | read16(bytes, at + 2, bigEndian);
-}
-
-QString tagText(std::uint32_t tag)
-{
-    return QStringLiteral("(%1,%2)")
-        .arg(tag >> 16, 4, 16, QLatin1Char('0'))
-        .arg(tag & 0xffff, 4, 16, QLatin1Char('0'));
-}
-
-bool isVr(const std::uint8_t* letters)
-{
-    return letters[0] >= 'A' && letters[0] <= 'Z' && letters[1] >= 'A' && letters[1] <= 'Z';
-}
-
-bool hasLongLength(std::string_view vr)
-{
-    constexpr std::array<std::string_view, 13> longOnes{
-        "OB", "OD", "OF", "OL", "OV", "OW", "SQ", "SV", "UC", "UN", "UR", "UT", "UV"};
-    return std::find(longOnes.begin(), longOnes.end(), vr) != longOnes.end();
-}
-
-struct Element {
-    std::uint32_t tag = 0;
-    std::string_view vr; ///< empty in implicit VR
-    std::uint32_t length = 0;
-    std::size_t value = 0; ///< where it begins
-};
-
-/// Reads the element that begins at @p at; false if its header does not fit into the bytes.
-bool readElement(Bytes bytes, std::size_t at, bool explicitVr, bool bigEndian, Element& element)
-{
-    if (bytes.size() - at < 8)
-        return false;
-    element.tag = readTag(bytes, at, bigEndian);
-    element.vr = {};
-    element.value = at + 8;
-    if (!explicitVr || element.tag >> 16 == 0xfffe) {
-        element.length = read32(bytes, at + 4, bigEndian);
-        return true;
-    }
-    element.vr = {reinterpret_cast<const char*>(bytes.data()) + at + 4, 2};
-    if (hasLongLength(element.vr)) {
-        if (bytes.size() - at < 12)
-            return false;
-        element.length = read32(bytes, at + 8, bigEndian);
-        element.value = at + 12;
-    } else if (isVr(bytes.data() + at + 4)) {
-        element.length = read16(bytes, at + 6, bigEndian);
-    } else {
-        // No VR at all: an element that slipped in as implicit, as DCMTK takes it.
-        element.vr = {};
-        element.length = read32(bytes, at + 4, bigEndian);
-    }
-    return true;
-}
-
-/// 2.0 GiB out of 2 MB was measured: what a slice can need ends far below.
-Result<QByteArray> inflateDataSet(Bytes deflated, const QString& path)
-{
-    constexpr std::size_t freeOutput = 64u << 20;
-    constexpr std::size_t maximumRatio = 200;
-    constexpr std::size_t maximumOutput = std::size_t(1) << 30;
-    z_stream stream{};
-    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
-        return failure(ErrorCode::OutOfMemory, path);
-    stream.next_in = const_cast<Bytef*>(deflated.data());
-    stream.avail_in = uInt(std::min<std::size_t>(deflated.size(), UINT32_MAX));
-    QByteArray output;
-    std::vector<Bytef> chunk(1 << 18);
-    int state = Z_OK;
-    bool tooLarge = false;
-    while (state == Z_OK && !tooLarge) {
-        stream.next_out = chunk.data();
-        stream.avail_out = uInt(chunk.size());
-        state = inflate(&stream, Z_NO_FLUSH);
-        output.append(reinterpret_cast<const char*>(chunk.data()),
-            qsizetype(chunk.size() - stream.avail_out));
-        const auto size = std::size_t(output.size());
-        tooLarge = size > maximumOutput
-            || (size > freeOutput && size / maximumRatio > std::size_t(stream.total_in));
-    }
-    inflateEnd(&stream);
-    if (tooLarge)
-        return failure(ErrorCode::FileUnreadable, path,
-            QStringLiteral("the deflated data grow beyond any sensible size"));
-    if (state != Z_STREAM_END)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("damaged deflated data"));
-    return output;
+    return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM or NIfTI file"));
 }
 
 } // namespace
 
-/// The iterative walk over the data set. One level of the stack is a sequence, an item or the data
-/// set itself.
-struct DicomFile::Walk {
-    struct Level {
-        std::size_t end = openEnd;
-        bool isSequence = false;
-        bool explicitVr = true;
-        bool holdsFragments = false;
-    };
-
-    DicomFile& file;
-    const QString& path;
-    Bytes bytes;
-    bool bigEndian = false;
-    std::vector<Level> levels{};
-    std::size_t at = 0;
-
-    [[nodiscard]] tl::unexpected<Error> cut(std::uint32_t tag) const
-    {
-        return failure(ErrorCode::FileTruncated, path,
-            QStringLiteral("element %1 goes beyond the end").arg(tagText(tag)));
-    }
-    [[nodiscard]] tl::unexpected<Error> damaged(const QString& why) const
-    {
-        return failure(ErrorCode::FileUnreadable, path, why);
-    }
-
-    Result<void> run(bool explicitVr)
-    {
-        levels.push_back({.end = bytes.size(), .explicitVr = explicitVr});
-        while (true) {
-            while (levels.size() > 1 && levels.back().end != openEnd && at >= levels.back().end)
-                levels.pop_back();
-            if (levels.size() > maximumDepth)
-                return damaged(QStringLiteral("sequences are nested deeper than %1 levels")
-                                   .arg(int(maximumDepth)));
-            const bool outermost = levels.size() == 1;
-            const Bytes rest = bytes.subspan(at);
-            if (rest.size() < 8) {
-                if (levels.size() > 1)
-                    return failure(ErrorCode::FileTruncated, path,
-                        QStringLiteral("it ends inside a sequence"));
-                // Zero bytes behind the last element are padding.
-                if (std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0; }))
-                    return {};
-                return failure(
-                    ErrorCode::FileTruncated, path, QStringLiteral("it ends inside an element"));
-            }
-            Element element;
-            if (!readElement(bytes, at, levels.back().explicitVr, bigEndian, element))
-                return cut(element.tag);
-            if (outermost && element.tag == pixelDataTag) {
-                readPixels(element);
-                return {};
-            }
-            // Nothing but padding begins like this.
-            if (outermost && element.tag == 0)
-                return {};
-            const Result<void> entered =
-                levels.back().isSequence ? enterItem(element) : enterElement(element);
-            if (!entered)
-                return entered;
-        }
-    }
-
-    Result<void> enterItem(const Element& element)
-    {
-        const Level level = levels.back();
-        if (element.tag == sequenceEndTag) {
-            at = element.value;
-            levels.pop_back();
-            return {};
-        }
-        if (element.tag != itemTag) {
-            // Writers that count an undefined sequence wrongly: what follows belongs to the parent.
-            if (level.end != openEnd) {
-                at = level.end;
-                return {};
-            }
-            return damaged(
-                QStringLiteral("a sequence holds %1 instead of an item").arg(tagText(element.tag)));
-        }
-        at = element.value;
-        if (level.holdsFragments)
-            return skip(element);
-        if (element.length != undefinedLength && element.length > bytes.size() - at)
-            return cut(element.tag);
-        levels.push_back({.end = element.length == undefinedLength ? openEnd : at + element.length,
-            .explicitVr = level.explicitVr});
-        return {};
-    }
-
-    Result<void> enterElement(const Element& element)
-    {
-        at = element.value;
-        if (element.tag == itemEndTag) {
-            if (levels.size() > 1)
-                levels.pop_back();
-            return {};
-        }
-        const bool explicitVr = levels.back().explicitVr;
-        if (element.length == undefinedLength) {
-            // UN of undefined length is a sequence in implicit VR (PS3.5 6.2.2).
-            levels.push_back({.isSequence = true,
-                .explicitVr = explicitVr && element.vr != "UN",
-                .holdsFragments = element.vr == "OB" || element.vr == "OW"});
-            return {};
-        }
-        if (element.length > bytes.size() - at)
-            return cut(element.tag);
-        // Implicit VR does not say what is a sequence: whatever begins with an item is walked.
-        const bool isSequence = element.vr == "SQ"
-            || (element.vr.empty() && element.length >= 8
-                && readTag(bytes, at, bigEndian) == itemTag);
-        if (!isSequence)
-            return skip(element);
-        levels.push_back(
-            {.end = at + element.length, .isSequence = true, .explicitVr = explicitVr});
-        return {};
-    }
-
-    Result<void> skip(const Element& element)
-    {
-        if (element.length > bytes.size() - at)
-            return cut(element.tag);
-        at += element.length;
-        return {};
-    }
-
-    void readPixels(const Element& element)
-    {
-        file.m_hasPixels = true;
-        file.m_pixelsAreWords = element.vr != "OB";
-        const Bytes rest = bytes.subspan(element.value);
-        if (element.length != undefinedLength) {
-            file.m_pixelsCut = element.length > rest.size();
-            file.m_pixels = rest.first(std::min<std::size_t>(element.length, rest.size()));
-            return;
-        }
-        file.m_encapsulated = true;
-        bool isOffsetTable = true;
-        std::size_t offset = 0;
-        while (true) {
-            // A missing end mark costs nothing where the fragments are whole.
-            if (rest.size() - offset < 8) {
-                file.m_pixelsCut = file.m_fragments.empty();
-                return;
-            }
-            const std::uint32_t tag = readTag(rest, offset, false);
-            const std::uint32_t length = read32(rest, offset + 4, false);
-            offset += 8;
-            if (tag != itemTag) {
-                file.m_pixelsCut = file.m_fragments.empty();
-                return;
-            }
-            if (length > rest.size() - offset) {
-                file.m_pixelsCut = true;
-                return;
-            }
-            if (!isOffsetTable)
-                file.m_fragments.push_back(rest.subspan(offset, length));
-            isOffsetTable = false;
-            offset += length;
-        }
-    }
-};
-
 Result<DicomFile> DicomFile::open(const QString& path)
 {
+    return openTo(Extent::Header, path);
+}
+
+Result<DicomFile> DicomFile::openWithPixels(const QString& path)
+{
+    return openTo(Extent::Pixels, path);
+}
+
+Result<DicomFile> DicomFile::openTo(Extent extent, const QString& path)
+{
     DicomFile file;
+    file.m_path = path;
     file.m_file = std::make_unique<QFile>(path);
     if (!file.m_file->open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.m_file->errorString());
     const auto size = std::size_t(file.m_file->size());
-    const auto notDicom = [&] {
-        return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM or NIfTI file"));
-    };
     if (size == 0)
         return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
     if (size < 16)
-        return notDicom();
+        return notDicom(path);
     const uchar* mapped = file.m_file->map(0, qint64(size));
     if (!mapped)
         return failure(ErrorCode::FileUnreadable, path, file.m_file->errorString());
     const Bytes bytes(mapped, size);
-
-    std::size_t at = 0;
-    const bool hasPreamble = size >= 132 && std::memcmp(mapped + 128, "DICM", 4) == 0;
-    if (hasPreamble) {
-        at = 132;
-    } else {
-        // Without preamble only a plausible beginning counts.
-        const std::uint16_t group = read16(bytes, 0, false);
-        const bool plausible = (group == 2 || group == 8) && read16(bytes, 2, false) < 0x1200
-            && (isVr(mapped + 4) || read32(bytes, 4, false) < size);
-        if (!plausible)
-            return notDicom();
+    if (const Result<void> read = file.readMetaHeader(bytes); !read)
+        return tl::unexpected<Error>(read.error());
+    file.m_dataSet = bytes.subspan(file.m_dataSetAt);
+    const TransferSyntax& syntax = transferSyntax(file.m_transferSyntaxUid);
+    file.m_form = {.explicitVr = syntax.explicitVr, .bigEndian = syntax.bigEndian};
+    if (syntax.deflated)
+        file.m_inflater = std::make_unique<Inflater>(file.m_dataSet);
+    else
+        file.chooseForm();
+    const Result<void> checked = file.m_inflater ? file.checkDeflated(extent) : file.checkPlain();
+    if (!checked)
+        return tl::unexpected<Error>(checked.error());
+    if (syntax.coding == PixelCoding::Rle) {
+        if (const Result<void> sound = file.checkRle(); !sound)
+            return tl::unexpected<Error>(sound.error());
     }
+    return file;
+}
 
-    // File meta information: always explicit little endian (PS3.10 7.1).
-    Element element;
-    while (size - at >= 8 && read16(bytes, at, false) == 2) {
-        if (!readElement(bytes, at, true, false, element)
-            || element.length > size - element.value) {
+/// File meta information is always explicit little endian (PS3.10 7.1).
+Result<void> DicomFile::readMetaHeader(Bytes bytes)
+{
+    const bool hasPreamble = bytes.size() >= 132 && std::memcmp(bytes.data() + 128, "DICM", 4) == 0;
+    if (!hasPreamble) {
+        // Without preamble only a plausible beginning counts.
+        const std::uint16_t group = readUint16(bytes, 0, false);
+        const bool plausible = (group == 2 || group == 8) && readUint16(bytes, 2, false) < 0x1200
+            && (looksLikeVr(bytes, 4) || readUint32(bytes, 4, false) < bytes.size());
+        if (!plausible)
+            return notDicom(m_path);
+    }
+    std::size_t at = hasPreamble ? 132 : 0;
+    DicomElement element;
+    while (bytes.size() - at >= 8 && readUint16(bytes, at, false) == 2) {
+        if (!readElement(bytes, at, {}, element) || element.length > bytes.size() - element.value) {
             return failure(
-                ErrorCode::FileTruncated, path, QStringLiteral("it ends inside its header"));
+                ErrorCode::FileTruncated, m_path, QStringLiteral("it ends inside its header"));
         }
-        if (element.tag == 0x00020010u) {
-            file.m_transferSyntaxUid = QString::fromLatin1(
-                reinterpret_cast<const char*>(mapped) + element.value, qsizetype(element.length))
-                                           .remove(QChar(0))
-                                           .trimmed();
-        }
+        if (element.tag == 0x00020010u)
+            m_transferSyntaxUid = uidText(bytes, element);
+        else if (element.tag == 0x00020002u)
+            m_mediaSopClassUid = uidText(bytes, element);
         at = element.value + element.length;
     }
-    if (file.m_transferSyntaxUid.isEmpty()) {
-        const bool explicitVr = size - at >= 8 && isVr(mapped + at + 4);
-        file.m_transferSyntaxUid = explicitVr ? QStringLiteral("1.2.840.10008.1.2.1")
-                                              : QStringLiteral("1.2.840.10008.1.2");
+    m_dataSetAt = at;
+    if (m_transferSyntaxUid.isEmpty()) {
+        const bool explicitVr = bytes.size() - at >= 8 && looksLikeVr(bytes, at + 4);
+        m_transferSyntaxUid = explicitVr ? QStringLiteral("1.2.840.10008.1.2.1")
+                                         : QStringLiteral("1.2.840.10008.1.2");
     }
-    const TransferSyntax& syntax = transferSyntax(file.m_transferSyntaxUid);
-    file.m_bigEndian = syntax.bigEndian;
+    return {};
+}
 
-    Bytes dataSet = bytes.subspan(at);
-    if (syntax.deflated) {
-        Result<QByteArray> inflated = inflateDataSet(dataSet, path);
-        if (!inflated)
-            return tl::unexpected<Error>(inflated.error());
-        file.m_inflated = std::move(*inflated);
-        dataSet = Bytes(reinterpret_cast<const std::uint8_t*>(file.m_inflated.constData()),
-            std::size_t(file.m_inflated.size()));
+/// Writers that name the wrong one of the two little-endian forms show it in the first element,
+/// which is short: its length is no two letters.
+void DicomFile::chooseForm()
+{
+    if (!m_form.bigEndian && m_dataSet.size() >= 8)
+        m_form.explicitVr = looksLikeVr(m_dataSet, 4);
+}
+
+Result<void> DicomFile::checkPlain()
+{
+    Result<PreflightFacts> facts = preflight(m_dataSet, m_form, m_path);
+    if (!facts)
+        return tl::unexpected<Error>(facts.error());
+    m_facts = std::move(*facts);
+    if (m_facts.pixelsCut && !m_facts.pixelsEncapsulated)
+        m_facts.pixels.size = m_dataSet.size() - m_facts.pixels.at;
+    return {};
+}
+
+Result<void> DicomFile::checkDeflated(Extent extent)
+{
+    constexpr std::size_t firstReach = 1 << 16;
+    constexpr std::size_t longestHeader = 256u << 20;
+    for (std::size_t reach = firstReach;; reach *= 2) {
+        const Inflater::State state = m_inflater->growTo(reach);
+        if (state == Inflater::State::TooLarge || reach > longestHeader) {
+            return failure(ErrorCode::FileUnreadable, m_path,
+                QStringLiteral("the deflated data grow beyond any sensible size"));
+        }
+        const bool all = state != Inflater::State::More;
+        Result<PreflightFacts> facts = preflight(m_inflater->bytes(), m_form, m_path);
+        // What is missing may still come: the header is walked again when twice as much is there.
+        const bool enough =
+            facts ? facts->hasPixels || all : all || facts.error().code != ErrorCode::FileTruncated;
+        if (!enough)
+            continue;
+        if (!facts && state == Inflater::State::Damaged) {
+            return failure(
+                ErrorCode::FileTruncated, m_path, QStringLiteral("damaged deflated data"));
+        }
+        if (!facts)
+            return tl::unexpected<Error>(facts.error());
+        m_facts = std::move(*facts);
+        break;
     }
-    Walk walk{.file = file, .path = path, .bytes = dataSet, .bigEndian = syntax.bigEndian};
-    if (const Result<void> walked = walk.run(syntax.explicitVr); !walked)
-        return tl::unexpected<Error>(walked.error());
-    return file;
+    if (extent == Extent::Pixels && m_facts.hasPixels)
+        inflatePixels();
+    m_dataSet = m_inflater->bytes();
+    const std::size_t left = m_dataSet.size() - std::min(m_dataSet.size(), m_facts.pixels.at);
+    // No pixel data that are cut: they have not been asked for.
+    m_facts.pixelsCut = m_facts.pixelsCut && m_inflater->state() != Inflater::State::More;
+    if (m_facts.pixelsCut)
+        m_facts.pixels.size = std::min(m_facts.pixels.size, left);
+    return {};
+}
+
+/// As much as the image needs, which may be less than there claims to be.
+void DicomFile::inflatePixels()
+{
+    const std::size_t wanted =
+        std::min<std::size_t>(m_facts.pixels.size, m_facts.image.bytes().value_or(0));
+    m_inflater->growTo(m_facts.pixels.at + wanted);
+    m_facts.pixelsCut = m_inflater->bytes().size() < m_facts.pixels.at + wanted;
+}
+
+Result<void> DicomFile::checkRle() const
+{
+    // A frame is one fragment (PS3.5 A.4.2); one that is torn apart is still the only one.
+    const std::uint64_t frames = m_facts.image.frames;
+    const bool framesAreFragments = frames == m_facts.fragments.size();
+    if (m_facts.pixelsCut || (frames != 1 && !framesAreFragments))
+        return {};
+    std::vector<Bytes> rest = fragments();
+    while (!rest.empty()) {
+        std::array<std::uint8_t, rleHeaderSize> header{};
+        std::size_t filled = 0;
+        std::size_t size = 0;
+        const std::size_t count = frames == 1 ? rest.size() : 1;
+        for (const Bytes fragment : std::span(rest).last(count)) {
+            const std::size_t taken = std::min(fragment.size(), header.size() - filled);
+            std::copy_n(fragment.begin(), taken, header.begin() + std::ptrdiff_t(filled));
+            filled += taken;
+            size += fragment.size();
+        }
+        rest.resize(rest.size() - count);
+        if (!isRleHeader(std::span(header).first(filled), size, m_facts.image.frameBytes()))
+            return failure(ErrorCode::FileUnreadable, m_path, QStringLiteral("damaged RLE data"));
+    }
+    return {};
+}
+
+Result<void> DicomFile::readInto(DcmDataset& set) const
+{
+    readyDcmtk();
+    E_TransferSyntax syntax = EXS_LittleEndianImplicit;
+    if (m_inflater)
+        syntax = EXS_DeflatedLittleEndianExplicit;
+    else if (m_form.bigEndian)
+        syntax = EXS_BigEndianExplicit;
+    else if (m_form.explicitVr)
+        syntax = EXS_LittleEndianExplicit;
+    // The syntax is the one that was checked, whatever DCMTK would make of the file by itself.
+    constexpr Uint32 longestValue = 1024;
+    DcmInputFileStream stream(QFile::encodeName(m_path).constData(), offile_off_t(m_dataSetAt));
+    OFCondition read = stream.status();
+    if (read.good() && !m_dataSet.empty()) {
+        set.transferInit();
+        read = set.readUntilTag(stream, syntax, EGL_noChange, longestValue, DCM_PixelData);
+        set.transferEnd();
+    }
+    if (read.bad())
+        return failure(ErrorCode::FileUnreadable, m_path, QString::fromLatin1(read.text()));
+    return {};
+}
+
+DicomFile::Bytes DicomFile::pixels() const
+{
+    if (!m_facts.hasPixels || m_facts.pixelsEncapsulated)
+        return {};
+    const Bytes rest = m_dataSet.subspan(std::min(m_dataSet.size(), m_facts.pixels.at));
+    return rest.first(std::min(rest.size(), m_facts.pixels.size));
+}
+
+std::vector<DicomFile::Bytes> DicomFile::fragments() const
+{
+    std::vector<Bytes> all;
+    all.reserve(m_facts.fragments.size());
+    for (const ByteRange& range : m_facts.fragments)
+        all.push_back(m_dataSet.subspan(range.at, range.size));
+    return all;
 }
 
 } // namespace core

@@ -2,58 +2,76 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/dicom/Inflater.h"
+#include "core/dicom/Preflight.h"
 
-#include <QByteArray>
 #include <QFile>
 #include <QString>
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
+
+class DcmDataset;
 
 namespace core {
 
-/// The outer structure of one DICOM file, checked before any other parser touches it.
-///
-/// DCMTK 3.6.7 parses sequences recursively without limit; this walk is iterative, refuses nesting
-/// deeper than 64, lengths beyond the file and deflated data that grow beyond reason. It also finds
-/// the pixel data, so that decoding needs no second parse. It reads up to the pixel data only: what
-/// some writers leave behind them is ignored.
+/// One DICOM file whose structure was checked (Preflight.h): **the only door through which DCMTK
+/// gets to see a file**. A file that it would crash on, or hang, fails here with a sentence. It
+/// also finds the pixel data, so that decoding needs no second parse.
 class DicomFile {
 public:
-    using Bytes = std::span<const std::uint8_t>;
+    using Bytes = DicomBytes;
 
+    /// For its header: the pixel data of a deflated file stay unread.
     /// UnsupportedFormat for files that are not DICOM; FileTruncated, FileUnreadable.
     [[nodiscard]] static Result<DicomFile> open(const QString& path);
+    [[nodiscard]] static Result<DicomFile> openWithPixels(const QString& path);
 
+    /// Parses the elements before the pixel data by DCMTK into @p set, which must be empty. Long
+    /// values are read from the file when they are asked for. FileUnreadable.
+    [[nodiscard]] Result<void> readInto(DcmDataset& set) const;
+
+    /// As the file says; the guess where it does not.
     [[nodiscard]] const QString& transferSyntaxUid() const { return m_transferSyntaxUid; }
-    [[nodiscard]] bool isBigEndian() const { return m_bigEndian; }
+    /// Of the file meta information, (0002,0002); may be empty.
+    [[nodiscard]] const QString& mediaSopClassUid() const { return m_mediaSopClassUid; }
+    [[nodiscard]] bool isBigEndian() const { return m_form.bigEndian; }
+    [[nodiscard]] const PromisedImage& image() const { return m_facts.image; }
 
-    [[nodiscard]] bool hasPixels() const { return m_hasPixels; }
+    [[nodiscard]] bool hasPixels() const { return m_facts.hasPixels; }
     /// The file ends before the pixel data do.
-    [[nodiscard]] bool pixelsCut() const { return m_pixelsCut; }
-    [[nodiscard]] bool isEncapsulated() const { return m_encapsulated; }
+    [[nodiscard]] bool pixelsCut() const { return m_facts.pixelsCut; }
+    [[nodiscard]] bool isEncapsulated() const { return m_facts.pixelsEncapsulated; }
     /// Stored in 16-bit words (VR OW), which matters for big endian.
-    [[nodiscard]] bool pixelsAreWords() const { return m_pixelsAreWords; }
+    [[nodiscard]] bool pixelsAreWords() const { return m_facts.pixelsAreWords; }
+    /// How many bytes of unencapsulated pixel data there are, also where they are unread yet.
+    [[nodiscard]] std::size_t pixelBytes() const { return m_facts.pixels.size; }
     /// The bytes of unencapsulated pixel data.
-    [[nodiscard]] Bytes pixels() const { return m_pixels; }
+    [[nodiscard]] Bytes pixels() const;
     /// The fragments of encapsulated pixel data without the offset table (PS3.5 A.4).
-    [[nodiscard]] const std::vector<Bytes>& fragments() const { return m_fragments; }
+    [[nodiscard]] std::vector<Bytes> fragments() const;
 
 private:
-    struct Walk;
+    enum class Extent { Header, Pixels };
 
+    [[nodiscard]] static Result<DicomFile> openTo(Extent extent, const QString& path);
+    [[nodiscard]] Result<void> readMetaHeader(Bytes bytes);
+    void chooseForm();
+    [[nodiscard]] Result<void> checkPlain();
+    [[nodiscard]] Result<void> checkDeflated(Extent extent);
+    void inflatePixels();
+    [[nodiscard]] Result<void> checkRle() const;
+
+    QString m_path;
     std::unique_ptr<QFile> m_file; ///< keeps the mapping alive
-    QByteArray m_inflated; ///< the data set of a deflated file
+    std::unique_ptr<Inflater> m_inflater; ///< of a deflated data set
+    std::size_t m_dataSetAt = 0; ///< in the file
+    Bytes m_dataSet; ///< inflated as far as it was needed
     QString m_transferSyntaxUid;
-    bool m_bigEndian = false;
-    bool m_hasPixels = false;
-    bool m_pixelsCut = false;
-    bool m_encapsulated = false;
-    bool m_pixelsAreWords = true;
-    Bytes m_pixels;
-    std::vector<Bytes> m_fragments;
+    QString m_mediaSopClassUid;
+    DataSetForm m_form;
+    PreflightFacts m_facts;
 };
 
 } // namespace core

@@ -129,7 +129,7 @@ Result<void> decode(const ImageHeader& header, std::span<std::uint16_t> stored)
 {
     if (const QString reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);
-    const Result<DicomFile> file = DicomFile::open(header.file);
+    const Result<DicomFile> file = DicomFile::openWithPixels(header.file);
     if (!file)
         return tl::unexpected<Error>(file.error());
     const PixelLayout& layout = header.layout;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/ImageHeaderReader.h"
 
-#include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/DicomText.h"
 #include "core/dicom/TransferSyntax.h"
@@ -172,15 +171,11 @@ Result<ImageHeader> read(const QString& path)
     const Result<DicomFile> file = DicomFile::open(path);
     if (!file)
         return tl::unexpected<Error>(file.error());
-    readyDcmtk();
-    DcmFileFormat format;
-    constexpr Uint32 longestValue = 1024;
-    const OFCondition loaded = format.loadFileUntilTag(QFile::encodeName(path).constData(),
-        EXS_Unknown, EGL_noChange, longestValue, ERM_autoDetect, DCM_PixelData);
-    if (loaded.bad())
-        return failure(ErrorCode::FileUnreadable, path, QString::fromLatin1(loaded.text()));
+    DcmDataset set;
+    if (const Result<void> parsed = file->readInto(set); !parsed)
+        return tl::unexpected<Error>(parsed.error());
 
-    const Attributes from(*format.getDataset());
+    const Attributes from(set);
     ImageHeader header;
     header.file = path;
     header.identity = readIdentity(from);
@@ -200,7 +195,7 @@ Result<ImageHeader> read(const QString& path)
         const PixelLayout& layout = header.layout;
         const auto needed = std::uint64_t(layout.columns) * std::uint64_t(layout.rows)
             * std::uint64_t(layout.samplesPerPixel) * std::uint64_t(layout.bitsAllocated) / 8;
-        header.pixelsCut = header.pixelsCut || file->pixels().size() < needed;
+        header.pixelsCut = header.pixelsCut || file->pixelBytes() < needed;
     }
     readPlane(from, header);
     readValues(from, header);
@@ -210,9 +205,7 @@ Result<ImageHeader> read(const QString& path)
         header.phases.push_back(from.text(attribute.key));
     if (header.sopClassUid.isEmpty()) {
         // DICOMDIR and files that lost the attribute still say it in their file meta information.
-        OFString uid;
-        if (format.getMetaInfo()->findAndGetOFString(DCM_MediaStorageSOPClassUID, uid).good())
-            header.sopClassUid = QString::fromLatin1(uid.c_str());
+        header.sopClassUid = file->mediaSopClassUid();
     }
     return header;
 }

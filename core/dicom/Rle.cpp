@@ -7,8 +7,6 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t headerSize = 64;
-
 std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t at)
 {
     return std::uint32_t(bytes[at]) | std::uint32_t(bytes[at + 1]) << 8
@@ -42,17 +40,35 @@ bool unpackSegment(std::span<const std::uint8_t> packed, std::span<std::uint8_t>
 
 } // namespace
 
+bool isRleHeader(
+    std::span<const std::uint8_t> header, std::size_t frameSize, std::uint64_t decodedSize)
+{
+    constexpr std::uint32_t maximumSegments = 15;
+    constexpr std::uint64_t maximumRatio = 64; // a run of 128 in two bytes
+    if (header.size() < rleHeaderSize || frameSize < rleHeaderSize)
+        return false;
+    const std::uint32_t segments = word(header, 0);
+    if (segments < 1 || segments > maximumSegments)
+        return false;
+    std::size_t before = rleHeaderSize;
+    for (std::size_t segment = 0; segment < segments; ++segment) {
+        const std::size_t begin = word(header, 4 + 4 * segment);
+        if (begin < before || begin > frameSize)
+            return false;
+        before = begin;
+    }
+    return decodedSize / maximumRatio <= frameSize - rleHeaderSize;
+}
+
 bool decodeRle(std::span<const std::uint8_t> frame, int bytesPerCell, std::span<std::uint8_t> cells)
 {
     const auto segments = std::size_t(bytesPerCell);
-    if (frame.size() < headerSize || word(frame, 0) != segments)
+    if (!isRleHeader(frame, frame.size(), cells.size()) || word(frame, 0) != segments)
         return false;
     for (std::size_t segment = 0; segment < segments; ++segment) {
         const std::size_t begin = word(frame, 4 + 4 * segment);
         const std::size_t end =
             segment + 1 < segments ? word(frame, 8 + 4 * segment) : frame.size();
-        if (begin < headerSize || begin > end || end > frame.size())
-            return false;
         // The most significant byte comes first (PS3.5 G.2).
         if (!unpackSegment(
                 frame.subspan(begin, end - begin), cells, segments - 1 - segment, segments))

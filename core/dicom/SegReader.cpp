@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SegReader.h"
 
-#include "core/dicom/Dcmtk.h"
+#include "core/dicom/DicomFile.h"
 #include "core/dicom/PatientAndPlane.h"
 
-#include <QFile>
 #include <QFileInfo>
 
 #include <dcmtk/config/osconfig.h>
@@ -38,28 +37,21 @@ SegSegment segmentIn(const ItemReader& item)
 }
 
 Result<std::vector<std::uint8_t>> bitsIn(
-    DcmDataset& dataset, const QString& file, std::uint64_t needed)
+    const DicomFile& file, const QString& path, std::uint64_t needed)
 {
-    DcmElement* element = nullptr;
-    if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr)
-        return failure(ErrorCode::FileTruncated, file, QStringLiteral("no pixel data"));
-    if (element->getLength() < needed)
-        return failure(ErrorCode::FileTruncated, file,
+    if (!file.hasPixels())
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("no pixel data"));
+    const DicomFile::Bytes pixels = file.pixels();
+    if (pixels.size() < needed)
+        return failure(ErrorCode::FileTruncated, path,
             QStringLiteral("%1 bytes of pixel data where the frames need %2")
-                .arg(element->getLength())
+                .arg(pixels.size())
                 .arg(needed));
-    std::vector<std::uint8_t> bits(element->getLength());
+    std::vector<std::uint8_t> bits(pixels.begin(), pixels.end());
     // Bits are numbered in a byte stream; words are brought back to it, low byte first.
-    Uint8* bytes = nullptr;
-    Uint16* words = nullptr;
-    if (element->getUint8Array(bytes).good() && bytes != nullptr) {
-        std::copy_n(bytes, bits.size(), bits.begin());
-    } else if (element->getUint16Array(words).good() && words != nullptr) {
-        for (std::size_t i = 0; i < bits.size(); ++i)
-            bits[i] = std::uint8_t(words[i / 2] >> (8 * (i % 2)));
-    } else {
-        return failure(ErrorCode::FileUnreadable, file, QStringLiteral("the pixel data"));
-    }
+    for (std::size_t i = 0; file.isBigEndian() && file.pixelsAreWords() && i + 1 < bits.size();
+         i += 2)
+        std::swap(bits[i], bits[i + 1]);
     return bits;
 }
 
@@ -72,24 +64,24 @@ bool SegFile::pixel(std::size_t frame, int column, int row) const
     return ((bits[bit / 8] >> (bit % 8)) & 1U) != 0;
 }
 
-Result<SegFile> readSeg(const QString& file)
+Result<SegFile> readSeg(const QString& path)
 {
-    if (!QFileInfo::exists(file))
-        return failure(ErrorCode::FileNotFound, file);
-    readyDcmtk();
-    DcmFileFormat format;
-    const OFCondition loaded = format.loadFile(QFile::encodeName(file).constData());
-    if (loaded.bad())
-        return failure(ErrorCode::FileUnreadable, file, QString::fromLatin1(loaded.text()));
-    DcmDataset& dataset = *format.getDataset();
+    if (!QFileInfo::exists(path))
+        return failure(ErrorCode::FileNotFound, path);
+    const Result<DicomFile> file = DicomFile::openWithPixels(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    DcmDataset dataset;
+    if (const Result<void> parsed = file->readInto(dataset); !parsed)
+        return tl::unexpected<Error>(parsed.error());
     const ItemReader reader(&dataset);
     if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_SegmentationStorage))
-        return failure(ErrorCode::UnsupportedFormat, file, QStringLiteral("not a DICOM SEG"));
+        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM SEG"));
     if (reader.text(DCM_SegmentationType) != QLatin1String("BINARY")
         || reader.integer(DCM_BitsAllocated) != 1)
-        return failure(ErrorCode::UnsupportedFormat, file, QStringLiteral("not of type BINARY"));
-    if (DcmXfer(dataset.getOriginalXfer()).isEncapsulated())
-        return failure(ErrorCode::UnsupportedFormat, file, QStringLiteral("compressed"));
+        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not of type BINARY"));
+    if (file->isEncapsulated())
+        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("compressed"));
 
     SegFile seg;
     seg.patient = readHeaderPatient(dataset);
@@ -103,10 +95,10 @@ Result<SegFile> readSeg(const QString& file)
     seg.columns = reader.integer(DCM_Columns).value_or(0);
     const int frameCount = reader.integer(DCM_NumberOfFrames).value_or(0);
     if (seg.rows < 1 || seg.columns < 1 || frameCount < 1)
-        return failure(ErrorCode::FileUnreadable, file, QStringLiteral("rows, columns or frames"));
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("rows, columns or frames"));
     if (reader.itemCount(DCM_PerFrameFunctionalGroupsSequence) != frameCount)
         return failure(
-            ErrorCode::InvalidGeometry, file, QStringLiteral("not every frame is described"));
+            ErrorCode::InvalidGeometry, path, QStringLiteral("not every frame is described"));
 
     for (int i = 0; i < reader.itemCount(DCM_SegmentSequence); ++i)
         seg.segments.push_back(segmentIn(reader.item(DCM_SegmentSequence, i)));
@@ -119,7 +111,7 @@ Result<SegFile> readSeg(const QString& file)
     for (int i = 0; i < frameCount; ++i) {
         const auto plane = readHeaderPlane(reader, i);
         if (!plane)
-            return failure(ErrorCode::InvalidGeometry, file,
+            return failure(ErrorCode::InvalidGeometry, path,
                 QStringLiteral("frame %1 has no position, orientation or spacing").arg(i + 1));
         SegFrame frame;
         frame.plane = *plane;
@@ -135,7 +127,7 @@ Result<SegFile> readSeg(const QString& file)
 
     const std::uint64_t bitCount =
         std::uint64_t(frameCount) * std::uint64_t(seg.rows) * std::uint64_t(seg.columns);
-    auto bits = bitsIn(dataset, file, (bitCount + 7) / 8);
+    auto bits = bitsIn(*file, path, (bitCount + 7) / 8);
     if (!bits)
         return tl::unexpected(bits.error());
     seg.bits = std::move(*bits);

@@ -54,6 +54,6 @@ struct SegFile {
 /// Errors: FileNotFound, FileUnreadable, FileTruncated (less pixel data than frames),
 /// UnsupportedFormat (no SEG, not BINARY, or compressed), InvalidGeometry (a frame without a
 /// place).
-Result<SegFile> readSeg(const QString& file);
+Result<SegFile> readSeg(const QString& path);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/dicom/SourceFiles.h"
 
 #include "core/dicom/Dcmtk.h"
+#include "core/dicom/DicomFile.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QHash>
 
@@ -15,15 +15,14 @@ namespace core {
 
 namespace {
 
-Result<void> readFile(const QString& file, DcmFileFormat& format)
+Result<void> readFile(const QString& path, DcmDataset& dataset)
 {
-    if (!QFileInfo::exists(file))
-        return failure(ErrorCode::FileNotFound, file);
-    const OFCondition loaded = format.loadFileUntilTag(QFile::encodeName(file).constData(),
-        EXS_Unknown, EGL_noChange, 1024, ERM_autoDetect, DCM_PixelData);
-    if (loaded.bad())
-        return failure(ErrorCode::FileUnreadable, file, QString::fromLatin1(loaded.text()));
-    return {};
+    if (!QFileInfo::exists(path))
+        return failure(ErrorCode::FileNotFound, path);
+    const Result<DicomFile> file = DicomFile::open(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    return file->readInto(dataset);
 }
 
 Result<void> readKept(const QString& file, const KeptHeaders& kept, DcmDataset& dataset)
@@ -62,12 +61,12 @@ Result<void> visitSourceFiles(const std::vector<SourceSlice>& slices, const Kept
             return failure(ErrorCode::Cancelled);
         progress.report(QStringLiteral("Reading source headers"), done++, int(slicesOfFile.size()));
         const QString& file = it.key();
-        DcmFileFormat format;
+        DcmDataset dataset;
         const Result<void> read =
-            kept != nullptr ? readKept(file, *kept, *format.getDataset()) : readFile(file, format);
+            kept != nullptr ? readKept(file, *kept, dataset) : readFile(file, dataset);
         if (!read)
             return read;
-        if (const Result<void> taken = take(file, *format.getDataset(), it.value()); !taken)
+        if (const Result<void> taken = take(file, dataset, it.value()); !taken)
             return taken;
     }
     return {};
