@@ -160,7 +160,7 @@ QByteArray deflatedBomb(int rows, int columns)
 {
     const QByteArray head = imageElements(rows, columns) + tagBytes(0x7fe00010u) + "OW"
         + number(0, 2) + words({2u << 30});
-    return dicomFile(deflatedLittle, deflated(head, std::uint64_t(2) << 30));
+    return dicomFile(deflatedLittle, deflated(head, std::uint64_t(256) << 20));
 }
 
 std::vector<HostileDicom> hostileDicoms(const QByteArray& honest)
@@ -176,8 +176,8 @@ std::vector<HostileDicom> hostileDicoms(const QByteArray& honest)
         {"implicit nest", dicomFile(implicitLittle, implicitNest(deep)), "nested"},
         {"deflated nest", dicomFile(deflatedLittle, deflated(nest(deep), 0)), "nested"},
         {"bomb in the pixel data", deflatedBomb(64, 0), "an image of 0 × 64 pixels"},
-        {"bomb in the header", dicomFile(deflatedLittle, deflated(secret, std::uint64_t(1) << 30)),
-            "grow beyond"},
+        {"bomb in the header",
+            dicomFile(deflatedLittle, deflated(secret, std::uint64_t(128) << 20)), "grow beyond"},
         {"huge length of pixel data", dicomFile(explicitLittle, huge + "abcd"), "an image of 0"},
         {"huge length in the header",
             dicomFile(explicitLittle,

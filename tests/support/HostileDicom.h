@@ -24,7 +24,8 @@ struct HostileDicom {
 /// Files whose deep nesting shows only if their bytes are read as DCMTK reads them.
 [[nodiscard]] std::vector<HostileDicom> hiddenNests();
 
-/// A deflated file of 2 MB whose pixel data are 2 GB of zeros, of which the image needs little.
+/// A small deflated file whose pixel data claim 2 GB and are 256 MB of zeros, of which the image
+/// needs few.
 [[nodiscard]] QByteArray deflatedBomb(int rows, int columns);
 
 /// Elements, sequences, items and noise, rarely sound, often deep.
