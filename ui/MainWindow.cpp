@@ -55,7 +55,7 @@ QString droppedPath(const QMimeData& data)
 
 QString volumeFilter()
 {
-    return QStringLiteral("Volumes (*.nii *.nii.gz *.dcm);;All files (*)");
+    return QStringLiteral("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.dcm);;All files (*)");
 }
 
 } // namespace
@@ -411,9 +411,9 @@ void MainWindow::askForStudyOf(
         problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),
         QStringLiteral("Choose its study …"), [this, sessionFile, name, format] {
             const QString title = QStringLiteral("The study of %1").arg(name);
-            const QString place = format == QLatin1String("NIfTI")
-                ? QFileDialog::getOpenFileName(this, title, QString(), volumeFilter())
-                : QFileDialog::getExistingDirectory(this, title);
+            const QString place = format.isEmpty() || format == QLatin1String("DICOM")
+                ? QFileDialog::getExistingDirectory(this, title)
+                : QFileDialog::getOpenFileName(this, title, QString(), volumeFilter());
             if (!place.isEmpty())
                 m_opener.openSession(sessionFile, place);
         });

@@ -2,13 +2,13 @@
 #include "core/export/CheckExport.h"
 
 #include "core/export/CheckSources.h"
+#include "core/export/SourceCorners.h"
 
 #include <QFile>
 
 #include <nifti1_io.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 
 namespace core {
@@ -26,20 +26,6 @@ NiftiPointer open(const QString& file, bool withVoxels)
     return NiftiPointer(nifti_image_read(QFile::encodeName(file).constData(), withVoxels ? 1 : 0));
 }
 
-/// The header of a volume that was read from one file.
-NiftiPointer openSource(const Volume& volume)
-{
-    if (!volume.keptHeaders)
-        return open(volume.sourcePath, false);
-    const auto kept = volume.keptHeaders->find(volume.sourcePath);
-    nifti_1_header header{};
-    if (kept == volume.keptHeaders->end() || kept->second.size() != qsizetype(sizeof header))
-        return nullptr;
-    std::memcpy(&header, kept->second.constData(), sizeof header);
-    nifti_set_debug_level(0);
-    return NiftiPointer(nifti_convert_nhdr2nim(header, nullptr));
-}
-
 /// RAS in the file's unit of length → LPS mm.
 glm::dmat4 lpsFrom(const mat44& ras, int units)
 {
@@ -52,54 +38,6 @@ glm::dmat4 lpsFrom(const mat44& ras, int units)
             lps[column][row] = (row < 2 ? -scale : scale) * double(ras.m[row][column]);
     }
     return lps;
-}
-
-/// Where a grid's eight outermost voxels are.
-std::array<glm::dvec3, 8> cornersOf(const glm::dmat4& affine, const glm::ivec3& size)
-{
-    std::array<glm::dvec3, 8> corners{};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 index((corner & 1) != 0 ? size.x - 1 : 0,
-            (corner & 2) != 0 ? size.y - 1 : 0, (corner & 4) != 0 ? size.z - 1 : 0);
-        corners[std::size_t(corner)] = glm::dvec3(affine * glm::dvec4(index, 1.0));
-    }
-    return corners;
-}
-
-double farthest(const std::array<glm::dvec3, 8>& a, const std::array<glm::dvec3, 8>& b)
-{
-    double worst = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        worst = std::max(worst, glm::distance(a[i], b[i]));
-    return worst;
-}
-
-/// The corners as the source files themselves say them.
-Result<std::array<glm::dvec3, 8>> sourceCorners(
-    const QString& file, const Volume& volume, const Progress& progress)
-{
-    const glm::ivec3 size = volume.geometry.size;
-    if (!volume.sources.empty()) {
-        const auto headers = checkedSourceHeaders(file, volume, progress);
-        if (!headers)
-            return tl::unexpected(headers.error());
-        std::array<glm::dvec3, 8> corners{};
-        for (int corner = 0; corner < 8; ++corner) {
-            const HeaderPlane& plane =
-                (corner & 4) != 0 ? headers->back().plane : headers->front().plane;
-            corners[std::size_t(corner)] =
-                plane.at((corner & 1) != 0 ? size.x - 1 : 0, (corner & 2) != 0 ? size.y - 1 : 0);
-        }
-        return corners;
-    }
-    const NiftiPointer source = openSource(volume);
-    if (source == nullptr)
-        return failure(ErrorCode::FileUnreadable, volume.sourcePath);
-    if (source->nx != size.x || source->ny != size.y || source->nz != size.z)
-        return failure(ErrorCode::ExportMismatch, volume.sourcePath,
-            QStringLiteral("its size is not that of the volume that was opened"));
-    const mat44& affine = source->sform_code > 0 ? source->sto_xyz : source->qto_xyz;
-    return cornersOf(lpsFrom(affine, source->xyz_units), size);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include "core/nifti/NiftiReader.h"
 
 #include "core/volume/MemoryLimit.h"
-#include "core/volume/VolumeEncoder.h"
+#include "core/voxelfile/StoredScalars.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -31,22 +32,31 @@ Image readImage(const QString& path)
     return Image(nifti_image_read(QFile::encodeName(path).constData(), 0));
 }
 
-bool isScalar(int type)
+std::optional<ScalarType> scalarType(int type)
 {
     switch (type) {
     case DT_UINT8:
+        return ScalarType::UInt8;
     case DT_INT8:
+        return ScalarType::Int8;
     case DT_INT16:
+        return ScalarType::Int16;
     case DT_UINT16:
+        return ScalarType::UInt16;
     case DT_INT32:
+        return ScalarType::Int32;
     case DT_UINT32:
+        return ScalarType::UInt32;
     case DT_INT64:
+        return ScalarType::Int64;
     case DT_UINT64:
+        return ScalarType::UInt64;
     case DT_FLOAT32:
+        return ScalarType::Float32;
     case DT_FLOAT64:
-        return true;
+        return ScalarType::Float64;
     default:
-        return false;
+        return std::nullopt;
     }
 }
 
@@ -93,41 +103,6 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
     return lps;
 }
 
-template <class Stored> double storedAt(const void* data, std::size_t index)
-{
-    Stored value;
-    std::memcpy(&value, static_cast<const char*>(data) + index * sizeof(Stored), sizeof(Stored));
-    return double(value);
-}
-
-using StoredAt = double (*)(const void* data, std::size_t index);
-
-StoredAt storedAtFor(int type)
-{
-    switch (type) {
-    case DT_UINT8:
-        return storedAt<std::uint8_t>;
-    case DT_INT8:
-        return storedAt<std::int8_t>;
-    case DT_INT16:
-        return storedAt<std::int16_t>;
-    case DT_UINT16:
-        return storedAt<std::uint16_t>;
-    case DT_INT32:
-        return storedAt<std::int32_t>;
-    case DT_UINT32:
-        return storedAt<std::uint32_t>;
-    case DT_INT64:
-        return storedAt<std::int64_t>;
-    case DT_UINT64:
-        return storedAt<std::uint64_t>;
-    case DT_FLOAT32:
-        return storedAt<float>;
-    default:
-        return storedAt<double>;
-    }
-}
-
 /// The voxels in the machine's byte order; empty if the file does not hold them all. The library's
 /// own reader fills what is missing with zeros and turns NaN into 0, both without a word.
 std::vector<char> readVoxels(const nifti_image& image, const QString& path)
@@ -159,11 +134,6 @@ std::vector<char> readVoxels(const nifti_image& image, const QString& path)
     return voxels;
 }
 
-bool isNarrow(int type)
-{
-    return type == DT_UINT8 || type == DT_INT8 || type == DT_INT16 || type == DT_UINT16;
-}
-
 } // namespace
 
 bool isNiftiName(const QString& path)
@@ -185,7 +155,7 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
                 QStringLiteral("it holds %1 volumes").arg(image->dim[axis]));
         }
     }
-    if (!isScalar(image->datatype)) {
+    if (!scalarType(image->datatype)) {
         return failure(ErrorCode::UnsupportedFormat, path,
             QStringLiteral("voxels of type %1")
                 .arg(QLatin1String(nifti_datatype_string(image->datatype))));
@@ -217,7 +187,8 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
     progress.report(QStringLiteral("Reading voxels"), 0, 1);
     const Image image = readImage(path);
     const std::vector<char> voxelBytes = image ? readVoxels(*image, path) : std::vector<char>();
-    if (voxelBytes.empty())
+    const std::optional<ScalarType> type = image ? scalarType(image->datatype) : std::nullopt;
+    if (voxelBytes.empty() || !type)
         return failure(ErrorCode::FileTruncated, path, QStringLiteral("its voxels are incomplete"));
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
@@ -239,28 +210,7 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
             .width = double(image->cal_max) - double(image->cal_min)};
     }
 
-    const StoredAt stored = storedAtFor(image->datatype);
-    const void* data = voxelBytes.data();
-    const std::size_t voxels = volume.geometry.voxelCount();
-    if (isNarrow(image->datatype)) {
-        loaded.codes.resize(voxels);
-        for (std::size_t voxel = 0; voxel < voxels; ++voxel)
-            loaded.codes[voxel] = std::uint16_t(int(stored(data, voxel)));
-        const bool isSigned = image->datatype == DT_INT8 || image->datatype == DT_INT16;
-        const std::vector<SliceRescale> slices(std::size_t(volume.geometry.size.z),
-            SliceRescale{.slope = slope, .intercept = intercept, .isSigned = isSigned});
-        encodeStoredValues(loaded, slices, hasWindow);
-        return loaded;
-    }
-    const std::size_t size =
-        std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
-    encodeValues(
-        loaded,
-        [&](int k, std::span<double> values) {
-            for (std::size_t voxel = 0; voxel < size; ++voxel)
-                values[voxel] = slope * stored(data, std::size_t(k) * size + voxel) + intercept;
-        },
-        hasWindow);
+    encodeScalars(loaded, voxelBytes, *type, slope, intercept, hasWindow);
     return loaded;
 }
 

@@ -2,13 +2,13 @@
 #include "core/session/SessionImages.h"
 
 #include "core/dicom/KeptHeaders.h"
-#include "core/nifti/NiftiReader.h"
 #include "core/session/ImagePieces.h"
 #include "core/session/RowText.h"
 #include "core/session/SessionDatabase.h"
 #include "core/session/SessionSource.h"
 #include "core/session/SessionUse.h"
 #include "core/session/VolumeJson.h"
+#include "core/study/FileFormats.h"
 #include "core/volume/MemoryLimit.h"
 #include "core/volume/VolumeEncoder.h"
 
@@ -78,7 +78,9 @@ Result<KeptHeaders> headersOf(const Volume& volume, const Progress& progress)
     if (!volume.sources.empty())
         return keepHeaders(volume.sources, progress);
     KeptHeaders headers;
-    if (const QByteArray bytes = niftiHeaderBytes(volume.sourcePath); !bytes.isEmpty())
+    const FileFormat* format = fileFormatNamed(volume.sourceFormat);
+    const QByteArray bytes = format ? format->headerBytes(volume.sourcePath) : QByteArray();
+    if (!bytes.isEmpty())
         headers[volume.sourcePath] = bytes;
     return headers;
 }

@@ -2,26 +2,38 @@
 #include "core/study/StudyLoader.h"
 
 #include "core/dicom/DicomScan.h"
-#include "core/nifti/NiftiReader.h"
+#include "core/study/FileFormats.h"
 
 #include <QDir>
 #include <QDirIterator>
 #include <QFileInfo>
+#include <QSet>
 
 #include <algorithm>
 #include <map>
 
 namespace core {
 
+namespace {
+
+struct SingleFile {
+    const FileFormat* format;
+    SeriesEntry entry;
+};
+
+} // namespace
+
 /// A listing and, beside it, what its entries are made of.
 struct Study::Contents {
     StudyListing listing;
     std::vector<ListedStack> stacks;
-    std::vector<SeriesEntry> niftis;
+    std::vector<SingleFile> singles;
 
     /// Sorts the stacks, gives them their keys and lists them by study.
     void listStacks();
-    void listNifti(const QString& root);
+    void listSingles(const QString& root);
+    /// Files whose voxels a header beside them tells of are no files that nothing is known of.
+    void forgetVoxelFiles();
 };
 
 namespace {
@@ -88,7 +100,8 @@ Error nothingFound(const StudyListing& listing)
     // Files that nothing could be made of explain themselves best.
     const auto telling = std::find_if(
         listing.unreadable.begin(), listing.unreadable.end(), [](const UnreadableFile& file) {
-            return file.error.arguments.value(1) != QLatin1String("not a DICOM or NIfTI file");
+            return file.error.arguments.value(1)
+                != QLatin1String("not a DICOM, NIfTI or NRRD file");
         });
     if (listing.unreadable.size() == 1 && listing.foreign.empty())
         return listing.unreadable.front().error;
@@ -146,26 +159,45 @@ void Study::Contents::listStacks()
     }
 }
 
-void Study::Contents::listNifti(const QString& root)
+void Study::Contents::listSingles(const QString& root)
 {
     const bool besideDicom = !stacks.empty();
-    std::vector<SeriesEntry> volumes;
-    for (SeriesEntry& entry : niftis) {
+    std::vector<SingleFile> volumes;
+    for (SingleFile& single : singles) {
+        const QString file = single.entry.files.front();
         if (besideDicom) {
-            listing.foreign.push_back({.kind = QStringLiteral("NIfTI file"),
-                .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
-                .files = entry.files});
+            listing.foreign.push_back(
+                {.kind = QStringLiteral("%1 file").arg(QLatin1String(single.format->name)),
+                    .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
+                    .files = single.entry.files});
             continue;
         }
-        const QString file = entry.files.front();
-        entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
-                                            : QFileInfo(file).fileName();
-        volumes.push_back(std::move(entry));
+        single.entry.key = QFileInfo(root).isDir() ? QDir(root).relativeFilePath(file)
+                                                   : QFileInfo(file).fileName();
+        volumes.push_back(std::move(single));
     }
-    niftis = std::move(volumes);
-    if (niftis.empty())
+    singles = std::move(volumes);
+    if (singles.empty())
         return;
-    listing.studies.push_back({.studyUid = {}, .series = niftis});
+    StudyEntry study;
+    for (const SingleFile& single : singles)
+        study.series.push_back(single.entry);
+    listing.studies.push_back(std::move(study));
+}
+
+void Study::Contents::forgetVoxelFiles()
+{
+    QSet<QString> voxelFiles;
+    for (const SingleFile& single : singles) {
+        for (const QString& file : single.entry.files.mid(1))
+            voxelFiles.insert(file);
+    }
+    if (voxelFiles.isEmpty())
+        return;
+    std::erase_if(listing.unreadable,
+        [&](const UnreadableFile& unreadable) { return voxelFiles.contains(unreadable.file); });
+    for (SingleFile& single : singles)
+        single.entry.files.resize(1);
 }
 
 Study::Study(std::unique_ptr<const Contents> contents)
@@ -196,13 +228,14 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
     listing.path = path;
     QStringList others;
     for (const QString& file : *files) {
-        if (!isNiftiName(file)) {
+        const FileFormat* format = fileFormatOf(file);
+        if (format == nullptr) {
             others.append(file);
             continue;
         }
-        Result<SeriesEntry> entry = readNiftiEntry(file);
+        Result<SeriesEntry> entry = format->read(file);
         if (entry)
-            contents->niftis.push_back(std::move(*entry));
+            contents->singles.push_back({format, std::move(*entry)});
         else
             listing.unreadable.push_back({.file = file, .error = entry.error()});
     }
@@ -214,7 +247,8 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
     listing.unreadable.insert(
         listing.unreadable.end(), dicom.unreadable.begin(), dicom.unreadable.end());
     contents->listStacks();
-    contents->listNifti(root);
+    contents->forgetVoxelFiles();
+    contents->listSingles(root);
     if (listing.studies.empty() && listing.foreign.empty())
         return tl::unexpected<Error>(nothingFound(listing));
     return Study(std::move(contents));
@@ -235,10 +269,10 @@ Result<LoadedVolume> Study::load(const QString& series, const Progress& progress
         if (listed.entry.key == (*entry)->key)
             return opened(loadStack(listed, progress), listing.path);
     }
-    for (const SeriesEntry& nifti : m_contents->niftis) {
-        if (nifti.key == (*entry)->key)
+    for (const SingleFile& single : m_contents->singles) {
+        if (single.entry.key == (*entry)->key)
             // Without slices that name it, only this tells an export's check which file it was.
-            return opened(loadNifti(nifti, progress), nifti.files.front());
+            return opened(single.format->load(single.entry, progress), single.entry.files.front());
     }
     return failure(ErrorCode::SeriesNotFound, listing.path, series);
 }

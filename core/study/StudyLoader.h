@@ -13,8 +13,9 @@ namespace core {
 
 /// What a file, or a folder with all below it, holds, read once: list it, then open from it.
 ///
-/// DICOM is known by content, whatever the file names; NIfTI by .nii and .nii.gz. A DICOMDIR stands
-/// for its folder: what it names is a hint only. All calls block; make them beside the UI thread.
+/// DICOM is known by content, whatever the file names; other formats by their endings
+/// (FileFormats.h). A DICOMDIR stands for its folder: what it names is a hint only. All calls
+/// block; make them beside the UI thread.
 class Study {
 public:
     /// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error

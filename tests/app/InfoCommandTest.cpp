@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/NrrdFiles.h"
 #include "tests/support/SyntheticSeries.h"
 
 #include <QFile>
@@ -33,6 +34,7 @@ class InfoCommandTest : public QObject {
 
 private Q_SLOTS:
     void jsonHoldsTheFacts();
+    void filesOfOneVolume();
     void textNamesPatientAndProblems();
     void failuresAreOneLine();
 };
@@ -70,6 +72,31 @@ void InfoCommandTest::jsonHoldsTheFacts()
     QCOMPARE(facts[QStringLiteral("min")].toDouble(), -1024.0);
     QCOMPARE(facts[QStringLiteral("voxelsSha256")].toString().size(), 64);
     QVERIFY(array("problems").isEmpty());
+}
+
+void InfoCommandTest::filesOfOneVolume()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("head.nrrd"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(test::nrrd::soundFile());
+    file.close();
+    const Output info = burin({QStringLiteral("info"), path, QStringLiteral("--json")});
+    QCOMPARE(info.exitCode, 0);
+    const QJsonObject document = QJsonDocument::fromJson(info.out).object();
+    const QJsonValue volume = document[QStringLiteral("studies")][0][QStringLiteral("series")][0];
+    QCOMPARE(volume[QStringLiteral("seriesUid")].toString(), QStringLiteral("head.nrrd"));
+    QCOMPARE(volume[QStringLiteral("size")].toArray(), (QJsonArray{5, 4, 3}));
+    QCOMPARE(volume[QStringLiteral("spacingMm")].toArray(), (QJsonArray{1, 1, 2.5}));
+    QCOMPARE(volume[QStringLiteral("originLps")].toArray(), (QJsonArray{-12, 34, 56.5}));
+    QVERIFY(volume[QStringLiteral("problems")].toArray().isEmpty());
+
+    QVERIFY(file.resize(file.size() - 1));
+    const Output cut = burin({QStringLiteral("info"), path});
+    QCOMPARE(cut.exitCode, 1);
+    QCOMPARE(cut.errors,
+        "burin: " + path.toUtf8() + ": the file is cut short: its voxels are incomplete\n");
 }
 
 void InfoCommandTest::textNamesPatientAndProblems()

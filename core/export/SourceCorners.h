@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/volume/Volume.h"
+
+#include <array>
+
+namespace core {
+
+/// The centres of a grid's eight outermost voxels, LPS mm.
+using GridCorners = std::array<glm::dvec3, 8>;
+
+[[nodiscard]] GridCorners cornersOf(const glm::dmat4& affine, const glm::ivec3& size);
+/// The greatest distance between corners of one index.
+[[nodiscard]] double farthest(const GridCorners& a, const GridCorners& b);
+
+/// The corners as the volume's source files themselves say them, read from the disk now, or from
+/// the headers that its session keeps.
+/// @param file the export that is checked, for the message
+/// Errors: ExportMismatch, and those of reading.
+Result<GridCorners> sourceCorners(
+    const QString& file, const Volume& volume, const Progress& progress);
+
+} // namespace core

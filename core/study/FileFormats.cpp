@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/study/FileFormats.h"
+
+#include "core/nifti/NiftiReader.h"
+#include "core/nrrd/NrrdReader.h"
+
+#include <algorithm>
+#include <array>
+
+namespace core {
+
+namespace {
+
+constexpr std::array formats{
+    FileFormat{.name = "NIfTI",
+        .isName = isNiftiName,
+        .read = readNiftiEntry,
+        .load = loadNifti,
+        .headerBytes = niftiHeaderBytes,
+        .geometryOf = nullptr},
+    FileFormat{.name = "NRRD",
+        .isName = isNrrdName,
+        .read = readNrrdEntry,
+        .load = loadNrrd,
+        .headerBytes = nrrdHeaderBytes,
+        .geometryOf = nrrdGeometryOf},
+};
+
+template <class Matches> const FileFormat* find(const Matches& matches)
+{
+    const auto* found = std::find_if(formats.begin(), formats.end(), matches);
+    return found == formats.end() ? nullptr : found;
+}
+
+} // namespace
+
+const FileFormat* fileFormatOf(const QString& path)
+{
+    return find([&](const FileFormat& format) { return format.isName(path); });
+}
+
+const FileFormat* fileFormatNamed(const QString& name)
+{
+    return find([&](const FileFormat& format) { return name == QLatin1String(format.name); });
+}
+
+} // namespace core

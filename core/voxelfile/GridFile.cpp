@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/voxelfile/GridFile.h"
+
+#include <QFileInfo>
+
+#include <cmath>
+
+namespace core {
+
+Result<void> setGridSize(GridFile& grid, std::span<const qint64> sides)
+{
+    constexpr qint64 longestSide = 32768;
+    QStringList words;
+    bool sound = sides.size() == 3;
+    for (const qint64 side : sides) {
+        sound = sound && side >= 1 && side <= longestSide;
+        words.append(QString::number(side));
+    }
+    if (!sound) {
+        return failure(ErrorCode::InvalidGeometry, grid.voxels.header,
+            words.join(QStringLiteral(" × ")) + QStringLiteral(" voxels"));
+    }
+    grid.geometry.size = {int(sides[0]), int(sides[1]), int(sides[2])};
+    grid.voxels.voxels = grid.geometry.voxelCount();
+    return {};
+}
+
+Result<void> checkGridAxes(
+    const VolumeGeometry& geometry, const QString& path, const QString& where)
+{
+    const double volume = geometry.voxelVolumeMm3();
+    bool finite = std::isfinite(volume) && volume > 0.0;
+    for (int column = 0; column < 4; ++column)
+        finite = finite && std::isfinite(glm::length(glm::dvec3(geometry.indexToWorld[column])));
+    if (finite)
+        return {};
+    return failure(ErrorCode::InvalidGeometry, path,
+        QStringLiteral("its axes do not span a volume (%1)").arg(where));
+}
+
+Result<SeriesEntry> entryOf(const GridFile& grid)
+{
+    if (const Result<void> there = checkVoxelFiles(grid.voxels); !there)
+        return tl::unexpected(there.error());
+    SeriesEntry entry;
+    entry.geometry = grid.geometry;
+    entry.problems = grid.problems;
+    entry.files = {grid.voxels.header};
+    for (const QString& file : grid.voxels.files) {
+        if (file != grid.voxels.header)
+            entry.files.append(file);
+    }
+    entry.identity.seriesDescription = QFileInfo(grid.voxels.header).fileName();
+    return entry;
+}
+
+Result<LoadedVolume> loadGridFile(
+    const GridFile& grid, const SeriesEntry& entry, const QString& format, const Progress& progress)
+{
+    const Result<VoxelBytes> bytes = readVoxels(grid.voxels, progress);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    LoadedVolume loaded;
+    Volume& volume = loaded.volume;
+    volume.identity = entry.identity;
+    volume.geometry = grid.geometry;
+    volume.sourceFormat = format;
+    volume.problems = grid.problems;
+    if (bytes->surplus) {
+        volume.problems.push_back({.kind = VolumeProblem::Kind::Other,
+            .text = QStringLiteral("The file holds more than the voxels that its header tells of; "
+                                   "the rest is left out.")});
+    }
+    encodeScalars(loaded, {bytes->data.get(), bytes->size}, grid.voxels.type, 1.0, 0.0, false);
+    return loaded;
+}
+
+} // namespace core
