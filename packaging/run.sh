@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and opens the workstation.
 #   packaging/run.sh                            the built-in demonstration study
-#   packaging/run.sh STUDY                      a folder of DICOM files, or a NIfTI or NRRD file
+#   packaging/run.sh STUDY                      a folder of DICOM files, or a NIfTI, NRRD or MetaImage file
 #   packaging/run.sh [STUDY] --screenshot FILE  saves the refined window as PNG; needs no display
 #   packaging/run.sh [STUDY] --size WxH         size of the window
 set -euo pipefail

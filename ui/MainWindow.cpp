@@ -55,7 +55,8 @@ QString droppedPath(const QMimeData& data)
 
 QString volumeFilter()
 {
-    return QStringLiteral("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.dcm);;All files (*)");
+    return QStringLiteral(
+        "Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)");
 }
 
 } // namespace

@@ -27,7 +27,8 @@ QString uidText(DicomBytes bytes, const DicomElement& element)
 
 tl::unexpected<Error> notDicom(const QString& path)
 {
-    return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM, NIfTI or NRRD file"));
+    return failure(ErrorCode::UnsupportedFormat, path,
+        QStringLiteral("not a DICOM, NIfTI, NRRD or MetaImage file"));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/FileFormats.h"
 
+#include "core/metaimage/MetaImageReader.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nrrd/NrrdReader.h"
 
@@ -24,6 +25,12 @@ constexpr std::array formats{
         .load = loadNrrd,
         .headerBytes = nrrdHeaderBytes,
         .geometryOf = nrrdGeometryOf},
+    FileFormat{.name = "MetaImage",
+        .isName = isMetaImageName,
+        .read = readMetaImageEntry,
+        .load = loadMetaImage,
+        .headerBytes = metaImageHeaderBytes,
+        .geometryOf = metaImageGeometryOf},
 };
 
 template <class Matches> const FileFormat* find(const Matches& matches)

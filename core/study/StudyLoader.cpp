@@ -101,7 +101,7 @@ Error nothingFound(const StudyListing& listing)
     const auto telling = std::find_if(
         listing.unreadable.begin(), listing.unreadable.end(), [](const UnreadableFile& file) {
             return file.error.arguments.value(1)
-                != QLatin1String("not a DICOM, NIfTI or NRRD file");
+                != QLatin1String("not a DICOM, NIfTI, NRRD or MetaImage file");
         });
     if (listing.unreadable.size() == 1 && listing.foreign.empty())
         return listing.unreadable.front().error;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/metaimage/MetaImageHeader.h"
+
+#include "core/voxelfile/GridFile.h"
+#include "core/voxelfile/VoxelFileNames.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace core {
+
+QByteArray MetaImageHeader::field(const char* name) const
+{
+    const auto found = fields.find(name);
+    return found == fields.end() ? QByteArray() : found->second;
+}
+
+std::optional<std::vector<double>> MetaImageHeader::numbers(const char* name) const
+{
+    const QByteArray text = field(name).simplified();
+    if (text.isEmpty())
+        return std::nullopt;
+    std::vector<double> values;
+    for (const QByteArray& word : text.split(' ')) {
+        bool isNumber = false;
+        values.push_back(word.toDouble(&isNumber));
+        if (!isNumber)
+            return std::nullopt;
+    }
+    return values;
+}
+
+bool MetaImageHeader::flag(const char* name, bool otherwise) const
+{
+    const QByteArray value = field(name).toLower();
+    return value.isEmpty() ? otherwise : value[0] == 't' || value[0] == '1';
+}
+
+Result<MetaImageHeader> parseMetaImageHeader(const QByteArray& bytes, const QString& path)
+{
+    const auto refused = [&](const QString& reason) {
+        return failure(ErrorCode::FileUnreadable, path, reason);
+    };
+    constexpr qsizetype longestName = 64;
+    MetaImageHeader header;
+    bool listing = false;
+    for (qsizetype at = 0; at < bytes.size();) {
+        qsizetype end = bytes.indexOf('\n', at);
+        end = end < 0 ? bytes.size() : end;
+        const QByteArray line = bytes.mid(at, end - at).trimmed();
+        at = std::min(end + 1, bytes.size());
+        if (listing) {
+            if (!line.isEmpty())
+                header.list.append(line);
+            continue;
+        }
+        if (line.isEmpty())
+            continue;
+        const qsizetype equals = line.indexOf('=');
+        if (equals <= 0 || equals > longestName)
+            return refused(header.fields.empty()
+                    ? QStringLiteral("not a MetaImage file")
+                    : QStringLiteral("a line of its header is no field"));
+        const QByteArray name = line.left(equals).trimmed();
+        const QByteArray value = line.mid(equals + 1).trimmed();
+        if (!header.fields.emplace(name, value).second)
+            return refused(
+                QStringLiteral("its header has '%1' twice").arg(QString::fromLatin1(name)));
+        if (name != "ElementDataFile")
+            continue;
+        header.bytes = bytes.left(at);
+        if (!isFileList(value))
+            return header;
+        listing = true;
+    }
+    if (!listing)
+        return refused(header.has("NDims") || header.has("ObjectType")
+                ? QStringLiteral("its header does not say where the "
+                                 "voxels are (ElementDataFile)")
+                : QStringLiteral("not a MetaImage file"));
+    return header;
+}
+
+Result<MetaImageHeader> readMetaImageHeader(const QString& path)
+{
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::FileUnreadable, path, file.errorString());
+    if (file.size() == 0)
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+    // The field that ends a header is looked for, then the line that it stands
+    // in.
+    constexpr qint64 step = 65536;
+    QByteArray bytes;
+    bool whole = false;
+    while (!whole && bytes.size() < longestTextHeader) {
+        const qsizetype before = bytes.size();
+        bytes += file.read(step);
+        if (bytes.size() == before)
+            break;
+        const qsizetype last = bytes.indexOf("ElementDataFile");
+        const qsizetype end = last < 0 ? -1 : bytes.indexOf('\n', last);
+        whole = end >= 0 && !bytes.mid(last, end - last).contains("LIST");
+        if (before == 0 && bytes.left(step).contains('\0') && last < 0)
+            break;
+    }
+    if (!whole && bytes.size() >= longestTextHeader)
+        return failure(
+            ErrorCode::FileUnreadable, path, QStringLiteral("its header does not come to an end"));
+    return parseMetaImageHeader(bytes, path);
+}
+
+} // namespace core

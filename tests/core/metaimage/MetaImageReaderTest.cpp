@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/StagedFile.h"
+#include "core/export/ExportMask.h"
+#include "core/session/SessionImages.h"
+#include "core/study/StudyLoader.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/NrrdFiles.h"
+#include "tests/support/OpenedVolume.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+#include <random>
+
+// The voxels are those of the NRRD tests; the headers share nothing.
+using test::nrrd::gzipped;
+using test::nrrd::storedAs;
+using test::nrrd::valueOf;
+using test::nrrd::voxels;
+
+namespace {
+
+const QByteArray start("ObjectType = Image\nNDims = 3\nBinaryData = True\n");
+const QByteArray place("TransformMatrix = 0.6 0.8 0 -0.8 0.6 0 0 0 1\nOffset = -12 34 56.5\n"
+                       "CenterOfRotation = 7 7 7\nAnatomicalOrientation = RAI\n"
+                       "ElementSpacing = 0.5 0.75 2.5\nDimSize = 5 4 3\n");
+
+QByteArray soundFile()
+{
+    return start + place + "ElementType = MET_SHORT\nElementDataFile = LOCAL\n"
+        + storedAs<std::int16_t>(false);
+}
+
+glm::dmat4 soundAffine()
+{
+    return {glm::dvec4(0.3, 0.4, 0, 0), glm::dvec4(-0.6, 0.45, 0, 0), glm::dvec4(0, 0, 2.5, 0),
+        glm::dvec4(-12, 34, 56.5, 1)};
+}
+
+bool sameAffine(const glm::dmat4& a, const glm::dmat4& b)
+{
+    for (int column = 0; column < 4; ++column) {
+        if (glm::length(a[column] - b[column]) > 1e-9)
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+/// MetaImage volumes: their place, their values, their refusals.
+class MetaImageReaderTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void typesOrdersAndEncodings_data();
+    void typesOrdersAndEncodings();
+    void placeAndItsNames();
+    void axesBeyondThree();
+    void voxelsInOtherFiles_data();
+    void voxelsInOtherFiles();
+    void damagedFilesAreNamed_data();
+    void damagedFilesAreNamed();
+    void everyCutIsSurvived();
+    void randomBytesAreSurvived();
+    void masksAreCheckedAgainstTheFile();
+
+private:
+    QString put(const QString& name, const QByteArray& bytes)
+    {
+        QFile file(m_folder->filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        return file.fileName();
+    }
+    core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
+    {
+        return core::loadVolume(put(QStringLiteral("test.mha"), bytes));
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void MetaImageReaderTest::typesOrdersAndEncodings_data()
+{
+    QTest::addColumn<QByteArray>("fields");
+    QTest::addColumn<QByteArray>("data");
+    QTest::addColumn<int>("shift");
+    const auto typed = [&]<class T>(const char* type, T) {
+        const int shift = std::is_unsigned_v<T> ? 20 : 0;
+        const QByteArray head = QByteArray("ElementType = ") + type + '\n';
+        const auto row = [&](const char* what, const QByteArray& more, const QByteArray& data) {
+            QTest::addRow("%s, %s", type, what) << head + more << data << shift;
+        };
+        const QByteArray little = storedAs<T>(false);
+        const QByteArray big = storedAs<T>(true);
+        row("little", "BinaryDataByteOrderMSB = False\n", little);
+        row("big", "BinaryDataByteOrderMSB = True\n", big);
+        row("big by its other name", "ElementByteOrderMSB = True\n", big);
+        row("nothing said", "", little);
+        row("zlib", "CompressedData = True\nCompressedDataSize = 99\n", gzipped(little, MAX_WBITS));
+        row("gzip, big", "CompressedData = True\nElementByteOrderMSB = true\n", gzipped(big));
+    };
+    typed("MET_CHAR", std::int8_t());
+    typed("MET_UCHAR", std::uint8_t());
+    typed("MET_SHORT", std::int16_t());
+    typed("MET_USHORT", std::uint16_t());
+    typed("MET_INT", std::int32_t());
+    typed("MET_UINT", std::uint32_t());
+    typed("MET_LONG", std::int32_t());
+    typed("MET_ULONG", std::uint32_t());
+    typed("MET_LONG_LONG", std::int64_t());
+    typed("MET_ULONG_LONG", std::uint64_t());
+    typed("MET_FLOAT", float());
+    typed("MET_DOUBLE", double());
+}
+
+void MetaImageReaderTest::typesOrdersAndEncodings()
+{
+    QFETCH(QByteArray, fields);
+    QFETCH(QByteArray, data);
+    QFETCH(int, shift);
+    const core::Result<core::LoadedVolume> loaded =
+        openBytes(start + place + fields + "ElementDataFile = LOCAL\n" + data);
+    QVERIFY2(loaded, qPrintable(loaded ? QString() : test::errorText(loaded.error())));
+    QCOMPARE(loaded->volume.geometry.size, test::nrrd::size);
+    QVERIFY(sameAffine(loaded->volume.geometry.indexToWorld, soundAffine()));
+    QVERIFY(loaded->volume.problems.empty());
+    QCOMPARE(loaded->volume.sourceFormat, QStringLiteral("MetaImage"));
+    for (int voxel = 0; voxel < voxels; ++voxel)
+        QCOMPARE(loaded->volume.encoding.value(loaded->codes[std::size_t(voxel)]),
+            double(valueOf(voxel) + shift));
+}
+
+void MetaImageReaderTest::placeAndItsNames()
+{
+    const auto opened = [&](const QByteArray& from, const QByteArray& to) {
+        const core::Result<core::LoadedVolume> loaded = openBytes(soundFile().replace(from, to));
+        return loaded ? loaded->volume : core::Volume();
+    };
+    for (const char* name : {"Position", "Origin"})
+        QVERIFY(sameAffine(opened("Offset", name).geometry.indexToWorld, soundAffine()));
+    for (const char* name : {"Rotation", "Orientation"})
+        QVERIFY(sameAffine(opened("TransformMatrix", name).geometry.indexToWorld, soundAffine()));
+    QVERIFY(
+        sameAffine(opened("ElementSpacing", "ElementSize").geometry.indexToWorld, soundAffine()));
+    // Windows' ends of lines, and no care for blanks.
+    QVERIFY(sameAffine(
+        opened("Offset = -12 34 56.5\n", "Offset=-12  34 56.5\r\n").geometry.indexToWorld,
+        soundAffine()));
+    const core::Volume bare = opened(place, "DimSize = 5 4 3\n");
+    QVERIFY(sameAffine(bare.geometry.indexToWorld, glm::dmat4(1.0)));
+    QVERIFY(bare.needsCaution());
+    QVERIFY(test::hasProblem(bare.problems, core::VolumeProblem::Kind::AssumedSpacing));
+    QVERIFY(opened("BinaryData = True", "BinaryData = False").geometry.size == glm::ivec3(0));
+    const core::Result<core::LoadedVolume> words =
+        openBytes(QByteArray(start).replace("True", "False") + place
+            + "ElementType = MET_FLOAT\nElementDataFile = LOCAL\n"
+            + QByteArray("1.5 2 3 4 5e1\n").repeated(12));
+    QVERIFY(words);
+    QCOMPARE(words->volume.maximum, 50.0);
+}
+
+void MetaImageReaderTest::axesBeyondThree()
+{
+    const QByteArray data = storedAs<std::int16_t>(false);
+    const QByteArray end = "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+    const QByteArray four = "NDims = 4\nElementSpacing = 1 1 2 1\nOffset = 1 2 3 9\n"
+                            "TransformMatrix = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n";
+    const auto one = openBytes(four + "DimSize = 5 4 3 1\n" + end + data);
+    QVERIFY2(one, qPrintable(one ? QString() : test::errorText(one.error())));
+    QCOMPARE(one->volume.geometry.originLps(), glm::dvec3(1, 2, 3));
+    QCOMPARE(one->volume.geometry.spacingMm(), glm::dvec3(1, 1, 2));
+    const auto two = openBytes(four + "DimSize = 5 4 3 2\n" + end + data + data);
+    QVERIFY(!two);
+    QCOMPARE(two.error().code, core::ErrorCode::UnsupportedFormat);
+    QCOMPARE(two.error().arguments.value(1), QStringLiteral("it holds 2 volumes"));
+    const auto picture =
+        openBytes("NDims = 2\nElementSpacing = 0.5 0.5\nDimSize = 5 4\n" + end + data.left(40));
+    QVERIFY(picture);
+    QCOMPARE(picture->volume.geometry.size, glm::ivec3(5, 4, 1));
+    QVERIFY(picture->volume.needsCaution());
+}
+
+void MetaImageReaderTest::voxelsInOtherFiles_data()
+{
+    QTest::addColumn<QByteArray>("fields");
+    QTest::addColumn<QStringList>("names");
+    QTest::addColumn<QByteArray>("before");
+    const auto row = [](const char* name, const QByteArray& fields, const QStringList& names,
+                         const QByteArray& before = {}) {
+        QTest::newRow(name) << fields << names << before;
+    };
+    const QStringList one{QStringLiteral("voxels 1.raw")};
+    row("one file", "ElementDataFile = voxels 1.raw\n", one);
+    row("without an end of line", "ElementDataFile = voxels 1.raw", one);
+    row("behind a header", "HeaderSize = 5\nElementDataFile = voxels 1.raw\n", one, "12345");
+    row("at the end", "HeaderSize = -1\nElementDataFile = voxels 1.raw\n", one, "whatever");
+    row("packed", "CompressedData = True\nElementDataFile = v.zraw\n", {QStringLiteral("v.zraw")});
+    const QStringList slices{
+        QStringLiteral("s08.raw"), QStringLiteral("s10.raw"), QStringLiteral("s12.raw")};
+    row("listed", "ElementDataFile = LIST\ns08.raw\ns10.raw\ns12.raw\n", slices);
+    row("listed, with their axes", "ElementDataFile = LIST 2\ns08.raw\r\ns10.raw\r\ns12.raw",
+        slices);
+    row("numbered", "ElementDataFile = s%02d.raw 8 12 2\n", slices);
+}
+
+void MetaImageReaderTest::voxelsInOtherFiles()
+{
+    QFETCH(QByteArray, fields);
+    QFETCH(QStringList, names);
+    QFETCH(QByteArray, before);
+    const QByteArray data = storedAs<std::int16_t>(false);
+    const qsizetype share = data.size() / names.size();
+    for (qsizetype part = 0; part < names.size(); ++part) {
+        const QByteArray bytes = before + data.mid(part * share, share);
+        put(names[part], fields.contains("Compressed") ? gzipped(bytes, MAX_WBITS) : bytes);
+    }
+    const QString header =
+        put(QStringLiteral("head.mhd"), start + place + "ElementType = MET_SHORT\n" + fields);
+    for (const QString& path : {header, m_folder->path()}) {
+        const core::Result<core::Study> study = core::Study::scan(path);
+        QVERIFY2(study, qPrintable(study ? QString() : test::errorText(study.error())));
+        QVERIFY(study->listing().unreadable.empty());
+        const core::Result<core::LoadedVolume> loaded = study->load();
+        QVERIFY2(loaded, qPrintable(loaded ? QString() : test::errorText(loaded.error())));
+        QVERIFY(sameAffine(loaded->volume.geometry.indexToWorld, soundAffine()));
+        for (int voxel = 0; voxel < voxels; ++voxel)
+            QCOMPARE(loaded->volume.encoding.value(loaded->codes[std::size_t(voxel)]),
+                double(valueOf(voxel)));
+    }
+}
+
+void MetaImageReaderTest::damagedFilesAreNamed_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<core::ErrorCode>("code");
+    QTest::addColumn<QString>("reason");
+    using core::ErrorCode;
+    const auto row = [](const char* name, const QByteArray& bytes, ErrorCode code,
+                         const char* reason) {
+        QTest::newRow(name) << bytes << code << QString::fromUtf8(reason);
+    };
+    const QByteArray sound = soundFile();
+    const auto changed = [&](const char* from, const QByteArray& to) {
+        return QByteArray(sound).replace(from, to);
+    };
+    row("empty", {}, ErrorCode::FileTruncated, "no bytes");
+    row("text", "a letter\n", ErrorCode::FileUnreadable, "not a MetaImage file");
+    row("zeros", QByteArray(200000, '\0'), ErrorCode::FileUnreadable, "not a MetaImage file");
+    row("cut", sound.chopped(1), ErrorCode::FileTruncated, "incomplete");
+    row("endless", start + QByteArray("\n").repeated(5'000'000), ErrorCode::FileUnreadable,
+        "does not come to an end");
+    row("no end", start + place, ErrorCode::FileUnreadable, "ElementDataFile");
+    row("no field", changed("ElementType = ", "ElementType "), ErrorCode::FileUnreadable,
+        "no field");
+    row("twice", changed("DimSize", "NDims = 3\nDimSize"), ErrorCode::FileUnreadable,
+        "'NDims' twice");
+    row("channels", changed("ElementType", "ElementNumberOfChannels = 3\nElementType"),
+        ErrorCode::UnsupportedFormat, "3 values");
+    row("vectors", changed("MET_SHORT", "MET_FLOAT_ARRAY"), ErrorCode::UnsupportedFormat,
+        "MET_FLOAT_ARRAY");
+    row("dimension", changed("NDims = 3", "NDims = nan"), ErrorCode::FileUnreadable, "NDims");
+    row("sizes", changed("DimSize = 5 4 3", "DimSize = 5 4"), ErrorCode::FileUnreadable, "DimSize");
+    row("half a size", changed("DimSize = 5 4 3", "DimSize = 5 4 2.5"), ErrorCode::FileUnreadable,
+        "2.5");
+    row("no size", changed("DimSize = 5 4 3", "DimSize = 5 4 inf"), ErrorCode::FileUnreadable,
+        "inf");
+    row("a product that wraps", changed("DimSize = 5 4 3", "DimSize = 4294967296 4294967296 2"),
+        ErrorCode::InvalidGeometry, "4294967296");
+    row("as long as can be", changed("DimSize = 5 4 3", "DimSize = 32768 32768 32768"),
+        ErrorCode::FileTruncated, "incomplete");
+    row("flat", changed("0 0 1\n", "0 0 0\n"), ErrorCode::InvalidGeometry, "span");
+    row("no spacing", changed("0.5 0.75 2.5", "0.5 0.75"), ErrorCode::FileUnreadable, "spacing");
+    row("no place", changed("-12 34", "left 34"), ErrorCode::FileUnreadable, "place");
+    row("no direction", changed("0.6 0.8 0", "0.6 0.8"), ErrorCode::FileUnreadable, "direction");
+    row("a header that is none", changed("DimSize", "HeaderSize = -7\nDimSize"),
+        ErrorCode::FileUnreadable, "HeaderSize");
+    row("not packed", changed("DimSize", "CompressedData = True\nDimSize"),
+        ErrorCode::FileUnreadable, "damaged");
+    row("no such file", changed("LOCAL", "nowhere.raw"), ErrorCode::FileUnreadable,
+        "nowhere.raw: no such file");
+    row("a device", changed("LOCAL", "/dev/zero"), ErrorCode::FileUnreadable, "not a file");
+    row("too many files", changed("LOCAL", "s%d.raw 1 30000 1"), ErrorCode::FileUnreadable,
+        "30000 files");
+}
+
+void MetaImageReaderTest::damagedFilesAreNamed()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(core::ErrorCode, code);
+    QFETCH(QString, reason);
+    const core::Result<core::LoadedVolume> loaded = openBytes(bytes);
+    QVERIFY(!loaded);
+    QVERIFY2(loaded.error().code == code, qPrintable(test::errorText(loaded.error())));
+    QVERIFY(loaded.error().arguments.value(0).endsWith(QStringLiteral("test.mha")));
+    QVERIFY2(loaded.error().arguments.value(1).contains(reason),
+        qPrintable(test::errorText(loaded.error())));
+}
+
+void MetaImageReaderTest::everyCutIsSurvived()
+{
+    const QByteArray sound = soundFile();
+    for (qsizetype length = 0; length < sound.size(); ++length) {
+        const core::Result<core::LoadedVolume> loaded = openBytes(sound.left(length));
+        QVERIFY2(!loaded, qPrintable(QString::number(length)));
+        QVERIFY(loaded.error().arguments.value(0).endsWith(QStringLiteral("test.mha")));
+        QVERIFY(!loaded.error().arguments.value(1).isEmpty());
+    }
+    QVERIFY(openBytes(sound));
+}
+
+void MetaImageReaderTest::randomBytesAreSurvived()
+{
+    const QByteArray head = start + place + "ElementType = MET_SHORT\n";
+    put(QStringLiteral("s08.raw"), QByteArray(40, '1'));
+    const std::array kinds{soundFile(), head + "ElementDataFile = s%02d.raw 8 12 2\n",
+        head + "CompressedData = True\nElementDataFile = LOCAL\n"
+            + gzipped(storedAs<std::int16_t>(false), MAX_WBITS)};
+    std::mt19937 random(11);
+    const int rounds = test::longRun() ? 20000 : 1500;
+    int opened = 0;
+    for (int round = 0; round < rounds; ++round) {
+        QByteArray bytes = kinds[std::size_t(round) % kinds.size()];
+        const int changes = 1 + int(random() % 3);
+        for (int change = 0; change < changes; ++change) {
+            const auto at = qsizetype(random() % std::size_t(bytes.size()));
+            if (random() % 4 == 0)
+                bytes.remove(at, qsizetype(random() % 8));
+            else
+                bytes[at] = char(random() % 2 == 0 ? '0' + random() % 10 : random());
+            if (bytes.isEmpty())
+                bytes = "N";
+        }
+        const core::Result<core::LoadedVolume> loaded = openBytes(bytes);
+        opened += loaded ? 1 : 0;
+        QVERIFY(loaded || !loaded.error().arguments.value(0).isEmpty());
+    }
+    QVERIFY(opened > 0 && opened < rounds);
+}
+
+void MetaImageReaderTest::masksAreCheckedAgainstTheFile()
+{
+    const QString source = put(QStringLiteral("head.mha"), soundFile());
+    const core::LoadedVolume loaded = test::openVolume(source);
+    const std::vector<std::uint8_t> labels(std::size_t(voxels), 1);
+    core::Segment segment;
+    segment.label = 1;
+    segment.name = QStringLiteral("All");
+    core::ExportRequest request{.format = core::ExportFormat::Nifti,
+        .file = m_folder->filePath(QStringLiteral("mask.nii")),
+        .force = true,
+        .segments = {segment},
+        .planes = {{.plane = 0, .labels = labels}}};
+    const auto report = core::exportMask(loaded.volume, request, {});
+    QVERIFY2(report, qPrintable(report ? QString() : test::errorText(report.error())));
+
+    const QString session = m_folder->filePath(QStringLiteral("head.burin"));
+    core::Result<core::StagedFile> staged = core::stageImages(session, true, loaded);
+    QVERIFY(staged && staged->commit());
+    put(QStringLiteral("head.mha"), soundFile().replace("-12 34", "-11 34"));
+    const auto moved = core::exportMask(loaded.volume, request, {});
+    QVERIFY(!moved);
+    QCOMPARE(moved.error().code, core::ErrorCode::ExportMismatch);
+    const core::Result<core::LoadedVolume> kept = core::loadSessionImages(session);
+    QVERIFY(kept);
+    const auto without = core::exportMask(kept->volume, request, {});
+    QVERIFY2(without, qPrintable(without ? QString() : test::errorText(without.error())));
+}
+
+QTEST_GUILESS_MAIN(MetaImageReaderTest)
+#include "MetaImageReaderTest.moc"
