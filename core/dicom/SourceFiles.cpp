@@ -3,6 +3,7 @@
 
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"
+#include "core/dicom/Preflight.h"
 
 #include <QFileInfo>
 #include <QHash>
@@ -32,6 +33,12 @@ Result<void> readKept(const QString& file, const KeptHeaders& kept, DcmDataset& 
         return failure(ErrorCode::FileUnreadable, file,
             QStringLiteral("the session holds the image but not its header"));
     const QByteArray& bytes = found->second;
+    const DicomBytes dataSet(
+        reinterpret_cast<const std::uint8_t*>(bytes.constData()), std::size_t(bytes.size()));
+    if (const auto sound = preflight(dataSet, {}, file); !sound)
+        return failure(ErrorCode::FileUnreadable, file,
+            QStringLiteral("of the header that the session holds: ")
+                + sound.error().arguments.value(1));
     DcmInputBufferStream stream;
     stream.setBuffer(bytes.constData(), offile_off_t(bytes.size()));
     stream.setEos();

@@ -1,5 +1,6 @@
 // Shuts voxels to growth in the candidate bricks of a brush, or opens them again (PaintBarrier in
-// core/growth/GrowthCommands.h). BENEATH: labels that lie beneath members return to the plane. One work-group a brick, each voxel written by one invocation.
+// core/growth/GrowthCommands.h). BENEATH: labels that lie beneath members return to the plane. One
+// work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
 

@@ -1,5 +1,6 @@
 // Takes a label out of listed bricks (EraseLabel in core/engine/EngineCommands.h): of a label plane,
-// with SEED_WORDS of a seed map, with BENEATH of what lies beneath members. Tells which of them hold it; writes only where it is told to.
+// with SEED_WORDS of a seed map, with BENEATH of what lies beneath members. Tells which of them hold
+// it; writes only where it is told to.
 
 layout(local_size_x = 64) in;
 

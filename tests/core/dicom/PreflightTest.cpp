@@ -4,6 +4,7 @@
 #include "core/dicom/FrameDecoder.h"
 #include "core/dicom/ImageHeaderReader.h"
 #include "core/dicom/SegReader.h"
+#include "core/dicom/SourceFiles.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/HostileDicom.h"
@@ -110,6 +111,7 @@ private Q_SLOTS:
     void hostileFileCostsOneSlice();
     void jpegWithoutEndCostsOneSlice();
     void deflatedPixelsAreInflatedOnlyAsFarAsNeeded();
+    void headersThatASessionHoldsAreChecked();
     void unreadableWaysOfNestingAreFound();
     void promisedImageIsCounted();
     void offsetTableIsJudged();
@@ -237,6 +239,34 @@ void PreflightTest::deflatedPixelsAreInflatedOnlyAsFarAsNeeded()
     QVERIFY2(decoded, decoded ? "" : qPrintable(sentence(decoded.error())));
     QVERIFY(std::all_of(stored.begin(), stored.end(), [](int value) { return value == 0; }));
     QVERIFY(peakMemory() - before < 50'000);
+}
+
+/// Whoever makes a session file can put anything where the headers of its study stand.
+void PreflightTest::headersThatASessionHoldsAreChecked()
+{
+    QByteArray nest;
+    for (int depth = 0; depth < 100000; ++depth)
+        nest += QByteArray::fromHex("08004011"
+                                    "5351"
+                                    "0000"
+                                    "ffffffff"
+                                    "feff00e0"
+                                    "ffffffff");
+    const QString file = QStringLiteral("slice.dcm");
+    core::KeptHeaders kept;
+    kept[file] = nest;
+    std::vector<core::SourceSlice> slices(1);
+    slices.front().file = file;
+    bool taken = false;
+    const auto take = [&taken](const QString&, DcmDataset&, const std::vector<std::size_t>&) {
+        taken = true;
+        return core::Result<void>();
+    };
+    const auto visited = core::visitSourceFiles(slices, &kept, {}, take);
+    QVERIFY(!visited && !taken);
+    QCOMPARE(visited.error().arguments.value(0), file);
+    QVERIFY2(visited.error().arguments.value(1).contains(QStringLiteral("nest")),
+        qPrintable(visited.error().arguments.join(u' ')));
 }
 
 void PreflightTest::unreadableWaysOfNestingAreFound()
