@@ -37,7 +37,7 @@ class Bench {
 public:
     Bench()
     {
-        session = *EditSession::create(m_engine, ramp(), {});
+        session = *EditSession::create(engine, ramp(), {});
         run(test::addSegment("A"));
         run(test::addSegment("B"));
     }
@@ -70,10 +70,8 @@ public:
         return std::count(labels.begin(), labels.end(), std::uint8_t(segment));
     }
 
+    reference::ReferenceEngine engine; ///< outlives the session
     std::unique_ptr<EditSession> session;
-
-private:
-    reference::ReferenceEngine m_engine;
 };
 
 /// Of the bar, so many slices.
