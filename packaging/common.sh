@@ -108,11 +108,13 @@ build() {
 }
 
 # A private X server for programs that need a window; ends with the script.
+# Without -noreset it begins anew whenever its last client leaves, and turns away who comes meanwhile.
 startDisplay() {
     local number descriptor folder
     folder=$(mktemp -d)
     mkfifo "$folder/display"
-    Xvfb -displayfd 3 -screen 0 2560x1440x24 -nolisten tcp 3> "$folder/display" 2> "$folder/log" &
+    Xvfb -displayfd 3 -screen 0 2560x1440x24 -nolisten tcp -noreset \
+        3> "$folder/display" 2> "$folder/log" &
     displayServer=$!
     trap 'kill "$displayServer" 2> /dev/null || true' EXIT
     exec {descriptor}< "$folder/display"
