@@ -2,11 +2,10 @@
 #include "core/export/CheckExport.h"
 
 #include "core/export/CheckSources.h"
+#include "core/export/NiftiImage.h"
 #include "core/export/SourceCorners.h"
 
 #include <QFile>
-
-#include <nifti1_io.h>
 
 #include <algorithm>
 #include <memory>
@@ -15,29 +14,10 @@ namespace core {
 
 namespace {
 
-struct NiftiDeleter {
-    void operator()(nifti_image* image) const { nifti_image_free(image); }
-};
-using NiftiPointer = std::unique_ptr<nifti_image, NiftiDeleter>;
-
 NiftiPointer open(const QString& file, bool withVoxels)
 {
     nifti_set_debug_level(0);
     return NiftiPointer(nifti_image_read(QFile::encodeName(file).constData(), withVoxels ? 1 : 0));
-}
-
-/// RAS in the file's unit of length → LPS mm.
-glm::dmat4 lpsFrom(const mat44& ras, int units)
-{
-    const double scale = units == NIFTI_UNITS_METER ? 1000.0
-        : units == NIFTI_UNITS_MICRON               ? 0.001
-                                                    : 1.0;
-    glm::dmat4 lps(1.0);
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column)
-            lps[column][row] = (row < 2 ? -scale : scale) * double(ras.m[row][column]);
-    }
-    return lps;
 }
 
 } // namespace

@@ -2,11 +2,10 @@
 #include "core/export/SourceCorners.h"
 
 #include "core/export/CheckSources.h"
+#include "core/export/NiftiImage.h"
 #include "core/study/FileFormats.h"
 
 #include <QFile>
-
-#include <nifti1_io.h>
 
 #include <algorithm>
 #include <cstring>
@@ -15,11 +14,6 @@
 namespace core {
 
 namespace {
-
-struct NiftiDeleter {
-    void operator()(nifti_image* image) const { nifti_image_free(image); }
-};
-using NiftiPointer = std::unique_ptr<nifti_image, NiftiDeleter>;
 
 /// By the NIfTI C library, not by the reader that the volume came from.
 NiftiPointer openNifti(const Volume& volume)
@@ -33,20 +27,6 @@ NiftiPointer openNifti(const Volume& volume)
         return nullptr;
     std::memcpy(&header, kept->second.constData(), sizeof header);
     return NiftiPointer(nifti_convert_nhdr2nim(header, nullptr));
-}
-
-/// RAS in the file's unit of length → LPS mm.
-glm::dmat4 lpsFrom(const mat44& ras, int units)
-{
-    const double scale = units == NIFTI_UNITS_METER ? 1000.0
-        : units == NIFTI_UNITS_MICRON               ? 0.001
-                                                    : 1.0;
-    glm::dmat4 lps(1.0);
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column)
-            lps[column][row] = (row < 2 ? -scale : scale) * double(ras.m[row][column]);
-    }
-    return lps;
 }
 
 /// Size and affine of a volume that was read from one file.
