@@ -218,8 +218,7 @@ QString growName(const GrowSteps& grow, const EditStatistics& statistics,
     const std::vector<BrickChange>& changes, const Document& document)
 {
     if (changes.empty())
-        return QStringLiteral("Grow %1, no voxel reached")
-            .arg(intervalText(grow.criteria, document));
+        return QStringLiteral("Grow %1, no voxel").arg(intervalText(grow.criteria, document));
     const Growth* before = document.growth(0);
     const int steps = grownSteps(before ? before->generation : 0, statistics, changes);
     return QStringLiteral("Grow %1%2, +%3")
@@ -274,8 +273,7 @@ QString intervalName(
     if (lost > 0)
         figures += QStringLiteral("−") + grouped(lost);
     if (changes.empty())
-        return QStringLiteral("Interval %1, no voxel changed")
-            .arg(intervalText(change.criteria, document));
+        return QStringLiteral("Interval %1, no voxel").arg(intervalText(change.criteria, document));
     return QStringLiteral("%1 %2, %3")
         .arg(what, intervalText(change.criteria, document),
             figures.isEmpty() ? counted(seedWordsChanged(changes), "seed voxel")
