@@ -30,24 +30,6 @@ void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst, int co
     steps.push_back(command(core::EndEdit{ending}));
 }
 
-/// A volume full of boxes of the labels 1 … 4.
-Bytes boxes(const glm::ivec3& size, Random& random)
-{
-    Bytes labels{size, {}};
-    labels.values.assign(
-        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), std::uint8_t(0));
-    for (int box = 0; box < 8; ++box) {
-        const glm::ivec3 a = randomVoxel(random, size);
-        const glm::ivec3 b = randomVoxel(random, size);
-        const auto label = std::uint8_t(randomInt(random, 0, 4));
-        for (int z = std::min(a.z, b.z); z <= std::max(a.z, b.z); ++z)
-            for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y)
-                for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x)
-                    labels.at({x, y, z}) = label;
-    }
-    return labels;
-}
-
 GrowBurst taking(std::initializer_list<int> labels)
 {
     GrowBurst burst{.lowCode = 0, .highCode = 65535};
@@ -72,8 +54,8 @@ public:
         for (const std::uint8_t label : {1, 2, 3, 4})
             m_document.segments.push_back({.label = label, .plane = 0});
         if (m_random() % 5)
-            m_made.steps.push_back(command(
-                core::SwapBricks{bricksOf(boxes(m_size, m_random), core::Field::Labels, 0)}));
+            m_made.steps.push_back(command(core::SwapBricks{
+                bricksOf(labelBoxes(m_size, 8, m_random), core::Field::Labels, 0)}));
         sketch();
         sketch();
     }
@@ -230,13 +212,13 @@ std::vector<EngineCase> beneathCases(int randomCount)
     Random random(77);
     std::vector<EngineCase> cases;
     const glm::ivec3 size(50, 33, 20);
-    const Bytes held = boxes(size, random);
+    const Bytes held = labelBoxes(size, 8, random);
     for (const bool wide : {false, true}) { // 64³ of one label: fronts as bits
         const glm::ivec3 room = wide ? glm::ivec3(64) : size;
         EngineCase taken{wide ? "taken by a wide front" : "taken and given back",
             constantVolume(room, tissueCode), {}};
-        taken.steps.push_back(command(
-            core::SwapBricks{bricksOf(wide ? boxes(room, random) : held, core::Field::Labels, 0)}));
+        taken.steps.push_back(command(core::SwapBricks{
+            bricksOf(wide ? labelBoxes(room, 8, random) : held, core::Field::Labels, 0)}));
         appendWhole(taken.steps, SeedPlacement{.label = 1, .voxels = {room / 2}});
         if (!wide)
             appendWhole(taken.steps, SeedPlacement{.label = 2, .voxels = {{3, 3, 3}, {49, 0, 0}}});

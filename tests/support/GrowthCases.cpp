@@ -63,24 +63,6 @@ EngineCase oneSeed(
     return made;
 }
 
-/// Random boxes of labels 0 … 4, as if painted.
-Bytes paintedLabels(const glm::ivec3& size, Random& random)
-{
-    Bytes labels{size, {}};
-    labels.values.assign(
-        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), std::uint8_t(0));
-    for (int box = 0; box < 6; ++box) {
-        const glm::ivec3 a = randomVoxel(random, size);
-        const glm::ivec3 b = randomVoxel(random, size);
-        const auto label = std::uint8_t(randomInt(random, 0, 4));
-        for (int z = std::min(a.z, b.z); z <= std::max(a.z, b.z); ++z)
-            for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y)
-                for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x)
-                    labels.at({x, y, z}) = label;
-    }
-    return labels;
-}
-
 Codes randomCodes(const glm::ivec3& size, Random& random)
 {
     switch (random() % 6) {
@@ -155,7 +137,7 @@ EngineCase randomGrowth(int number)
     EngineCase made{"random growth " + QByteArray::number(number), randomCodes(size, random), {}};
     if (random() % 2)
         made.steps.push_back(command(
-            core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+            core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
     std::vector<glm::ivec3> placed;
     for (int edit = randomInt(random, 3, 9); edit > 0; --edit) {
         switch (random() % 8) {
@@ -318,7 +300,7 @@ std::vector<EngineCase> growthCases(int randomCount)
         EngineCase shrunk{toSeeds ? "shrunk to the seeds" : "shrunk ring by ring, grown again",
             balls(size, 6, random), {}};
         shrunk.steps.push_back(command(
-            core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+            core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
         appendWhole(shrunk.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
         appendWhole(shrunk.steps, SeedPlacement{.label = 2, .voxels = {size / 2}});
         GrowBurst burst = wholeRange;
@@ -357,7 +339,7 @@ std::vector<EngineCase> growthCases(int randomCount)
                 burst.guard = core::GuardRule{.factor256 = 512, .excess = 8, .window = 12};
             if (kind == 4)
                 leak.steps.push_back(command(core::SwapBricks{
-                    bricksOf(paintedLabels(hall, random), core::Field::Labels, 0)}));
+                    bricksOf(labelBoxes(hall, 6, random), core::Field::Labels, 0)}));
             appendWhole(leak.steps, SeedPlacement{.label = 1, .voxels = {{2, 3, 4}, {9, 9, 9}}});
             if (kind == 5)
                 appendWhole(leak.steps, SeedPlacement{.label = 2, .voxels = {{30, 2, 2}}});
@@ -383,7 +365,7 @@ std::vector<EngineCase> growthCases(int randomCount)
         EngineCase painted{overwrite ? "painted labels, overwritable" : "painted labels",
             constantVolume(size, tissueCode), {}};
         painted.steps.push_back(command(
-            core::SwapBricks{bricksOf(paintedLabels(size, random), core::Field::Labels, 0)}));
+            core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
         appendWhole(painted.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
         appendWhole(painted.steps, SeedPlacement{.label = 2, .voxels = {size / 2}});
         GrowBurst burst = wholeRange;

@@ -131,6 +131,23 @@ Codes slab(const glm::ivec3& size, int axis, int first, int last)
         [&](const glm::ivec3& v) { return first <= v[axis] && v[axis] <= last ? tissueCode : 0; });
 }
 
+Bytes labelBoxes(const glm::ivec3& size, int count, Random& random)
+{
+    Bytes labels{size, {}};
+    labels.values.assign(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), std::uint8_t(0));
+    for (int box = 0; box < count; ++box) {
+        const glm::ivec3 a = randomVoxel(random, size);
+        const glm::ivec3 b = randomVoxel(random, size);
+        const auto label = std::uint8_t(randomInt(random, 0, 4));
+        for (int z = std::min(a.z, b.z); z <= std::max(a.z, b.z); ++z)
+            for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y)
+                for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x)
+                    labels.at({x, y, z}) = label;
+    }
+    return labels;
+}
+
 std::vector<core::BrickImage> bricksOf(const Bytes& bytes, core::Field field, std::uint8_t plane)
 {
     reference::DenseFields fields(bytes.size);

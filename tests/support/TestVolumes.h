@@ -38,6 +38,9 @@ constexpr std::uint16_t tissueCode = 1000;
 /// Tissue where `first` ≤ coordinate ≤ `last` along an axis, 0 elsewhere.
 [[nodiscard]] Codes slab(const glm::ivec3& size, int axis, int first, int last);
 
+/// So many random boxes of the labels 0 … 4, one over the other, as if painted; 0 elsewhere.
+[[nodiscard]] Bytes labelBoxes(const glm::ivec3& size, int count, Random& random);
+
 /// The bricks of a field of bytes, whole, for core::SwapBricks.
 [[nodiscard]] std::vector<core::BrickImage> bricksOf(
     const Bytes& bytes, core::Field field, std::uint8_t plane);

@@ -6,6 +6,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/OpenedVolume.h"
+#include "tests/support/VolumeFiles.h"
 
 #include <QDir>
 #include <QFile>
@@ -16,6 +17,7 @@
 #include <random>
 
 // The voxels are those of the NRRD tests; the headers share nothing.
+using test::sameAffine;
 using test::nrrd::gzipped;
 using test::nrrd::storedAs;
 using test::nrrd::valueOf;
@@ -40,23 +42,14 @@ glm::dmat4 soundAffine()
         glm::dvec4(-12, 34, 56.5, 1)};
 }
 
-bool sameAffine(const glm::dmat4& a, const glm::dmat4& b)
-{
-    for (int column = 0; column < 4; ++column) {
-        if (glm::length(a[column] - b[column]) > 1e-9)
-            return false;
-    }
-    return true;
-}
-
 } // namespace
 
 /// MetaImage volumes: their place, their values, their refusals.
-class MetaImageReaderTest : public QObject {
+class MetaImageReaderTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void init() { makeFolder(); }
 
     void typesOrdersAndEncodings_data();
     void typesOrdersAndEncodings();
@@ -71,19 +64,10 @@ private Q_SLOTS:
     void masksAreCheckedAgainstTheFile();
 
 private:
-    QString put(const QString& name, const QByteArray& bytes)
-    {
-        QFile file(m_folder->filePath(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-            qFatal("cannot write %s", qPrintable(file.fileName()));
-        return file.fileName();
-    }
     core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
     {
-        return core::loadVolume(put(QStringLiteral("test.mha"), bytes));
+        return opened(QStringLiteral("test.mha"), bytes);
     }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void MetaImageReaderTest::typesOrdersAndEncodings_data()

@@ -3,6 +3,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/OpenedVolume.h"
+#include "tests/support/VolumeFiles.h"
 
 #include <QDir>
 #include <QFile>
@@ -13,26 +14,14 @@
 #include <random>
 
 using namespace test::nrrd;
-
-namespace {
-
-bool sameAffine(const glm::dmat4& a, const glm::dmat4& b)
-{
-    for (int column = 0; column < 4; ++column) {
-        if (glm::length(a[column] - b[column]) > 1e-9)
-            return false;
-    }
-    return true;
-}
-
-} // namespace
+using test::sameAffine;
 
 /// NRRD files that are in pieces, damaged or meant to do harm.
-class NrrdFilesTest : public QObject {
+class NrrdFilesTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void init() { makeFolder(); }
 
     void voxelsInOtherFiles_data();
     void voxelsInOtherFiles();
@@ -44,19 +33,10 @@ private Q_SLOTS:
     void randomBytesAreSurvived();
 
 private:
-    QString put(const QString& name, const QByteArray& bytes)
-    {
-        QFile file(m_folder->filePath(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-            qFatal("cannot write %s", qPrintable(file.fileName()));
-        return file.fileName();
-    }
     core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
     {
-        return core::loadVolume(put(QStringLiteral("test.nrrd"), bytes));
+        return opened(QStringLiteral("test.nrrd"), bytes);
     }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void NrrdFilesTest::voxelsInOtherFiles_data()

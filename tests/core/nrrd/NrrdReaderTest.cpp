@@ -7,6 +7,7 @@
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/VolumeFiles.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -18,17 +19,9 @@
 #include <memory>
 
 using namespace test::nrrd;
+using test::sameAffine;
 
 namespace {
-
-bool sameAffine(const glm::dmat4& a, const glm::dmat4& b)
-{
-    for (int column = 0; column < 4; ++column) {
-        if (glm::length(a[column] - b[column]) > 1e-9)
-            return false;
-    }
-    return true;
-}
 
 template <class T> QByteArray hashAs(const core::LoadedVolume& loaded)
 {
@@ -43,11 +36,11 @@ template <class T> QByteArray hashAs(const core::LoadedVolume& loaded)
 } // namespace
 
 /// NRRD volumes: their place, their values, their refusals.
-class NrrdReaderTest : public QObject {
+class NrrdReaderTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void init() { makeFolder(); }
 
     void sharedVolumesMatch_data();
     void sharedVolumesMatch();
@@ -62,19 +55,10 @@ private Q_SLOTS:
     void masksAreCheckedAgainstTheFile();
 
 private:
-    QString put(const QString& name, const QByteArray& bytes)
-    {
-        QFile file(m_folder->filePath(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-            qFatal("cannot write %s", qPrintable(file.fileName()));
-        return file.fileName();
-    }
     core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
     {
-        return core::loadVolume(put(QStringLiteral("test.nrrd"), bytes));
+        return opened(QStringLiteral("test.nrrd"), bytes);
     }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void NrrdReaderTest::sharedVolumesMatch_data()
