@@ -3,16 +3,10 @@
 
 #include "core/base/StagedFile.h"
 #include "core/nifti/NiftiHeader.h"
+#include "core/voxelfile/PackedOutput.h"
 
-#include <QFile>
-
-#include <zlib.h>
-
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
-#include <cstring>
 #include <limits>
 
 namespace core {
@@ -21,57 +15,6 @@ namespace {
 
 static_assert(
     std::endian::native == std::endian::little, "voxels are written as they lie in memory");
-
-/// A gzip or plain stream that remembers the first error.
-class OutputStream {
-public:
-    OutputStream(const QString& path, bool compressed)
-    {
-        errno = 0;
-        m_stream = gzopen(QFile::encodeName(path).constData(), compressed ? "wb6" : "wbT");
-        if (m_stream == nullptr)
-            keepReason();
-    }
-    OutputStream(const OutputStream&) = delete;
-    OutputStream& operator=(const OutputStream&) = delete;
-    ~OutputStream() { close(); }
-
-    void write(const void* bytes, std::size_t size)
-    {
-        constexpr std::size_t chunk = 1U << 26;
-        const char* next = static_cast<const char*>(bytes);
-        while (size > 0 && m_reason.isEmpty()) {
-            const std::size_t part = std::min(size, chunk);
-            errno = 0;
-            if (gzwrite(m_stream, next, unsigned(part)) != int(part))
-                keepReason();
-            next += part;
-            size -= part;
-        }
-    }
-
-    /// @returns why the file is not whole; empty if it is
-    QString close()
-    {
-        if (m_stream != nullptr) {
-            errno = 0;
-            if (gzclose(m_stream) != Z_OK && m_reason.isEmpty())
-                keepReason();
-            m_stream = nullptr;
-        }
-        return m_reason;
-    }
-
-private:
-    void keepReason()
-    {
-        m_reason = errno != 0 ? QString::fromLocal8Bit(std::strerror(errno))
-                              : QStringLiteral("compression failed");
-    }
-
-    gzFile m_stream = nullptr;
-    QString m_reason;
-};
 
 } // namespace
 
@@ -94,7 +37,8 @@ Result<NiftiWritten> writeNiftiAt(const QString& path, const NiftiImage& image)
 
     const NiftiHeader header =
         makeNiftiHeader(image.geometry, types[kind], image.description.toUtf8(), image.labels);
-    OutputStream stream(path, path.endsWith(QLatin1String(".gz"), Qt::CaseInsensitive));
+    const bool packed = path.endsWith(QLatin1String(".gz"), Qt::CaseInsensitive);
+    PackedOutput stream(path, packed ? PackedOutput::Form::Gzip : PackedOutput::Form::Plain);
     stream.write(header.bytes.data(), header.bytes.size());
     stream.write(voxels.data(), voxels.size());
     if (const QString reason = stream.close(); !reason.isEmpty())
