@@ -30,4 +30,11 @@ Result<QStringList> checkSegExport(
 Result<QStringList> checkNiftiExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
+/// Opens a .seg.nrrd file with the reader of core/nrrd, and the source files, and checks that the
+/// eight corners of both grids land on the same LPS millimetres, that every voxel is as it should
+/// have been written, and that 3D Slicer's keys name the segments, their colours, labels and codes.
+/// Returns and errors as above.
+Result<QStringList> checkSegNrrdExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress);
+
 } // namespace core

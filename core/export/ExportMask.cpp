@@ -5,6 +5,8 @@
 #include "core/export/CheckExport.h"
 #include "core/export/MaskSelection.h"
 
+#include <QCryptographicHash>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -35,6 +37,43 @@ Error renamed(Error error, const StagedFile& staged, const QString& file)
     return error;
 }
 
+Result<QString> sha256Of(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return failure(ErrorCode::FileUnreadable, path, file.errorString());
+    return QString::fromLatin1(hash.result().toHex());
+}
+
+Result<QStringList> write(const QString& path, const Volume& volume, const ExportRequest& request,
+    const MaskSelection& selection, const Progress& progress, ExportReport& report)
+{
+    switch (request.format) {
+    case ExportFormat::DicomSeg:
+        return writeSegMask(path, volume, request, selection, progress, report);
+    case ExportFormat::Nifti:
+        return writeNiftiMask(path, volume, request, selection, report);
+    case ExportFormat::SegNrrd:
+        break;
+    }
+    return writeSegNrrdMask(path, volume, request, selection, report);
+}
+
+Result<QStringList> check(ExportFormat format, const QString& path,
+    const ExportExpectation& expected, const Progress& progress)
+{
+    switch (format) {
+    case ExportFormat::DicomSeg:
+        return checkSegExport(path, expected, progress);
+    case ExportFormat::Nifti:
+        return checkNiftiExport(path, expected, progress);
+    case ExportFormat::SegNrrd:
+        break;
+    }
+    return checkSegNrrdExport(path, expected, progress);
+}
+
 } // namespace
 
 std::optional<ExportFormat> exportFormatNamed(const QString& name)
@@ -43,7 +82,21 @@ std::optional<ExportFormat> exportFormatNamed(const QString& name)
         return ExportFormat::DicomSeg;
     if (name == QLatin1String("nifti"))
         return ExportFormat::Nifti;
+    if (name == QLatin1String("seg-nrrd"))
+        return ExportFormat::SegNrrd;
     return std::nullopt;
+}
+
+QString exportNameObstacle(ExportFormat format, const QString& file)
+{
+    const auto endsIn = [&](const char* ending) {
+        return file.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+    };
+    if (format == ExportFormat::Nifti && !endsIn(".nii") && !endsIn(".nii.gz"))
+        return QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
+    if (format == ExportFormat::SegNrrd && !endsIn(".seg.nrrd"))
+        return QStringLiteral("the name of a 3D Slicer segmentation ends in .seg.nrrd");
+    return {};
 }
 
 CodedConcept anatomicalStructure()
@@ -89,11 +142,10 @@ Result<ExportReport> exportMask(
     if (seg) {
         if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
-    } else if (!request.file.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)
-        && !request.file.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive)) {
-        return failure(ErrorCode::UnsupportedFormat, request.file,
-            QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz"));
     }
+    if (const QString obstacle = exportNameObstacle(request.format, request.file);
+        !obstacle.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
     const auto selection = selectMask(volume, request);
     if (!selection)
         return tl::unexpected(selection.error());
@@ -112,18 +164,19 @@ Result<ExportReport> exportMask(
 
     ExportReport report;
     report.file = request.file;
-    const auto written = seg
-        ? writeSegMask(staged->path(), volume, request, *selection, progress, report)
-        : writeNiftiMask(staged->path(), volume, request, *selection, report);
+    const auto written = write(staged->path(), volume, request, *selection, progress, report);
     if (!written)
         return tl::unexpected(renamed(written.error(), *staged, request.file));
     report.written = *written;
     const ExportExpectation expected{volume, selection->segments, request.planes};
-    const auto checked = seg ? checkSegExport(staged->path(), expected, progress)
-                             : checkNiftiExport(staged->path(), expected, progress);
+    const auto checked = check(request.format, staged->path(), expected, progress);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), *staged, request.file));
     report.checked = *checked;
+    const auto sum = sha256Of(staged->path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), *staged, request.file));
+    report.sha256 = *sum;
     if (volume.keptHeaders)
         report.cautions += QStringLiteral("The study's own files were not at hand; the export was "
                                           "checked against the headers that the session holds.");

@@ -16,10 +16,12 @@
 
 namespace core {
 
-enum class ExportFormat { DicomSeg, Nifti };
+enum class ExportFormat { DicomSeg, Nifti, SegNrrd };
 
-/// "dicom-seg" and "nifti", as recipes say it.
+/// "dicom-seg", "nifti" and "seg-nrrd", as recipes say it.
 [[nodiscard]] std::optional<ExportFormat> exportFormatNamed(const QString& name);
+/// Why a file of this format cannot have that name, as a clause; empty if it can.
+[[nodiscard]] QString exportNameObstacle(ExportFormat format, const QString& file);
 
 /// The labels of one plane on the volume's grid, x fastest.
 struct LabelPlaneView {
@@ -46,6 +48,7 @@ struct ExportReport {
     QStringList written;
     QStringList checked;
     QStringList cautions; ///< what a reader of the file must know
+    QString sha256{}; ///< of the file, in hexadecimal digits, read from the disk after the check
 };
 
 /// Writes the voxels of the segments and nothing else, then opens the file and the volume's source
@@ -54,7 +57,8 @@ struct ExportReport {
 ///
 /// Segments without a voxel are left out and named. DICOM SEG: one BINARY object, empty frames left
 /// out, every frame on its native slice, also where the stack is tilted or uneven. NIfTI: one label
-/// map on the source's grid; the file's name must end in .nii or .nii.gz.
+/// map on the source's grid; the file's name must end in .nii or .nii.gz. 3D Slicer segmentation:
+/// the same map with names, colours and codes in one layer; the name must end in .seg.nrrd.
 ///
 /// Cost: reads every source header twice and the export once. Any thread.
 /// Errors: NothingToExport, SegmentNotCoded (argument 0: the segment), UnknownSegment, FileExists,

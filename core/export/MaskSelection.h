@@ -30,5 +30,7 @@ Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
     ExportReport& report);
 Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
+Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
 
 } // namespace core

@@ -98,7 +98,7 @@ QString obstacleOf(const RecipeExport& target, const Volume& volume)
     }
     if (target.format == ExportFormat::DicomSeg)
         return dicomSegObstacle(volume);
-    return isNiftiName(target.file) ? QString() : ending;
+    return exportNameObstacle(target.format, target.file);
 }
 
 /// Puts a surface in where a cut names none. @return whether it did
@@ -137,8 +137,8 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         made.what = RecipeExport::What::CarvedVolume;
     else
         return failure(ErrorCode::InvalidField, QStringLiteral("export.format"),
-            QStringLiteral("'%1' is not known; known are dicom-seg, nifti, coverage and "
-                           "carved-volume")
+            QStringLiteral("'%1' is not known; known are dicom-seg, nifti, seg-nrrd, coverage "
+                           "and carved-volume")
                 .arg(*format));
     const Result<QString> file = takeText(object, "file");
     if (!file)

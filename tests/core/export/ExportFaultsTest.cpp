@@ -10,9 +10,11 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <array>
 #include <cstring>
 #include <functional>
 #include <random>
+#include <utility>
 
 /// Faults put into a written file, or into the source behind the program's back: each must be named
 /// by the check. Everything here is asymmetric, so that no fault can hide.
@@ -150,6 +152,11 @@ void alterNifti(const QString& file, const std::function<void(QByteArray&)>& cha
     change(bytes);
     QVERIFY(opened.seek(0) && opened.write(bytes) == bytes.size());
 }
+
+const std::array<std::pair<core::ExportFormat, const char*>, 3> formats{
+    std::pair(core::ExportFormat::DicomSeg, "seg.dcm"),
+    std::pair(core::ExportFormat::Nifti, "seg.nii.gz"),
+    std::pair(core::ExportFormat::SegNrrd, "mask.seg.nrrd")};
 
 float floatAt(const QByteArray& bytes, int offset)
 {
@@ -375,12 +382,10 @@ void ExportFaultsTest::faultInTheSourceIsCaught()
 {
     QFETCH(Alter, change);
     QFETCH(bool, everywhere);
-    for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
+    for (const auto& [format, name] : formats) {
         QTemporaryDir folder;
         const core::Volume volume = freshSeries(folder.filePath(QStringLiteral("images")));
-        const QString file =
-            folder.filePath(format == core::ExportFormat::DicomSeg ? QStringLiteral("seg.dcm")
-                                                                   : QStringLiteral("seg.nii.gz"));
+        const QString file = folder.filePath(QLatin1String(name));
         QVERIFY(core::exportMask(volume, requestFor(format, file), {}));
         QVERIFY(QFile::remove(file));
         for (std::size_t k = 0; k < volume.sources.size(); ++k) {
@@ -478,8 +483,8 @@ void ExportFaultsTest::faultOfTheVolumeIsCaught()
     QTemporaryDir folder;
     core::Volume volume = freshSeries(folder.filePath(QStringLiteral("images")));
     change(volume);
-    for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
-        const QString file = folder.filePath(QStringLiteral("seg.nii"));
+    for (const auto& [format, name] : formats) {
+        const QString file = folder.filePath(QLatin1String(name));
         const auto report = core::exportMask(volume, requestFor(format, file), {});
         QVERIFY(!report);
         QCOMPARE(report.error().code, core::ErrorCode::ExportMismatch);

@@ -113,6 +113,27 @@ void exportNifti(const core::Volume& volume, core::ExportRequest request, const 
     QCOMPARE(facts["sha256"].toString(), sha256);
 }
 
+void exportSegNrrd(const core::Volume& volume, core::ExportRequest request)
+{
+    QTemporaryDir folder;
+    request.format = core::ExportFormat::SegNrrd;
+    request.file = folder.filePath(QStringLiteral("mask.seg.nrrd"));
+    const auto report = core::exportMask(volume, request, {});
+    if (!report && !volume.geometry.slicePositions.empty()) {
+        QCOMPARE(report.error().code, core::ErrorCode::UnsupportedFormat);
+        return;
+    }
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    const auto read = core::loadVolume(request.file);
+    QVERIFY2(read.has_value(), qPrintable(read ? QString() : messageOf(read.error())));
+    const auto labels = request.planes.front().labels;
+    QVERIFY(read->codes.size() == labels.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (read->volume.encoding.value(read->codes[i]) != double(labels[i]))
+            QFAIL(qPrintable(QStringLiteral("voxel %1").arg(i)));
+    }
+}
+
 void exportAndCompare(const core::Volume& volume, const std::vector<std::uint8_t>& labels)
 {
     if (std::find(labels.begin(), labels.end(), 1) == labels.end())
@@ -121,6 +142,7 @@ void exportAndCompare(const core::Volume& volume, const std::vector<std::uint8_t
     const core::ExportRequest request{.segments = {skull()}, .planes = planes};
     exportSeg(volume, request, sha256Of(labels));
     exportNifti(volume, request, sha256Of(labels));
+    exportSegNrrd(volume, request);
 }
 
 } // namespace
