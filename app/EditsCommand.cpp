@@ -17,7 +17,7 @@ namespace {
 void printText(const std::vector<core::EditDocumentation>& edits)
 {
     std::printf("A recipe is {\"edits\": [edit, …], \"export\": [export, …]}. An export is one of\n"
-                "{\"format\": \"dicom-seg\" or \"nifti\", \"file\": path},\n"
+                "{\"format\": \"dicom-seg\", \"nifti\" or \"seg-nrrd\", \"file\": path},\n"
                 "{\"format\": \"coverage\", \"layer\": number, \"file\": path.nii.gz},\n"
                 "{\"format\": \"carved-volume\", \"file\": path.nii.gz or a new folder for a DICOM "
                 "series,\n \"fill\": value where nothing is left (default: the least)}.\n"

@@ -117,12 +117,15 @@ Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, core::E
         const auto list = [](const QStringList& sentences) {
             return QJsonValue(sentences.join(QStringLiteral(" ")));
         };
-        printJsonLine({
+        QJsonObject line{
             {QStringLiteral("export"), report->file},
             {QStringLiteral("written"), list(report->written)},
             {QStringLiteral("checked"), list(report->checked)},
             {QStringLiteral("cautions"), list(report->cautions)},
-        });
+        };
+        if (!report->sha256.isEmpty())
+            line[QStringLiteral("sha256")] = report->sha256;
+        printJsonLine(line);
     }
     return {};
 }

@@ -169,10 +169,12 @@ QString readExport(const Arguments& arguments, Task& task)
     QString format = arguments.value("format");
     if (format.isEmpty() && core::isNiftiName(file))
         format = QStringLiteral("nifti");
+    else if (format.isEmpty() && file.endsWith(QLatin1String(".seg.nrrd"), Qt::CaseInsensitive))
+        format = QStringLiteral("seg-nrrd");
     else if (format.isEmpty() && file.endsWith(QLatin1String(".dcm")))
         format = QStringLiteral("dicom-seg");
     else if (format.isEmpty())
-        return QStringLiteral("--export: the name ends in .nii, .nii.gz or .dcm");
+        return QStringLiteral("--export: the name ends in .nii, .nii.gz, .seg.nrrd or .dcm");
     QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
     for (const char* number : {"layer", "fill"}) {
         if (!arguments.has(number))

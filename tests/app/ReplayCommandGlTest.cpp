@@ -78,6 +78,12 @@ private Q_SLOTS:
         QVERIFY(!voxels("at4.nii.gz").empty());
         QCOMPARE(voxels("replayed4.nii.gz"), voxels("at4.nii.gz"));
         QVERIFY(voxels("replayed10.nii.gz") != voxels("at4.nii.gz"));
+        const Outcome slicer = exported("4", "replayed4.seg.nrrd");
+        QVERIFY2(slicer.status == 0, qPrintable(slicer.complaint));
+        QVERIFY(slicer.lines.last()[key("written")].toString().contains(key("3D Slicer")));
+        QCOMPARE(slicer.lines.last()[key("sha256")].toString().size(), 64);
+        QCOMPARE(voxels("replayed4.seg.nrrd"), voxels("at4.nii.gz"));
+        QCOMPARE(exported("4", "replayed4.nrrd").status, 2);
         QCOMPARE(exported("12", "no.nii.gz").status, 2);
         QCOMPARE(exported("4", "replayed4.nii.gz").status, 1); // exists
     }

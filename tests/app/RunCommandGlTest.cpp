@@ -68,12 +68,16 @@ private Q_SLOTS:
     {
         const QString file = recipe({{key("edits"), toJson(test::manyEdits())},
             {key("export"),
-                QJsonArray{QJsonObject{
-                    {key("format"), key("nifti")}, {key("file"), path("out.nii.gz")}}}}});
+                QJsonArray{
+                    QJsonObject{{key("format"), key("nifti")}, {key("file"), path("out.nii.gz")}},
+                    QJsonObject{
+                        {key("format"), key("seg-nrrd")}, {key("file"), path("out.seg.nrrd")}}}}});
         const Outcome outcome = burin(runArguments(file));
         QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
-        QCOMPARE(outcome.lines.size(), qsizetype(test::manyEdits().size() + 1));
+        QCOMPARE(outcome.lines.size(), qsizetype(test::manyEdits().size() + 2));
         QVERIFY(files().contains(key("out.nii.gz")));
+        QVERIFY(files().contains(key("out.seg.nrrd")));
+        QVERIFY(!outcome.lines.last()[key("checked")].toString().isEmpty());
 
         reference::ReferenceEngine oracle;
         Result<LoadedVolume> volume = loadVolume(m_study);
@@ -230,6 +234,8 @@ private Q_SLOTS:
             "NIfTI can be exported");
         row("another ending", "{'edits':[],'export':[{'format':'nifti','file':'OUT/a.img'}]}",
             "a.img");
+        row("another ending for 3D Slicer",
+            "{'edits':[],'export':[{'format':'seg-nrrd','file':'OUT/a.nrrd'}]}", ".seg.nrrd");
         row("no such folder", "{'edits':[],'export':[{'format':'nifti','file':'OUT/no/a.nii'}]}",
             "no");
         row("SEG of a NIfTI volume",

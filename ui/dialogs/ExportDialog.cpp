@@ -43,8 +43,15 @@ QString folderKey()
 
 QString suffixOf(core::ExportFormat format)
 {
-    return format == core::ExportFormat::DicomSeg ? QStringLiteral(".dcm")
-                                                  : QStringLiteral(".nii.gz");
+    switch (format) {
+    case core::ExportFormat::DicomSeg:
+        return QStringLiteral(".dcm");
+    case core::ExportFormat::SegNrrd:
+        return QStringLiteral(".seg.nrrd");
+    case core::ExportFormat::Nifti:
+        break;
+    }
+    return QStringLiteral(".nii.gz");
 }
 
 /// Numbers at the right, with a gap to the words of the next column.
@@ -130,7 +137,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
         if (column == CodeColumn)
             chooseCode(item);
     });
-    connect(m_seg, &QRadioButton::toggled, this, &ExportDialog::showFormat);
+    for (QRadioButton* button : {m_seg, m_nifti, m_nrrd})
+        connect(button, &QRadioButton::toggled, this, &ExportDialog::showFormat);
     connect(m_file, &QLineEdit::textChanged, this, &ExportDialog::showState);
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
@@ -170,6 +178,9 @@ void ExportDialog::build()
     m_seg->setObjectName(QStringLiteral("exportSeg"));
     m_nifti = new QRadioButton(tr("NIfTI label map (.nii.gz, no patient data)"), this);
     m_nifti->setObjectName(QStringLiteral("exportNifti"));
+    m_nrrd = new QRadioButton(
+        tr("3D Slicer segmentation (.seg.nrrd, names, colours and codes, no patient data)"), this);
+    m_nrrd->setObjectName(QStringLiteral("exportSegNrrd"));
     m_obstacle = line(this, {}, QStringLiteral("secondary"));
     m_file = new QLineEdit(this);
     m_file->setObjectName(QStringLiteral("exportFile"));
@@ -206,6 +217,7 @@ void ExportDialog::build()
     layout->addWidget(m_seg);
     layout->addWidget(m_obstacle);
     layout->addWidget(m_nifti);
+    layout->addWidget(m_nrrd);
     layout->addLayout(target);
     layout->addWidget(m_state);
     layout->addWidget(m_progress);
@@ -284,7 +296,9 @@ void ExportDialog::fillSegments()
 
 core::ExportFormat ExportDialog::format() const
 {
-    return m_seg->isChecked() ? core::ExportFormat::DicomSeg : core::ExportFormat::Nifti;
+    if (m_seg->isChecked())
+        return core::ExportFormat::DicomSeg;
+    return m_nrrd->isChecked() ? core::ExportFormat::SegNrrd : core::ExportFormat::Nifti;
 }
 
 std::vector<core::Segment> ExportDialog::chosen() const
@@ -304,8 +318,8 @@ std::vector<core::Segment> ExportDialog::chosen() const
 void ExportDialog::showFormat()
 {
     QString file = m_file->text();
-    for (const QString& suffix :
-        {QStringLiteral(".nii.gz"), QStringLiteral(".nii"), QStringLiteral(".dcm")}) {
+    for (const QString& suffix : {QStringLiteral(".nii.gz"), QStringLiteral(".nii"),
+             QStringLiteral(".seg.nrrd"), QStringLiteral(".dcm")}) {
         if (file.endsWith(suffix))
             file.chop(suffix.size());
     }
@@ -351,8 +365,11 @@ void ExportDialog::chooseCode(QTreeWidgetItem* item)
 
 void ExportDialog::browse()
 {
-    const QString filter = format() == core::ExportFormat::DicomSeg ? tr("DICOM (*.dcm)")
-                                                                    : tr("NIfTI (*.nii.gz *.nii)");
+    QString filter = tr("NIfTI (*.nii.gz *.nii)");
+    if (format() != core::ExportFormat::Nifti)
+        filter = format() == core::ExportFormat::DicomSeg
+            ? tr("DICOM (*.dcm)")
+            : tr("3D Slicer segmentation (*.seg.nrrd)");
     const QString file = QFileDialog::getSaveFileName(
         this, tr("Export to"), m_file->text(), filter, nullptr, QFileDialog::DontConfirmOverwrite);
     if (!file.isEmpty())
@@ -396,7 +413,7 @@ void ExportDialog::write(const std::vector<ExportJob::Plane>& planes)
 void ExportDialog::showRunning(bool isRunning)
 {
     for (QWidget* input :
-        std::initializer_list<QWidget*>{m_segments, m_seg, m_nifti, m_file, m_browse})
+        std::initializer_list<QWidget*>{m_segments, m_seg, m_nifti, m_nrrd, m_file, m_browse})
         input->setEnabled(!isRunning);
     const core::Volume* volume = m_workspace.volume();
     m_seg->setEnabled(!isRunning && volume && core::dicomSegObstacle(*volume).isEmpty());
@@ -422,6 +439,7 @@ void ExportDialog::showReport(const core::ExportReport& report)
     lines += report.written;
     for (const QString& sentence : report.checked)
         lines += QStringLiteral("✓ ") + sentence;
+    lines += tr("SHA-256 of the file: %1").arg(report.sha256);
     for (const QString& caution : report.cautions)
         lines += tr("Caution: %1").arg(caution);
     m_report->setText(lines.join(QLatin1Char('\n')));

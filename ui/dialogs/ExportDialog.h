@@ -26,9 +26,9 @@ namespace ui {
 
 class Workspace;
 
-/// Export of chosen segments as DICOM SEG or NIfTI: whose study it is, which segments with their
-/// millilitres and remarks, codes where they are missing, the file; then what was written and what
-/// the check of the file found.
+/// Export of chosen segments as DICOM SEG, NIfTI or .seg.nrrd: whose study it is, which segments
+/// with their millilitres and remarks, codes where they are missing, the file; then what was
+/// written and what the check of the file found.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -63,6 +63,7 @@ private:
     QTreeWidget* m_segments = nullptr;
     QRadioButton* m_seg = nullptr;
     QRadioButton* m_nifti = nullptr;
+    QRadioButton* m_nrrd = nullptr;
     QLabel* m_obstacle = nullptr;
     QLineEdit* m_file = nullptr;
     QLabel* m_state = nullptr;

@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCryptographicHash>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -149,6 +150,12 @@ private Q_SLOTS:
         button(dialog, "exportNifti").click();
         QVERIFY(button(dialog, "exportStart").isEnabled());
         QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".nii.gz")));
+        button(dialog, "exportSegNrrd").click();
+        QVERIFY(button(dialog, "exportStart").isEnabled());
+        const auto* named = dialog.findChild<QLineEdit*>(text("exportFile"));
+        QVERIFY2(named->text().endsWith(text("/segmentation.seg.nrrd")), qPrintable(named->text()));
+        button(dialog, "exportNifti").click();
+        QVERIFY2(named->text().endsWith(text("/segmentation.nii.gz")), qPrintable(named->text()));
         button(dialog, "exportSeg").click();
         QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".dcm")));
         // Coding it, by whatever way, is seen at once; the ticks stay.
@@ -168,6 +175,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("name");
         QTest::newRow("SEG") << QByteArray("exportSeg") << QByteArray("out.dcm");
         QTest::newRow("NIfTI") << QByteArray("exportNifti") << QByteArray("out.nii.gz");
+        QTest::newRow("3D Slicer") << QByteArray("exportSegNrrd") << QByteArray("out.seg.nrrd");
     }
     void writesChecksAndReports()
     {
@@ -186,6 +194,9 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(file));
         const QString report = dialog.findChild<QLabel*>(text("exportReport"))->text();
         QVERIFY2(report.contains(QStringLiteral("✓")), qPrintable(report));
+        const QByteArray sum =
+            QCryptographicHash::hash(contents(file), QCryptographicHash::Sha256).toHex();
+        QVERIFY2(report.contains(QString::fromLatin1(sum)), qPrintable(report));
         QVERIFY(!dialog.running());
     }
 
