@@ -20,13 +20,22 @@ namespace {
 
 using core::Result;
 
+QString nothingChanged(const core::Edit& edit, const core::EditSession& session)
+{
+    const QString name = QStringLiteral("nothing changed");
+    const std::optional<core::SketchedSeeds>& seeds = session.sketchedSeeds();
+    if (!std::holds_alternative<core::SeedStroke>(edit) || !seeds || seeds->voxels == 0)
+        return name;
+    return name + QStringLiteral(": ") + core::sketchedText(*seeds, session.document());
+}
+
 /// One line for an edit that is carried out and on disk; an edit that changed nothing has no row.
 void printEdit(const core::Edit& edit, const core::EditSession& session, bool changed)
 {
     QJsonObject line{
         {QStringLiteral("edit"), core::editName(edit)},
         {QStringLiteral("row"), QJsonValue()},
-        {QStringLiteral("name"), QStringLiteral("nothing changed")},
+        {QStringLiteral("name"), nothingChanged(edit, session)},
         {QStringLiteral("voxelsChanged"), 0},
         {QStringLiteral("bricks"), 0},
         {QStringLiteral("ms"), 0},

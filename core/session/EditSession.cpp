@@ -320,6 +320,11 @@ std::optional<LeakAlarm> EditSession::leakAlarm() const
     return alarm && alarm->row == history().position() ? std::optional(alarm->found) : std::nullopt;
 }
 
+const std::optional<SketchedSeeds>& EditSession::sketchedSeeds() const
+{
+    return m_queue->state().lastSketched;
+}
+
 void EditSession::ask(EngineCommand question, Answer answer)
 {
     m_queue->ask(std::move(question), std::move(answer));

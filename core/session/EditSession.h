@@ -7,6 +7,7 @@
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 #include "core/session/SavedImages.h"
+#include "core/session/SketchedSeeds.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -127,6 +128,9 @@ public:
     /// What the guard suspected of the growth that is the position; none of other steps, nor of a
     /// session that was opened.
     [[nodiscard]] std::optional<LeakAlarm> leakAlarm() const;
+    /// What became of the places of the last SeedStroke that was carried out, whether it left a row
+    /// or changed nothing; none since the session was opened: none.
+    [[nodiscard]] const std::optional<SketchedSeeds>& sketchedSeeds() const;
 
     /// Ask the engine about voxels (ProbeVoxels or PickVoxels; read-only, no step of undo). The
     /// answer is given by poll(), in order with the edits; it is dropped when the session closes.

@@ -18,21 +18,6 @@ using namespace rowWords;
 
 namespace {
 
-/// 18204 → "18 204".
-QString grouped(std::int64_t count)
-{
-    QString digits = QString::number(count);
-    for (qsizetype place = digits.size() - 3; place > 0; place -= 3)
-        digits.insert(place, QLatin1Char(' '));
-    return digits;
-}
-
-QString counted(std::int64_t count, const char* noun)
-{
-    return grouped(count) + QLatin1Char(' ') + QLatin1String(noun)
-        + (count == 1 ? QString() : QStringLiteral("s"));
-}
-
 std::int64_t seedWordsChanged(const std::vector<BrickChange>& changes)
 {
     std::int64_t count = 0;
@@ -127,17 +112,21 @@ QString removeName(const RemoveSegment& edit, const EditStatistics& statistics,
         .arg(quoted(segmentName(edit.segment, document)), lost);
 }
 
-QString seedName(
-    const SeedStroke& stroke, const std::vector<BrickChange>& changes, const Document& document)
+QString seedName(const SeedStroke& stroke, const std::vector<BrickChange>& changes,
+    const Document& document, const std::optional<SketchedSeeds>& sketched)
 {
     const QString segment = segmentName(stroke.segment, document);
     if (stroke.takenLps && stroke.pointsLps.size() == stroke.takenLps->size())
         return QStringLiteral("Move %1 of '%2'")
-            .arg(counted(std::int64_t(stroke.pointsLps.size()), "seed"), segment);
+                   .arg(counted(std::int64_t(stroke.pointsLps.size()), "seed"), segment)
+            + (sketched && !whyNotTaken(*sketched, document).isEmpty()
+                    ? QStringLiteral(", ") + sketchedText(*sketched, document)
+                    : QString());
     const QString voxels = counted(seedWordsChanged(changes), "voxel");
     if (stroke.pointsLps.empty())
         return QStringLiteral("Take seeds of '%1' away, %2").arg(segment, voxels);
-    return QStringLiteral("Seed stroke for '%1', %2").arg(segment, voxels);
+    return QStringLiteral("Seed stroke for '%1', %2")
+        .arg(segment, sketched ? sketchedText(*sketched, document) : voxels);
 }
 
 /// What changes pieces; empty for other edits.
@@ -367,7 +356,8 @@ QString revisionName(
 } // namespace
 
 QString rowName(const Edit& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document, const History& history)
+    const std::vector<BrickChange>& changes, const Document& document, const History& history,
+    const std::optional<SketchedSeeds>& sketched)
 {
     if (const auto* add = std::get_if<AddSegment>(&edit))
         return QStringLiteral("Add segment '%1'").arg(add->name);
@@ -384,7 +374,7 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
     if (const QString name = pieceRowName(edit, document); !name.isEmpty())
         return name;
     if (const auto* seed = std::get_if<SeedStroke>(&edit))
-        return seedName(*seed, changes, document);
+        return seedName(*seed, changes, document, sketched);
     if (const auto* grow = std::get_if<GrowSteps>(&edit))
         return growName(*grow, statistics, changes, document);
     if (const auto* change = std::get_if<ChangeInterval>(&edit))

@@ -3,6 +3,20 @@
 
 namespace core::rowWords {
 
+QString grouped(std::int64_t count)
+{
+    QString digits = QString::number(count);
+    for (qsizetype place = digits.size() - 3; place > 0; place -= 3)
+        digits.insert(place, QLatin1Char(' '));
+    return digits;
+}
+
+QString counted(std::int64_t count, const char* noun)
+{
+    return grouped(count) + QLatin1Char(' ') + QLatin1String(noun)
+        + (count == 1 ? QString() : QStringLiteral("s"));
+}
+
 QString quoted(const QString& name)
 {
     return QLatin1Char('\'') + name + QLatin1Char('\'');

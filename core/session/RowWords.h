@@ -5,10 +5,14 @@
 
 #include <QString>
 
+#include <cstdint>
+
 namespace core::rowWords {
 
 // What names of rows are put together from (RowName.h).
 
+[[nodiscard]] QString grouped(std::int64_t count); ///< 18204 → "18 204"
+[[nodiscard]] QString counted(std::int64_t count, const char* noun); ///< "1 voxel", "2 voxels"
 [[nodiscard]] QString quoted(const QString& name);
 [[nodiscard]] QString millimetres(double mm); ///< "42.0 mm"
 /// Bare; the number where there is no such segment.

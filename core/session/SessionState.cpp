@@ -33,7 +33,8 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
 {
     takeIn(changes);
     HistoryRow row;
-    row.name = rowName(edit, statistics, changes, document, history);
+    row.name = rowName(edit, statistics, changes, document, history,
+        std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
     if (generation)
         document.growths.front().generation = *generation;
     // What carries an edit out has made sure that it can be.

@@ -7,6 +7,7 @@
 #include "core/session/CommitWorker.h"
 #include "core/session/RecentSteps.h"
 #include "core/session/SessionFile.h"
+#include "core/session/SketchedSeeds.h"
 
 #include <array>
 #include <bitset>
@@ -71,6 +72,7 @@ public:
     RecentSteps recent;
     Revision lastRevision;
     std::optional<Alarm> lastAlarm;
+    std::optional<SketchedSeeds> lastSketched; ///< of the last SeedStroke, row or no row
     std::vector<DocumentChange> news; ///< not told yet
     std::vector<Error> errors; ///< not told yet
     std::vector<std::function<void()>> answers; ///< to questions about the history; not given yet

@@ -159,8 +159,28 @@ void VoxelOperation::start(SessionState& state)
         m_ending = Ending::Commit;
     if (m_ending)
         liftPen();
+    askBefore(state, *edit);
     m_begun = state.engine.submit(BeginEdit{*std::move(edit)});
     submitWaiting(state);
+}
+
+/// A seed that is not taken changes no voxel, so what there was is asked before.
+void VoxelOperation::askBefore(SessionState& state, const EngineEdit& edit)
+{
+    const auto* stroke = std::get_if<SeedPlacement>(&edit);
+    if (!stroke || m_again != 0)
+        return;
+    m_seeds = *stroke;
+    const BrickGrid grid{state.document.volumes.front().geometry.size};
+    m_asked = state.engine.submit(ReadBricks{wordBricks(*stroke, grid)});
+}
+
+void VoxelOperation::takeBefore(SessionState& state, const EngineResult& result)
+{
+    const BrickGrid grid{state.document.volumes.front().geometry.size};
+    if (!result.error)
+        m_sketched = sketchedSeeds(m_seeds, grid, result.changes);
+    m_seeds = {};
 }
 
 void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSample>& samples)
@@ -283,6 +303,8 @@ void VoxelOperation::submitWaiting(SessionState& state)
 
 void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
 {
+    if (m_asked && result.ticket == *m_asked)
+        return takeBefore(state, result);
     if (!m_begun || result.ticket < *m_begun)
         return;
     if (m_ended && result.ticket == *m_ended) {
@@ -306,6 +328,8 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.engine.submit(SwapBricks{imagesBefore(result.changes)});
     if (movesGeneration())
         state.tell(DocumentChange::What::Growth);
+    if (std::holds_alternative<SeedStroke>(m_edit))
+        state.lastSketched = m_sketched;
     const bool changed = !result.changes.empty()
         || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit))
         || (m_ending == Ending::Commit && bringsNewCriteria(m_edit, state.history));

@@ -3,6 +3,7 @@
 
 #include "core/edits/DrillPathSampler.h"
 #include "core/session/Operation.h"
+#include "core/session/SketchedSeeds.h"
 
 #include <deque>
 
@@ -63,6 +64,8 @@ public:
 private:
     [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
     [[nodiscard]] ShrinkTo shrinkTo() const;
+    void askBefore(SessionState& state, const EngineEdit& edit);
+    void takeBefore(SessionState& state, const EngineResult& result);
     void liftPen();
     void submitWaiting(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);
@@ -75,6 +78,9 @@ private:
     std::uint32_t m_firstGeneration = 0; ///< of a shrinking
     std::deque<EngineExtension> m_waiting;
     std::optional<Ending> m_ending;
+    std::optional<Ticket> m_asked; ///< what lay where seeds are sketched
+    SeedPlacement m_seeds; ///< until that is told
+    std::optional<SketchedSeeds> m_sketched;
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
     bool m_refused = false; ///< the engine never opened it

@@ -196,6 +196,19 @@ private Q_SLOTS:
         QCOMPARE(outcome.lines[2][key("row")].toInt(), 2);
     }
 
+    void seedsThatAreNoneSayWhy()
+    {
+        const QString file = recipe({{key("edits"),
+            toJson({test::addSegment("A"), test::addSegment("B"), test::seedInBrain(1),
+                test::growBrain(1), test::seedInBrain(2)})}});
+        const Outcome outcome = burin(runArguments(file));
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), 5);
+        QVERIFY(outcome.lines[4][key("row")].isNull());
+        QCOMPARE(outcome.lines[4][key("name")].toString(),
+            key("nothing changed: 0 of 2 voxels (2 belong to 'A')"));
+    }
+
     void refusesInOneLineAndLeavesNothing_data()
     {
         QTest::addColumn<QByteArray>("content");

@@ -172,10 +172,37 @@ void SeedTool::move(const glm::dvec2& from, const glm::dvec2& to, const ViewCont
 
 void SeedTool::apply(const core::SeedStroke& stroke, const QString& done)
 {
-    if (const auto applied = workspace().session()->apply(stroke); !applied)
+    core::EditSession& session = *workspace().session();
+    if (const auto applied = session.apply(stroke); !applied) {
         workspace().fail(applied.error());
-    else
+        return;
+    }
+    // Answered when the edit is carried out.
+    session.ask(core::ProbeVoxels{},
+        [tool = QPointer<SeedTool>(this), stroke, done](const core::EngineResult&) {
+            if (tool)
+                tool->tellOf(stroke, done);
+        });
+}
+
+void SeedTool::tellOf(const core::SeedStroke& stroke, const QString& done)
+{
+    const core::EditSession& session = *workspace().session();
+    const std::optional<core::SketchedSeeds>& seeds = session.sketchedSeeds();
+    const QString why = seeds ? core::whyNotTaken(*seeds, session.document()) : QString();
+    if (why.isEmpty()) {
         workspace().say(done);
+        return;
+    }
+    const core::Segment* segment = session.document().segment(stroke.segment);
+    const QString name = segment ? segment->name : QString::number(stroke.segment);
+    if (seeds->taken > 0)
+        workspace().say(
+            tr("Seeds for %1: %2").arg(name, core::sketchedText(*seeds, session.document())));
+    else if (stroke.takenLps)
+        workspace().say(tr("The seed of %1 was taken away, but not set anew: %2").arg(name, why));
+    else
+        workspace().say(tr("No seed was set for %1: %2").arg(name, why));
 }
 
 QWidget* SeedTool::createOptions(QWidget* parent)

@@ -34,6 +34,8 @@ private:
     void takeAway(const std::vector<glm::dvec2>& pixels, const ViewContext& view);
     void move(const glm::dvec2& from, const glm::dvec2& to, const ViewContext& view);
     void apply(const core::SeedStroke& stroke, const QString& done);
+    /// Says what became of a stroke that was carried out.
+    void tellOf(const core::SeedStroke& stroke, const QString& done);
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;
     [[nodiscard]] QString nothingSeenText() const override;

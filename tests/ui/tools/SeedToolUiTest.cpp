@@ -281,6 +281,37 @@ private Q_SLOTS:
         QVERIFY(said.last()[0].toString().contains(QStringLiteral("waits for a growth")));
     }
 
+    /// What has grown stays what it is, and the window says so.
+    void aSeedInWhatHasGrownIsTold()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-10, 6}, {10, 6});
+        QVERIFY(fixture.session().apply(
+            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
+        QVERIFY(fixture.session().apply(core::AddSegment{QStringLiteral("Other"), 1, {}}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(2);
+        const auto rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.sketch(view, {-8, 6}, {8, 6});
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(said.count(), 1);
+        QVERIFY2(said[0][0].toString().startsWith(QStringLiteral("No seed was set for Other: "))
+                && said[0][0].toString().endsWith(QStringLiteral("to 'Segment 1'")),
+            qPrintable(said[0][0].toString()));
+        fixture.sketch(view, {-8, 6}, {40, 6});
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QVERIFY2(said.last()[0].toString().startsWith(QStringLiteral("Seeds for Other: "))
+                && said.last()[0].toString().contains(QStringLiteral(" of ")),
+            qPrintable(said.last()[0].toString()));
+        QVERIFY(fixture.session().history().rows().back().name.contains(
+            QStringLiteral("belong to 'Segment 1')")));
+        // Where all are taken there is nothing to explain.
+        fixture.sketch(view, {-8, -30}, {8, -30});
+        QVERIFY(said.last()[0].toString().endsWith(QStringLiteral("seed voxels for Other")));
+    }
+
     void opacityIsCountedPerSample()
     {
         core::VoxelEncoding encoding;

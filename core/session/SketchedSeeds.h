@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/document/Document.h"
+#include "core/growth/GrowthCommands.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace core {
+
+/// What became of the voxels that a SeedStroke sketched. Not all need become seeds: what a growth
+/// holds stays the growth's (SeedPlacement).
+struct SketchedSeeds {
+    int segment = 0;
+    std::int64_t voxels = 0; ///< sketched; each but those `taken` is counted once below
+    std::int64_t taken = 0; ///< became seeds
+    std::map<int, std::int64_t>
+        members; ///< stay what a segment has grown, or was painted, by label
+    std::map<int, std::int64_t> waiting; ///< stay seeds that wait already, by label
+    std::int64_t barriers = 0; ///< stay shut
+    std::map<int, std::int64_t> replaced; ///< of those taken: were seeds of another, by label
+};
+
+/// The bricks that sketchedSeeds() asks about.
+[[nodiscard]] std::vector<BrickKey> wordBricks(const SeedPlacement& stroke, const BrickGrid& grid);
+/// @param before the images of wordBricks() before the stroke, as `after`
+[[nodiscard]] SketchedSeeds sketchedSeeds(
+    const SeedPlacement& stroke, const BrickGrid& grid, const std::vector<BrickChange>& before);
+
+/// "5 voxels", "3 of 5 voxels (2 belong to 'Skull')", "2 voxels (1 was a seed of 'Skull')".
+[[nodiscard]] QString sketchedText(const SketchedSeeds& seeds, const Document& document);
+/// What stands in the brackets of that; empty: all became seeds, of nobody else.
+[[nodiscard]] QString whyNotTaken(const SketchedSeeds& seeds, const Document& document);
+
+} // namespace core
