@@ -10,7 +10,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <queue>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -45,61 +44,107 @@ std::vector<std::size_t> neighbours(const Words& words, std::size_t voxel, int d
     return found;
 }
 
-/// Whether a flow network lets more through; arcs are added with their capacity, and what flows is
-/// kept as capacity of the way back.
+/// A flow network; arcs are added with their capacity, and what flows is kept as capacity of the
+/// way back. Places are numbered as they come. Fills all shortest ways before it looks for longer
+/// ones (Dinic): wide growths have hundreds of ways through millions of arcs.
 class Network {
 public:
     void add(std::size_t from, std::size_t to, int capacity)
     {
-        auto& there = m_edges[from];
-        auto& back = m_edges[to];
-        there.push_back({.to = to, .left = capacity, .back = back.size()});
-        back.push_back({.to = from, .left = 0, .back = there.size() - 1});
+        const std::size_t a = number(from);
+        const std::size_t b = number(to);
+        m_edges[a].push_back({.to = b, .left = capacity, .back = m_edges[b].size()});
+        m_edges[b].push_back({.to = a, .left = 0, .back = m_edges[a].size() - 1});
     }
-    /// Lets one more unit through. False if there is no way.
-    bool push(std::size_t source, std::size_t sink)
+    /// Lets as much through as goes.
+    void fill(std::size_t source, std::size_t sink)
     {
-        const Ways ways = reached(source, sink);
-        if (ways.count(sink) == 0)
-            return false;
-        for (std::size_t at = sink; at != source;) {
-            const Way way = ways.at(at);
-            Edge& edge = m_edges[way.from][way.edge];
-            --edge.left;
-            ++m_edges[at][edge.back].left;
-            at = way.from;
+        const std::size_t first = number(source);
+        const std::size_t last = number(sink);
+        for (;;) {
+            m_steps = stepsFrom(first);
+            if (m_steps[last] == unreached)
+                return;
+            m_tried.assign(m_edges.size(), 0);
+            while (push(first, last)) { }
         }
-        return true;
     }
-    /// By which edge of which place one comes to a place.
-    struct Way {
-        std::size_t from = 0;
-        std::size_t edge = 0;
-    };
-    using Ways = std::unordered_map<std::size_t, Way>;
-    /// What can be reached; no more is looked for once @p enough is.
-    Ways reached(std::size_t source, std::size_t enough)
+    /// The places to which more would get through from the source.
+    Set reached(std::size_t source)
     {
-        Ways ways{{source, {}}};
-        std::queue<std::size_t> queue({source});
-        for (; !queue.empty() && ways.count(enough) == 0; queue.pop()) {
-            const std::vector<Edge>& edges = m_edges[queue.front()];
-            for (std::size_t i = 0; i < edges.size(); ++i) {
-                if (edges[i].left > 0
-                    && ways.emplace(edges[i].to, Way{.from = queue.front(), .edge = i}).second)
-                    queue.push(edges[i].to);
-            }
+        const std::vector<int> steps = stepsFrom(number(source));
+        Set places;
+        for (const auto& [place, number] : m_numbers) {
+            if (steps[number] != unreached)
+                places.insert(place);
         }
-        return ways;
+        return places;
     }
 
 private:
+    static constexpr int unreached = -1;
     struct Edge {
         std::size_t to = 0;
         int left = 0;
         std::size_t back = 0; ///< place of the opposite edge there
     };
-    std::unordered_map<std::size_t, std::vector<Edge>> m_edges;
+
+    std::size_t number(std::size_t place)
+    {
+        const auto [found, isNew] = m_numbers.emplace(place, m_numbers.size());
+        if (isNew)
+            m_edges.emplace_back();
+        return found->second;
+    }
+    [[nodiscard]] std::vector<int> stepsFrom(std::size_t source) const
+    {
+        std::vector<int> steps(m_edges.size(), unreached);
+        steps[source] = 0;
+        std::vector<std::size_t> queue{source};
+        for (std::size_t next = 0; next < queue.size(); ++next) {
+            const std::size_t at = queue[next];
+            for (const Edge& edge : m_edges[at]) {
+                if (edge.left <= 0 || steps[edge.to] != unreached)
+                    continue;
+                steps[edge.to] = steps[at] + 1;
+                queue.push_back(edge.to);
+            }
+        }
+        return steps;
+    }
+    /// One more unit by a shortest way; edges that lead nowhere are not tried again.
+    bool push(std::size_t first, std::size_t last)
+    {
+        std::vector<std::size_t> way; // the places before the present one
+        for (std::size_t at = first; at != last;) {
+            std::vector<Edge>& edges = m_edges[at];
+            std::size_t& tried = m_tried[at];
+            while (tried < edges.size()
+                && (edges[tried].left <= 0 || m_steps[edges[tried].to] != m_steps[at] + 1))
+                ++tried;
+            if (tried < edges.size()) {
+                way.push_back(at);
+                at = edges[tried].to;
+                continue;
+            }
+            if (way.empty())
+                return false;
+            at = way.back();
+            way.pop_back();
+            ++m_tried[at];
+        }
+        for (const std::size_t at : way) {
+            Edge& edge = m_edges[at][m_tried[at]];
+            --edge.left;
+            ++m_edges[edge.to][edge.back].left;
+        }
+        return true;
+    }
+
+    std::unordered_map<std::size_t, std::size_t> m_numbers;
+    std::vector<std::vector<Edge>> m_edges;
+    std::vector<int> m_steps; ///< from the source, as the ways were when last looked for
+    std::vector<std::size_t> m_tried; ///< of each place's edges
 };
 
 class LabelCut {
@@ -341,8 +386,8 @@ private:
         }
         if (!sources || !sinks)
             return front;
-        while (network.push(source, sink)) { }
-        const Network::Ways reached = network.reached(source, sink);
+        network.fill(source, sink);
+        const Set reached = network.reached(source);
         Set cut;
         for (const auto& [voxel, step] : steps) {
             if (reached.count(2 * voxel) != 0 && reached.count(2 * voxel + 1) == 0)
