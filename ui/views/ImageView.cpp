@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -234,6 +235,7 @@ void ImageView::pointerPressed(const PointerReading& reading)
     m_dragging = false;
     if (m_gesture == Gesture::Tool) {
         m_everyEvent.emplace();
+        m_toolIsHere = true;
         m_lastSample = reading.sample;
         m_workspace.showPressure(reading.sample.pressure);
         m_tool->press(reading.sample, context());
@@ -256,8 +258,10 @@ void ImageView::pointerMoved(const PointerReading& reading)
             m_lastAt = at;
         }
     } else if (reading.hovering()) {
-        if (toolWorksHere())
+        if (toolWorksHere()) {
+            m_toolIsHere = true;
             m_tool->hover(reading.sample, context());
+        }
         hovered(reading.sample);
     }
     if (context().isSlice() && rect().contains(at.toPoint()))
@@ -353,7 +357,8 @@ void ImageView::leaveEvent(QEvent* event)
     QWidget::leaveEvent(event);
     m_pointer.reset();
     m_workspace.setPointedLps(std::nullopt);
-    if (m_tool && m_gesture != Gesture::Tool)
+    // The mouse may leave here when a pen is over another view already.
+    if (m_tool && m_gesture != Gesture::Tool && std::exchange(m_toolIsHere, false))
         m_tool->leave();
     update();
 }

@@ -116,6 +116,7 @@ private:
     QPointF m_lastAt;
     bool m_dragging = false; ///< moved farther than a click does
     bool m_navigateKey = false; ///< Space: the left button navigates with a tool in hand
+    bool m_toolIsHere = false; ///< it was told of the pointer here, and not that it left
     std::optional<QPointF> m_pointer; ///< over this view
     QPointer<Tool> m_tool; ///< the window may outlive it
 };

@@ -216,6 +216,7 @@ private Q_SLOTS:
         PressFixture fixture;
         const auto tool = toolNamed(name, fixture.workspace);
         fixture.workspace.setActiveTool(tool.get());
+        QTRY_COMPARE(fixture.view.quality(), gpu::Frame::Quality::Refined); // it is told
         test::Pen pen(fixture.view);
         const auto picture = [&](const QPointF& at) {
             pen.hover(at, 60000);
@@ -232,6 +233,10 @@ private Q_SLOTS:
         };
         const QImage beside = picture(fixture.at(0, 24)); // over air
         const QImage on = picture(fixture.at(6, 0));
+        // The mouse may leave another view when the pen is here already.
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&fixture.window.views().axial(), &leave);
+        QCOMPARE(fixture.view.grab().toImage(), on);
         fixture.workspace.setActiveTool(nullptr);
         const QImage none = fixture.view.grab().toImage();
         const double radiusPixels = 3.0 / fixture.view.context().mmPerPixel();
