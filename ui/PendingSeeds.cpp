@@ -6,23 +6,40 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace ui {
 
-namespace {
-
-struct Seeds {
+struct PendingSeeds::Sketched {
     std::vector<gpu::SceneSeed> pending;
     std::vector<gpu::SceneSeed> grown; ///< growths have come to them
 };
+
+namespace {
 
 glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
 {
     return glm::ivec3(glm::floor(geometry.toIndex(lps) + 0.5));
 }
 
-Seeds seedsOf(const core::EditSession& session)
+} // namespace
+
+PendingSeeds::PendingSeeds(Workspace& workspace)
+    : QObject(&workspace)
+    , m_workspace(workspace)
+    , m_seeds(std::make_shared<const std::vector<gpu::SceneSeed>>())
+{
+    connect(&workspace, &Workspace::sessionChanged, this, &PendingSeeds::update);
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::History
+                || change.what == core::DocumentChange::What::Segments)
+                update();
+        });
+}
+
+PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
 {
     std::vector<gpu::SceneSeed> seeds;
     std::vector<std::pair<std::uint32_t, gpu::SceneSeed>> grown; ///< and since which generation
@@ -70,7 +87,7 @@ Seeds seedsOf(const core::EditSession& session)
         }
         generation = row.growthGeneration;
     }
-    Seeds sketched{.pending = std::move(seeds), .grown = {}};
+    Sketched sketched{.pending = std::move(seeds), .grown = {}};
     for (const auto& each : grown)
         sketched.grown.push_back(each.second);
     for (std::vector<gpu::SceneSeed>* list : {&sketched.pending, &sketched.grown}) {
@@ -82,60 +99,56 @@ Seeds seedsOf(const core::EditSession& session)
     return sketched;
 }
 
-} // namespace
-
-PendingSeeds::PendingSeeds(Workspace& workspace)
-    : QObject(&workspace)
-    , m_workspace(workspace)
-    , m_seeds(std::make_shared<const std::vector<gpu::SceneSeed>>())
-{
-    connect(&workspace, &Workspace::sessionChanged, this, &PendingSeeds::update);
-    connect(
-        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
-            if (change.what == core::DocumentChange::What::History
-                || change.what == core::DocumentChange::What::Segments)
-                update();
-        });
-}
-
 void PendingSeeds::update()
 {
     const core::EditSession* session = m_workspace.session();
-    Seeds seeds = session ? seedsOf(*session) : Seeds();
-    findHollow(std::move(seeds.grown));
-    if (seeds.pending == *m_seeds)
-        return;
-    m_seeds = std::make_shared<const std::vector<gpu::SceneSeed>>(std::move(seeds.pending));
-    Q_EMIT changed();
+    show(session ? seedsOf(*session) : Sketched());
 }
 
-void PendingSeeds::findHollow(std::vector<gpu::SceneSeed> grown)
+// What the history tells is not all: what growths hold, barriers and seeds of others take no seed.
+void PendingSeeds::show(Sketched sketched)
 {
     const std::uint64_t asked = ++m_asked;
-    if (grown.empty()) {
-        if (!std::exchange(m_hollow, {}).empty())
-            Q_EMIT changed();
+    if (sketched.pending.empty() && sketched.grown.empty()) {
+        set({}, {});
         return;
     }
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     core::ProbeVoxels question;
-    for (const gpu::SceneSeed& seed : grown)
-        question.voxels.push_back(voxelAt(seed.lps, geometry));
+    for (const auto* list : {&sketched.pending, &sketched.grown}) {
+        for (const gpu::SceneSeed& seed : *list)
+            question.voxels.push_back(voxelAt(seed.lps, geometry));
+    }
     m_workspace.session()->ask(std::move(question),
-        [seeds = QPointer<PendingSeeds>(this), asked, grown = std::move(grown)](
-            const core::EngineResult& result) {
-            if (!seeds || seeds->m_asked != asked || result.probes.size() != grown.size())
+        [seeds = QPointer<PendingSeeds>(this), asked, sketched = std::move(sketched)](
+            const core::EngineResult& result) mutable {
+            const std::size_t pending = sketched.pending.size();
+            if (!seeds || seeds->m_asked != asked
+                || result.probes.size() != pending + sketched.grown.size())
                 return;
-            std::vector<gpu::SceneSeed> hollow;
-            for (std::size_t i = 0; i < grown.size(); ++i) {
-                if (result.probes[i].label != grown[i].label)
-                    hollow.push_back(grown[i]);
-            }
-            if (hollow == seeds->m_hollow)
-                return;
-            seeds->m_hollow = std::move(hollow);
-            Q_EMIT seeds->changed();
+            const auto waitingOf = [](const std::vector<gpu::SceneSeed>& list,
+                                       std::span<const core::ProbedVoxel> probes) {
+                std::vector<gpu::SceneSeed> waiting;
+                for (std::size_t i = 0; i < list.size(); ++i) {
+                    if (probes[i].seedOf == list[i].label)
+                        waiting.push_back(list[i]);
+                }
+                return waiting;
+            };
+            const std::span<const core::ProbedVoxel> probes(result.probes);
+            seeds->set(waitingOf(sketched.pending, probes.first(pending)),
+                waitingOf(sketched.grown, probes.subspan(pending)));
         });
+}
+
+void PendingSeeds::set(std::vector<gpu::SceneSeed> pending, std::vector<gpu::SceneSeed> hollow)
+{
+    if (pending == *m_seeds && hollow == m_hollow)
+        return;
+    if (pending != *m_seeds)
+        m_seeds = std::make_shared<const std::vector<gpu::SceneSeed>>(std::move(pending));
+    m_hollow = std::move(hollow);
+    Q_EMIT changed();
 }
 
 } // namespace ui

@@ -9,13 +9,18 @@
 #include <memory>
 #include <vector>
 
+namespace core {
+class EditSession;
+}
+
 namespace ui {
 
 class Workspace;
 
 /// The sketched seeds that are no members: those that no growth has come to yet (of the history's
 /// line up to its position, after the last growth), and those that growths have left waiting, since
-/// they do not qualify. Of segments that are shown. Part of Workspace.
+/// they do not qualify; as the engine holds them, so a place that took no seed has none. Of
+/// segments that are shown. Part of Workspace.
 class PendingSeeds : public QObject {
     Q_OBJECT
 
@@ -35,9 +40,14 @@ Q_SIGNALS:
     void changed();
 
 private:
+    struct Sketched;
+
+    /// Those that the history says may wait.
+    [[nodiscard]] static Sketched seedsOf(const core::EditSession& session);
     void update();
-    /// Asks which of the seeds that growths came to are members.
-    void findHollow(std::vector<gpu::SceneSeed> grown);
+    /// Asks which of them wait indeed, and shows those.
+    void show(Sketched sketched);
+    void set(std::vector<gpu::SceneSeed> pending, std::vector<gpu::SceneSeed> hollow);
 
     Workspace& m_workspace;
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_seeds;

@@ -160,7 +160,8 @@ struct MuteLayers {
 struct ReadBricks {
     std::vector<BrickKey> keys;
 };
-/// Codes and labels at voxels, for readouts; and tolerances where a tolerance field stands.
+/// Codes, labels and pending seeds at voxels, for readouts; and tolerances where a tolerance field
+/// stands.
 struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
     std::uint8_t plane = 0; ///< of the labels
@@ -250,6 +251,7 @@ struct EditStatistics {
 struct ProbedVoxel {
     int code = 0;
     std::uint8_t label = 0;
+    std::uint8_t seedOf = 0; ///< label whose pending seed it is; 0: none
     std::optional<int> tolerance{}; ///< in codes; none: it has none, or no field stands
 };
 

@@ -79,6 +79,9 @@ std::vector<core::ProbedVoxel> PickKernel::probe(
     fields.labels(command.plane).bindUnit(1);
     const ToleranceField& field = fields.tolerance();
     (field.stands ? field.tolerances : fields.codes()).bindUnit(2);
+    BrickField& words = fields.seedWords(command.plane);
+    words.pageTable().bindUnit(3);
+    words.atlas().bindUnit(4);
     voxelBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     foundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     m_probe.set("voxelCount", unsigned(voxels.size())).set("hasTolerances", field.stands);
@@ -88,7 +91,8 @@ std::vector<core::ProbedVoxel> PickKernel::probe(
     foundBuffer.read(std::span<glm::uvec4>(found));
     std::vector<core::ProbedVoxel> probes;
     for (const glm::uvec4& each : found) {
-        core::ProbedVoxel probe{.code = int(each.x), .label = std::uint8_t(each.y)};
+        core::ProbedVoxel probe{
+            .code = int(each.x), .label = std::uint8_t(each.y), .seedOf = std::uint8_t(each.w)};
         if (int(each.z) <= core::ToleranceRule::greatest)
             probe.tolerance = int(each.z);
         probes.push_back(probe);

@@ -25,8 +25,12 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
     for (const glm::ivec3& voxel : command.voxels) {
         if (!m_codes.contains(voxel))
             return refuse("voxels", "outside the volume");
-        result.probes.push_back({m_codes.at(voxel), m_fields.labels(command.plane).at(voxel),
-            m_tolerance ? m_tolerance->at(voxel) : std::nullopt});
+        const std::uint32_t word = m_fields.seedWords(command.plane).at(voxel);
+        result.probes.push_back({.code = m_codes.at(voxel),
+            .label = m_fields.labels(command.plane).at(voxel),
+            .seedOf =
+                std::uint8_t(core::seedWord::isPendingSeed(word) ? core::seedWord::label(word) : 0),
+            .tolerance = m_tolerance ? m_tolerance->at(voxel) : std::nullopt});
     }
     return result;
 }

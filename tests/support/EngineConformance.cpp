@@ -409,6 +409,11 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
                 .arg(b.probes[i].label)
                 .arg(a.probes[i].code)
                 .arg(a.probes[i].label);
+        if (a.probes[i].seedOf != b.probes[i].seedOf)
+            return QStringLiteral("probe %1 reads a seed of %2 instead of %3")
+                .arg(i)
+                .arg(b.probes[i].seedOf)
+                .arg(a.probes[i].seedOf);
         if (a.probes[i].tolerance != b.probes[i].tolerance)
             return QStringLiteral("probe %1 reads tolerance %2 instead of %3")
                 .arg(i)

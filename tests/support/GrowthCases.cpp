@@ -57,6 +57,7 @@ EngineCase oneSeed(
 {
     EngineCase made{name, std::move(codes), {}};
     appendWhole(made.steps, SeedPlacement{.label = 1, .voxels = {seed}});
+    made.steps.push_back(command(core::ProbeVoxels{{seed}, burst.plane})); // waits
     appendGrowth(made.steps, burst, {closure});
     made.steps.push_back(Undo{});
     made.steps.push_back(Redo{});

@@ -297,6 +297,7 @@ private Q_SLOTS:
         fixture.sketch(view, {-8, 6}, {8, 6});
         QCOMPARE(fixture.session().history().rows().size(), rows);
         QCOMPARE(said.count(), 1);
+        QVERIFY(fixture.workspace.seeds().seeds().empty());
         QVERIFY2(said[0][0].toString().startsWith(QStringLiteral("No seed was set for Other: "))
                 && said[0][0].toString().endsWith(QStringLiteral("to 'Segment 1'")),
             qPrintable(said[0][0].toString()));
@@ -307,6 +308,11 @@ private Q_SLOTS:
             qPrintable(said.last()[0].toString()));
         QVERIFY(fixture.session().history().rows().back().name.contains(
             QStringLiteral("belong to 'Segment 1')")));
+        // Only those that were taken have dots.
+        const auto text = said.last()[0].toString().remove(QLatin1Char(' '));
+        const auto shown = fixture.workspace.seeds().seeds().size();
+        QVERIFY(shown > 0 && fixture.workspace.seeds().hollow().empty());
+        QVERIFY2(text.contains(QStringLiteral("Other:%1of").arg(shown)), qPrintable(text));
         // Where all are taken there is nothing to explain.
         fixture.sketch(view, {-8, -30}, {8, -30});
         QVERIFY(said.last()[0].toString().endsWith(QStringLiteral("seed voxels for Other")));
