@@ -79,8 +79,8 @@ KernelWarmUp::KernelWarmUp(
 bool KernelWarmUp::runNext()
 {
     static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
-        &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser, &KernelWarmUp::runPeel,
-        &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance};
+        &KernelWarmUp::runTakingGrowth, &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser,
+        &KernelWarmUp::runPeel, &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance};
     if (!m_fields || m_done == runs.size())
         return false;
     (this->*runs[m_done++])();
@@ -157,6 +157,16 @@ void KernelWarmUp::runBrushes()
         run(*barrier, {capsules});
     if (const auto carve = core::capsuleCut({.path = brushPath}, m_document))
         run(*carve, {capsules});
+}
+
+void KernelWarmUp::runTakingGrowth()
+{
+    // One that may take voxels from others keeps what lies beneath, by kernels of its own.
+    run(core::SeedPlacement{.label = label, .voxels = {glm::ivec3(leastSide / 2)}}, {},
+        core::Ending::Commit);
+    core::GrowBurst burst{.lowCode = matter, .highCode = matter};
+    burst.overwritable.set(label + 1);
+    run(burst, {core::GrowAdvance{}});
 }
 
 void KernelWarmUp::runGrowth()

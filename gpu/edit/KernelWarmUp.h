@@ -33,6 +33,7 @@ private:
     void runPeel();
     void runScissors();
     void runBrushes();
+    void runTakingGrowth();
     void runGrowth();
     void runTolerance();
 
