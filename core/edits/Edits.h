@@ -200,6 +200,9 @@ struct GrowCriteria {
     /// Narrows the interval, for each segment by itself, to mean ± so many standard deviations
     /// around its seeds.
     std::optional<double> sigmas{};
+    /// That is done for each stroke of seeds by itself, and a voxel qualifies where it does for one
+    /// of the segment's. Read are the SeedStrokes that stand before this edit.
+    std::optional<bool> perStroke{};
     std::optional<double> difference{}; ///< at most so much from the voxel it is reached from
     std::optional<double> gradient{}; ///< magnitude at most, per millimetre
     std::optional<double> gradientDifference{}; ///< of magnitudes, from the voxel before

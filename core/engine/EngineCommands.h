@@ -4,6 +4,7 @@
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/SeedGroups.h"
 #include "core/growth/SeedSpread.h"
 #include "core/growth/SeedStatistics.h"
 #include "core/growth/Tolerance.h"
@@ -123,11 +124,11 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
 // connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
-// a brush's frame, what is hidden or a growth that is not sound (isSound()); bounds that
-// are not (areSound()); a layer folded into itself; a table of opacities of another length than
-// 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two labels;
-// TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of a label
-// without seeds; ForeseeCut while a transaction is open, or of a cut that could not begin.
+// a brush's frame, what is hidden, a growth or groups of seeds that are not sound (isSound());
+// bounds that are not (areSound()); a layer folded into itself; a table of opacities of another
+// length than 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two
+// labels; TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of
+// a label without seeds; ForeseeCut while a transaction is open, or of a cut that could not begin.
 // ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and
 // DropForesight are served while a transaction is open too.
 
@@ -166,12 +167,13 @@ struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
     std::uint8_t plane = 0; ///< of the labels
 };
-/// What lies around the seeds of a plane's labels: the sums that a GrowBurst with this interval
-/// would narrow it by (GrowLimits), if it opened now.
+/// What lies around the seeds of a plane's labels: the sums that a GrowBurst with this interval and
+/// these groups would narrow it by (GrowLimits), if it opened now.
 struct ProbeSeeds {
     std::uint8_t plane = 0;
     int lowCode = 0;
     int highCode = 65535;
+    std::vector<SeedGroup> seedGroups{};
 };
 
 /// How many members each generation has, for the window: of a plane's seed words as they are now,
@@ -258,6 +260,7 @@ struct ProbedVoxel {
 struct ProbedSeeds {
     std::uint8_t label = 0;
     SeedSums sums;
+    std::optional<std::size_t> group{}; ///< its place; none: of the seeds that are in no group
     bool operator==(const ProbedSeeds&) const = default;
 };
 
@@ -272,7 +275,8 @@ struct EngineResult {
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::optional<LeakAlarm> alarm{}; ///< EndEdit of a growth: why it stopped
     std::vector<ProbedVoxel> probes;
-    std::vector<ProbedSeeds> seeds; ///< by label, only those that have voxels
+    std::vector<ProbedSeeds> seeds; ///< groups in their order, then the seeds in none, by label;
+                                    ///< only those that have voxels
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
     std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
                                                 ///< last that has any

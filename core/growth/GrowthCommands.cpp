@@ -18,7 +18,7 @@ bool isSound(const GrowLimits& limits)
 bool isSound(const GrowBurst& burst)
 {
     const bool rolls = isAsked(burst.limits.passage);
-    return isSound(burst.limits)
+    return isSound(burst.limits) && isSound(burst.seedGroups)
         && (!rolls || (burst.opening != GrowOpening::Narrow && burst.tellsHeld));
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/growth/Passage.h"
+#include "core/growth/SeedGroups.h"
 #include "core/sculpt/CapsuleSweep.h"
 
 #include <glm/glm.hpp>
@@ -41,10 +42,13 @@ struct SeedPlacement {
 /// Where a rule looks at a voxel outside the volume, the nearest one inside stands for it.
 ///
 /// within(label, q): lowCode ≤ code(q) ≤ highCode, and with sigmas256 > 0 code(q) also lies in
-///   seedInterval(sums, sigmas256) (SeedStatistics.h). The sums are those of the label as the burst
-///   finds it: every pending seed of the label and every member of it that is a seed
-///   (seedWord::isSeed) adds the voxels of the volume that lie within seedReach of it along each
-///   axis and whose code is in lowCode … highCode.
+///   seedInterval(sums, sigmas256) (SeedStatistics.h) of one of the label's groups of seeds. Its
+///   seeds are, as the burst finds it, every pending seed of the label and every member of it that
+///   is a seed (seedWord::isSeed). Each of GrowBurst::seedGroups that bears the label is a group of
+///   those seeds that lie at its voxels (a seed may be in several), and the seeds that are in none
+///   are one more; where none bears the label, all are. To the sums of its groups each seed adds
+///   the voxels of the volume that lie within seedReach of it along each axis and whose code is in
+///   lowCode … highCode.
 /// magnitude(q) = ⌊√(tx² + ty² + tz²)⌋, where ta = min(⌊gradientWeights[a] · |code(q + ea) −
 ///   code(q − ea)| / 1024⌋, 32767) along each axis a.
 /// allows(label, q), asked of every voxel, seeds too:
@@ -140,10 +144,11 @@ struct GrowBurst {
     bool tellsHeld = true; ///< false: directions 29 and 30 are not used
     /// After a generation that alarms it no step is done any more, whatever is asked for.
     std::optional<GuardRule> guard{};
+    std::vector<SeedGroup> seedGroups{}; ///< only looked at with sigmas256 > 0
 };
 
-/// Whether its limits are, and with a passage width the opening is not Narrow (who stays would
-/// depend on rooms that change; Restart gives what would have grown) and tellsHeld is true.
+/// Whether its limits and groups are, and with a passage width the opening is not Narrow (who stays
+/// would depend on rooms that change; Restart gives what would have grown) and tellsHeld is true.
 [[nodiscard]] bool isSound(const GrowBurst& burst);
 
 /// Take back what a growth added after generation `keep`, for every label but those in `frozen`:

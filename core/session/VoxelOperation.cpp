@@ -7,6 +7,7 @@
 #include "core/edits/SparedSegments.h"
 #include "core/session/GrownSteps.h"
 #include "core/session/RecentGrowth.h"
+#include "core/session/SeedStrokes.h"
 
 #include <utility>
 
@@ -145,6 +146,8 @@ void VoxelOperation::start(SessionState& state)
         m_finished = m_kind == Kind::Whole;
         return;
     }
+    if (auto* burst = std::get_if<GrowBurst>(&*edit))
+        addSeedStrokes(*burst, m_edit, state.history, state.document);
     // Samples of a stroke that had to wait in line are all in the edit by now.
     if (samples && !samples->empty())
         m_waiting.push_front(DrillPath{m_path->add(*samples)});
@@ -262,6 +265,7 @@ void VoxelOperation::setInterval(SessionState& state, double lower, double upper
         Result<GrowBurst> burst = growBurst(*change, state.document);
         if (!burst)
             return state.fail(burst.error());
+        addSeedStrokes(*burst, m_edit, state.history, state.document);
         m_waiting.push_back(GrowAnew{*std::move(burst)});
     }
     submitWaiting(state);

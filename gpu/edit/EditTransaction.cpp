@@ -27,13 +27,13 @@ core::Result<void> check(const core::SeedPlacement& edit, const core::BrickGrid&
     return taken ? checkVoxels(edit.voxels, grid) : taken;
 }
 
-core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid&)
+core::Result<void> check(const core::GrowBurst& edit, const core::BrickGrid& grid)
 {
     if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
         return refusal("connectivity", "is not 6, 18 or 26");
     if (!core::isSound(edit))
         return refusal("limits", "are not sound");
-    return {};
+    return gpu::check(edit.seedGroups, grid);
 }
 
 core::Result<void> check(const core::ShrinkGrowth& edit, const core::BrickGrid&)
@@ -155,6 +155,17 @@ core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& gri
     if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
         return refusal("connectivity", "is not 6, 18 or 26");
     return checkVoxels(edit.voxels, grid);
+}
+
+core::Result<void> check(const std::vector<core::SeedGroup>& groups, const core::BrickGrid& grid)
+{
+    if (!core::isSound(groups))
+        return refusal("seedGroups", "are not sound");
+    for (const core::SeedGroup& group : groups) {
+        if (const core::Result<void> checked = checkVoxels(group.voxels, grid); !checked)
+            return checked;
+    }
+    return {};
 }
 
 tl::unexpected<core::Error> refusal(const char* field, const char* reason)

@@ -106,6 +106,9 @@ private:
 
 /// Whether a cut of this volume could begin.
 [[nodiscard]] core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid);
+/// Whether these groups of seeds are sound and lie in a volume.
+[[nodiscard]] core::Result<void> check(
+    const std::vector<core::SeedGroup>& groups, const core::BrickGrid& grid);
 
 /// `failure(InvalidField, …)` in short.
 [[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const char* reason);

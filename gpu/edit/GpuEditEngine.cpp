@@ -382,12 +382,18 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
 
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeSeeds& command)
 {
-    const SeedSumsByLabel sums = seedSums(m_programs.growth.seedStatistics, *m_fields,
-        command.plane, command.lowCode, command.highCode);
+    if (const core::Result<void> checked = check(command.seedGroups, m_fields->grid()); !checked)
+        return tl::unexpected(checked.error());
+    const core::GroupedSeedSums sums =
+        seedSums(m_programs.growth.seedStatistics, *m_fields, command);
     core::EngineResult result;
-    for (std::size_t label = 0; label < sums.size(); ++label) {
-        if (sums[label].voxels > 0)
-            result.seeds.push_back({std::uint8_t(label), sums[label]});
+    for (std::size_t group = 0; group < sums.groups.size(); ++group) {
+        if (sums.groups[group].voxels > 0)
+            result.seeds.push_back({command.seedGroups[group].label, sums.groups[group], group});
+    }
+    for (std::size_t label = 0; label < sums.others.size(); ++label) {
+        if (sums.others[label].voxels > 0)
+            result.seeds.push_back({std::uint8_t(label), sums.others[label], {}});
     }
     return result;
 }

@@ -27,12 +27,155 @@ std::array<std::pair<const char*, bool>, 7> questions(const core::GrowLimits& li
             {"SIGMAS", limits.sigmas256 > 0}}};
 }
 
-std::uint64_t wide(const std::uint32_t* words)
+constexpr std::size_t groupsAtOnce = 65535; // the least that GL promises
+constexpr std::size_t voxelsPerGroup = 64;
+constexpr std::size_t bitsPerTexel = 32;
+constexpr std::size_t codeCount = 65536;
+
+/// Sums as seedStatistics.comp adds them up: six words each.
+class SumBuffer {
+public:
+    explicit SumBuffer(std::size_t count)
+        : m_count(count)
+        , m_words({.label = "seed sums", .bytes = count * sizeof(Words)})
+    {
+        m_words.fill(0);
+    }
+    void bind() const { m_words.bindBase(GL_SHADER_STORAGE_BUFFER, 1); }
+    [[nodiscard]] std::vector<core::SeedSums> read() const
+    {
+        std::vector<Words> words(m_count);
+        m_words.read(std::span(words));
+        std::vector<core::SeedSums> sums;
+        sums.reserve(m_count);
+        for (const Words& each : words)
+            sums.push_back({.voxels = wide(each[0], each[1]),
+                .codes = wide(each[2], each[3]),
+                .squares = wide(each[4], each[5])});
+        return sums;
+    }
+
+private:
+    using Words = std::array<std::uint32_t, 6>;
+    [[nodiscard]] static std::uint64_t wide(std::uint32_t low, std::uint32_t high)
+    {
+        return std::uint64_t(low) | std::uint64_t(high) << 32;
+    }
+
+    std::size_t m_count;
+    Buffer m_words;
+};
+
+void add(core::SeedSums& sums, const core::SeedSums& more)
 {
-    return std::uint64_t(words[0]) | std::uint64_t(words[1]) << 32;
+    sums.voxels += more.voxels;
+    sums.codes += more.codes;
+    sums.squares += more.squares;
+}
+
+/// Each part is in the whole.
+void subtract(core::SeedSums& sums, const core::SeedSums& part)
+{
+    sums.voxels -= part.voxels;
+    sums.codes -= part.codes;
+    sums.squares -= part.squares;
+}
+
+void prepare(Program& kernel, VoxelFields& fields, const core::ProbeSeeds& question)
+{
+    const auto [low, high] = interval(question.lowCode, question.highCode);
+    kernel.set("volumeSize", fields.grid().volumeSize)
+        .set("volumeBricks", fields.grid().bricks())
+        .set("lowCode", low)
+        .set("highCode", high);
+    BrickField& words = fields.seedWords(question.plane);
+    words.pageTable().bindUnit(1);
+    words.atlas().bindUnit(0);
+    fields.codes().bindUnit(2);
+}
+
+/// Runs over a list, one entry for every `perGroup` of a work group.
+template <class Entry>
+void runOver(Program& kernel, const std::vector<Entry>& entries, std::size_t perGroup)
+{
+    const std::size_t atOnce = groupsAtOnce * perGroup;
+    for (std::size_t first = 0; first < entries.size(); first += atOnce) {
+        const std::span<const Entry> batch =
+            std::span(entries).subspan(first, std::min(atOnce, entries.size() - first));
+        Buffer list({.label = "seed list", .bytes = batch.size_bytes()});
+        list.write(batch);
+        list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        kernel.set("entryCount", unsigned(batch.size()));
+        kernel.dispatch({unsigned((batch.size() + perGroup - 1) / perGroup), 1, 1});
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    }
+}
+
+/// Voxels that stand in more than one group of a label, once less than they do.
+std::vector<core::SeedGroup> repeated(const std::vector<core::SeedGroup>& groups)
+{
+    std::array<std::vector<glm::ivec3>, 256> byLabel;
+    for (const core::SeedGroup& group : groups)
+        byLabel[group.label].insert(
+            byLabel[group.label].end(), group.voxels.begin(), group.voxels.end());
+    std::vector<core::SeedGroup> again;
+    for (std::size_t label = 0; label < byLabel.size(); ++label) {
+        std::vector<glm::ivec3>& voxels = byLabel[label];
+        std::sort(voxels.begin(), voxels.end(), [](const glm::ivec3& a, const glm::ivec3& b) {
+            return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+        });
+        core::SeedGroup more{.label = std::uint8_t(label)};
+        for (std::size_t i = 1; i < voxels.size(); ++i) {
+            if (voxels[i] == voxels[i - 1])
+                more.voxels.push_back(voxels[i]);
+        }
+        if (!more.voxels.empty())
+            again.push_back(std::move(more));
+    }
+    return again;
+}
+
+/// Of each group by itself.
+std::vector<core::SeedSums> sumsOf(const std::vector<core::SeedGroup>& groups, Program& kernel,
+    VoxelFields& fields, const core::ProbeSeeds& question)
+{
+    struct Entry { // seedStatistics.comp
+        glm::uvec3 voxel;
+        std::uint32_t labelAndGroup;
+    };
+    std::vector<Entry> entries;
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+        for (const glm::ivec3& voxel : groups[group].voxels)
+            entries.push_back({glm::uvec3(voxel),
+                std::uint32_t(groups[group].label) | std::uint32_t(group) << 8});
+    }
+    if (entries.empty())
+        return std::vector<core::SeedSums>(groups.size());
+    SumBuffer sums(groups.size());
+    prepare(kernel, fields, question);
+    sums.bind();
+    runOver(kernel, entries, voxelsPerGroup);
+    return sums.read();
 }
 
 } // namespace
+
+SeedStatisticsPrograms::SeedStatisticsPrograms(const ShaderLibrary& shaders)
+    : m_shaders(shaders)
+    , m_inBricks(
+          shaders, {.label = "seeds in bricks", .path = "edit/seedStatistics.comp", .defines = {}})
+{
+}
+
+Program& SeedStatisticsPrograms::listed()
+{
+    if (!m_listed)
+        m_listed = Program(m_shaders,
+            ComputeProgramOptions{.label = "listed seeds",
+                .path = "edit/seedStatistics.comp",
+                .defines = {{"LISTED", 1}}});
+    return m_listed;
+}
 
 ShaderDefines definesOf(const core::GrowLimits& limits)
 {
@@ -52,55 +195,67 @@ unsigned kindOf(const core::GrowLimits& limits)
     return 2 * kind + (core::isAsked(limits.passage) ? 1 : 0);
 }
 
-SeedSumsByLabel seedSums(
-    Program& kernel, VoxelFields& fields, std::uint8_t plane, int lowCode, int highCode)
+core::GroupedSeedSums seedSums(
+    SeedStatisticsPrograms& programs, VoxelFields& fields, const core::ProbeSeeds& question)
 {
-    SeedSumsByLabel sums{};
-    BrickField& words = fields.seedWords(plane);
-    const std::vector<std::uint32_t> bricks = words.heldBricks();
-    const auto [low, high] = interval(lowCode, highCode);
-    constexpr std::size_t bricksAtOnce = 65535; // the least that GL promises
-    std::array<std::uint32_t, sums.size() * 6> counted{};
-    Buffer result({.label = "seed sums", .bytes = sizeof(counted)});
-    result.fill(0);
-    kernel.set("volumeSize", fields.grid().volumeSize)
-        .set("volumeBricks", fields.grid().bricks())
-        .set("lowCode", low)
-        .set("highCode", high);
-    words.pageTable().bindUnit(1);
-    words.atlas().bindUnit(0);
-    fields.codes().bindUnit(2);
-    result.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    for (std::size_t first = 0; first < bricks.size(); first += bricksAtOnce) {
-        const std::span<const std::uint32_t> batch =
-            std::span(bricks).subspan(first, std::min(bricksAtOnce, bricks.size() - first));
-        Buffer list({.label = "seed bricks", .bytes = batch.size_bytes()});
-        list.write(batch);
-        list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-        kernel.dispatch({unsigned(batch.size()), 1, 1});
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    }
-    result.read(std::span<std::uint32_t>(counted));
-    for (std::size_t label = 0; label < sums.size(); ++label) {
-        const std::uint32_t* words6 = &counted[6 * label];
-        sums[label] = {
-            .voxels = wide(words6), .codes = wide(words6 + 2), .squares = wide(words6 + 4)};
-    }
-    return sums;
+    core::GroupedSeedSums result;
+    result.groups.resize(question.seedGroups.size());
+    const std::vector<std::uint32_t> bricks = fields.seedWords(question.plane).heldBricks();
+    if (bricks.empty())
+        return result;
+    SumBuffer sums(result.others.size());
+    prepare(programs.inBricks(), fields, question);
+    sums.bind();
+    runOver(programs.inBricks(), bricks, 1);
+    const std::vector<core::SeedSums> all = sums.read();
+    std::copy(all.begin(), all.end(), result.others.begin());
+    if (question.seedGroups.empty())
+        return result;
+
+    result.groups = sumsOf(question.seedGroups, programs.listed(), fields, question);
+    const std::vector<core::SeedGroup> again = repeated(question.seedGroups);
+    const std::vector<core::SeedSums> twice = sumsOf(again, programs.listed(), fields, question);
+    for (std::size_t i = 0; i < again.size(); ++i)
+        add(result.others[again[i].label], twice[i]);
+    for (std::size_t i = 0; i < result.groups.size(); ++i)
+        subtract(result.others[question.seedGroups[i].label], result.groups[i]);
+    return result;
 }
 
-GrowCriterion::GrowCriterion(Program& statistics, VoxelFields& fields, const core::GrowBurst& burst)
+GrowCriterion::GrowCriterion(const core::GrowBurst& burst, const core::GroupedSeedSums& around)
     : m_limits(burst.limits)
 {
     std::tie(m_lowCode, m_highCode) = interval(burst.lowCode, burst.highCode);
-    if (m_limits.sigmas256 <= 0)
-        return;
-    const SeedSumsByLabel sums =
-        seedSums(statistics, fields, burst.plane, burst.lowCode, burst.highCode);
-    for (std::size_t label = 0; label < sums.size(); ++label) {
-        const core::CodeInterval codes = core::seedInterval(sums[label], m_limits.sigmas256);
-        m_seedIntervals[label] = unsigned(codes.low) | unsigned(codes.high) << 16;
-    }
+    if (m_limits.sigmas256 > 0)
+        takeSeeds(burst, around);
+}
+
+void GrowCriterion::takeSeeds(const core::GrowBurst& burst, const core::GroupedSeedSums& around)
+{
+    constexpr std::size_t width = codeCount / bitsPerTexel;
+    std::vector<std::uint32_t> bits;
+    const auto take = [&](std::size_t label, const core::SeedSums& sums) {
+        const core::CodeInterval codes = core::seedInterval(sums, m_limits.sigmas256);
+        if (codes.low > codes.high)
+            return;
+        if (m_seedRows[label] == 0) {
+            bits.resize(bits.size() + width);
+            m_seedRows[label] = unsigned(bits.size() / width);
+        }
+        std::uint32_t* row = &bits[(m_seedRows[label] - 1) * width];
+        for (std::size_t code = std::size_t(codes.low); code <= std::size_t(codes.high); ++code)
+            row[code / bitsPerTexel] |= 1u << code % bitsPerTexel;
+    };
+    for (std::size_t group = 0; group < around.groups.size(); ++group)
+        take(burst.seedGroups[group].label, around.groups[group]);
+    for (std::size_t label = 0; label < around.others.size(); ++label)
+        take(label, around.others[label]);
+    if (bits.empty())
+        bits.resize(width);
+    m_seedCodes = Texture2D({.label = "codes by seeds",
+        .size = {int(width), int(bits.size() / width)},
+        .format = GL_R32UI});
+    m_seedCodes.upload(std::span<const std::uint32_t>(bits));
 }
 
 void GrowCriterion::setUniforms(Program& program) const
@@ -115,13 +270,15 @@ void GrowCriterion::setUniforms(Program& program) const
         .set("majority", m_limits.majority)
         .set("boxFrom", m_limits.boxFrom)
         .set("boxTo", m_limits.boxTo)
-        .set("seedIntervals", std::span<const unsigned>(m_seedIntervals));
+        .set("seedRows", std::span<const unsigned>(m_seedRows));
 }
 
 void GrowCriterion::bind(VoxelFields& fields) const
 {
     if (m_limits.onlyVisible)
         fields.radiation().bindUnit(0);
+    if (m_seedCodes)
+        m_seedCodes.bindUnit(4);
 }
 
 } // namespace gpu

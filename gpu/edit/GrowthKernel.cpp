@@ -21,6 +21,16 @@ Buffer listBuffer(std::span<const std::uint32_t> list)
     return buffer;
 }
 
+/// What lies around the seeds of a burst, where it asks for that.
+core::GroupedSeedSums sumsFor(
+    GrowthPrograms& programs, VoxelFields& fields, const core::GrowBurst& burst)
+{
+    if (burst.limits.sigmas256 == 0)
+        return {};
+    return seedSums(programs.seedStatistics, fields,
+        {burst.plane, burst.lowCode, burst.highCode, burst.seedGroups});
+}
+
 } // namespace
 
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
@@ -70,7 +80,7 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
           .limits = burst.limits,
           .beneath = m_mayTake || fields.anythingBeneath(burst.plane)}
     , m_rings(&programs.rings(m_kind))
-    , m_criterion(programs.seedStatistics, fields, burst)
+    , m_criterion(burst, sumsFor(programs, fields, burst))
     , m_state({.label = "growth state", .bytes = sizeof(State)})
     , m_openGeneration(burst.generation)
     , m_generation(burst.generation)

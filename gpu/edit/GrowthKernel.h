@@ -63,7 +63,7 @@ struct GrowthPrograms {
     [[nodiscard]] FrontBitsPrograms& frontBits(const GrowthKind& kind);
 
     Program placeSeeds;
-    Program seedStatistics;
+    SeedStatisticsPrograms seedStatistics;
     ShrinkPrograms shrink;
     PassagePrograms passage;
 

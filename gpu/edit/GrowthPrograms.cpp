@@ -50,7 +50,7 @@ GrowthPrograms::Narrowing::Narrowing(const ShaderLibrary& shaders, const GrowthK
 
 GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
     : placeSeeds(program(shaders, "edit/placeSeeds.comp"))
-    , seedStatistics(program(shaders, "edit/seedStatistics.comp"))
+    , seedStatistics(shaders)
     , shrink(shaders)
     , passage(shaders)
     , m_shaders(shaders)

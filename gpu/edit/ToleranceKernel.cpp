@@ -127,7 +127,7 @@ ToleranceKernel::ToleranceKernel(
     , m_field(fields.tolerance())
     , m_init(programs.init(rule.limits))
     , m_relax(programs.relax(rule.connectivity))
-    , m_criterion(programs.seeds(), fields, burstOf(rule)) // σ is refused, so it looks at nothing
+    , m_criterion(burstOf(rule)) // σ is refused
     , m_digest({.label = "tolerance digest", .bytes = sizeof(m_field.digest)})
 {
     const bool again = m_field.worked && m_field.rule == rule && m_field.curve.centre == centre;

@@ -13,7 +13,8 @@
 layout(binding = 0) uniform usampler3D radiation; // at voxel centres it says what coverage does
 #endif
 #ifdef SIGMAS
-uniform uint seedIntervals[256]; // by label: low | high << 16; low above high where it has no seeds
+layout(binding = 4) uniform usampler2D seedCodes; // rows of bits: the codes that seeds let in
+uniform uint seedRows[256]; // by label, + 1; 0: no code
 #endif
 #ifdef DIFFERENCE
 uniform uint difference;
@@ -44,8 +45,9 @@ uint codeAt(ivec3 voxel)
 bool isWithin(uint label, uint code)
 {
 #ifdef SIGMAS
-    uint interval = seedIntervals[label];
-    if (code < (interval & 0xFFFFu) || code > interval >> 16)
+    uint row = seedRows[label];
+    if (row == 0u
+        || (texelFetch(seedCodes, ivec2(code >> 5, row - 1u), 0).r >> (code & 31u) & 1u) == 0u)
         return false;
 #endif
     return code >= lowCode && code <= highCode;

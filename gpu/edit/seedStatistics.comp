@@ -1,5 +1,6 @@
-// Adds up the codes around the seeds of every label (GrowLimits in core/growth/GrowthCommands.h).
-// One work-group a listed brick of the seed words. Sums are of 64 bits, in two words, low first.
+// Adds up the codes around seeds (GrowLimits in core/growth/GrowthCommands.h): of every label, one
+// work-group a listed brick of the seed words; or, with LISTED, of every group, one invocation a
+// listed voxel. Sums are of 64 bits, in two words, low first.
 
 layout(local_size_x = 64) in;
 
@@ -9,9 +10,14 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform usampler3D words; // atlas
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 2) uniform usampler3D codes;
+#ifdef LISTED
+layout(binding = 0, std430) readonly buffer Entries { uvec4 entries[]; }; // voxel, label | group << 8
+uniform uint entryCount;
+#else
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
-// Of each label the voxels, their codes, the squares of codes.
-layout(binding = 1, std430) buffer Sums { uint sums[256 * 6]; };
+#endif
+// Of each label or group the voxels, their codes, the squares of codes.
+layout(binding = 1, std430) buffer Sums { uint sums[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
@@ -27,7 +33,12 @@ void add(uint place, uint low, uint high)
         atomicAdd(sums[place + 1u], high + carry);
 }
 
-void addAround(ivec3 seed, uint label)
+bool isSeedWord(uint word)
+{
+    return isPendingSeed(word) || (isMember(word) && isSeed(word));
+}
+
+void addAround(ivec3 seed, uint group)
 {
     ivec3 from = max(seed - seedReach, ivec3(0));
     ivec3 to = min(seed + seedReach, volumeSize - 1);
@@ -49,11 +60,26 @@ void addAround(ivec3 seed, uint label)
             }
         }
     }
-    add(6u * label, count, 0u);
-    add(6u * label + 2u, sum, 0u);
-    add(6u * label + 4u, squaresLow, squaresHigh);
+    add(6u * group, count, 0u);
+    add(6u * group + 2u, sum, 0u);
+    add(6u * group + 4u, squaresLow, squaresHigh);
 }
 
+#ifdef LISTED
+void main()
+{
+    if (gl_GlobalInvocationID.x >= entryCount)
+        return;
+    uvec4 listed = entries[gl_GlobalInvocationID.x];
+    ivec3 voxel = ivec3(listed.xyz);
+    uint entry = texelFetch(pageTable, voxel / brickSide, 0).r;
+    if (entry == 0u)
+        return;
+    uint word = texelFetch(words, atlasTexel(entry, voxel), 0).r;
+    if (isSeedWord(word) && labelOf(word) == (listed.w & 255u))
+        addAround(voxel, listed.w >> 8);
+}
+#else
 void main()
 {
     ivec3 brick = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks);
@@ -63,7 +89,8 @@ void main()
         if (!inside(voxel, volumeSize))
             continue;
         uint word = texelFetch(words, atlasTexel(entry, voxel), 0).r;
-        if (isPendingSeed(word) || (isMember(word) && isSeed(word)))
+        if (isSeedWord(word))
             addAround(voxel, labelOf(word));
     }
 }
+#endif

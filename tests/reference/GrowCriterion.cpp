@@ -23,25 +23,45 @@ template <class Visit> void forEachVoxel(const glm::ivec3& from, const glm::ivec
 
 } // namespace
 
-std::array<core::SeedSums, 256> seedSums(const DenseArray<std::uint16_t>& codes,
-    const DenseArray<std::uint32_t>& words, int lowCode, int highCode)
+core::GroupedSeedSums seedSums(const DenseArray<std::uint16_t>& codes,
+    const DenseArray<std::uint32_t>& words, const core::ProbeSeeds& question)
 {
-    std::array<core::SeedSums, 256> sums{};
-    forEachVoxel(glm::ivec3(0), words.size - 1, [&](const glm::ivec3& seed) {
-        const std::uint32_t word = words.at(seed);
-        if (!seedWord::isPendingSeed(word) && !(seedWord::isMember(word) && seedWord::isSeed(word)))
-            return;
-        core::SeedSums& sum = sums[seedWord::label(word)];
+    const auto isSeedOf = [&words](const glm::ivec3& voxel, std::uint32_t label) {
+        const std::uint32_t word = words.at(voxel);
+        return seedWord::label(word) == label
+            && (seedWord::isPendingSeed(word)
+                || (seedWord::isMember(word) && seedWord::isSeed(word)));
+    };
+    const auto addAround = [&](const glm::ivec3& seed, core::SeedSums& sums) {
         forEachVoxel(seed - core::seedReach, seed + core::seedReach, [&](const glm::ivec3& voxel) {
             if (!codes.contains(voxel))
                 return;
             const std::uint64_t code = codes.at(voxel);
-            if (int(code) < lowCode || int(code) > highCode)
+            if (int(code) < question.lowCode || int(code) > question.highCode)
                 return;
-            ++sum.voxels;
-            sum.codes += code;
-            sum.squares += code * code;
+            ++sums.voxels;
+            sums.codes += code;
+            sums.squares += code * code;
         });
+    };
+    core::GroupedSeedSums sums;
+    for (const core::SeedGroup& group : question.seedGroups) {
+        core::SeedSums& own = sums.groups.emplace_back();
+        for (const glm::ivec3& voxel : group.voxels) {
+            if (isSeedOf(voxel, group.label))
+                addAround(voxel, own);
+        }
+    }
+    forEachVoxel(glm::ivec3(0), words.size - 1, [&](const glm::ivec3& voxel) {
+        const std::uint32_t label = seedWord::label(words.at(voxel));
+        if (!isSeedOf(voxel, label))
+            return;
+        for (const core::SeedGroup& group : question.seedGroups) {
+            if (group.label == label
+                && std::find(group.voxels.begin(), group.voxels.end(), voxel) != group.voxels.end())
+                return;
+        }
+        addAround(voxel, sums.others[label]);
     });
     return sums;
 }
@@ -52,16 +72,19 @@ GrowCriterion::GrowCriterion(const DenseArray<std::uint16_t>& codes,
     : m_codes(codes)
     , m_coverage(std::move(coverage))
     , m_limits(burst.limits)
+    , m_interval{.low = burst.lowCode, .high = burst.highCode}
 {
-    m_intervals.fill({.low = burst.lowCode, .high = burst.highCode});
     if (m_limits.sigmas256 == 0)
         return;
-    const auto sums = seedSums(codes, words, burst.lowCode, burst.highCode);
-    for (std::size_t label = 0; label < sums.size(); ++label) {
-        const core::CodeInterval around = core::seedInterval(sums[label], m_limits.sigmas256);
-        m_intervals[label].low = std::max(m_intervals[label].low, around.low);
-        m_intervals[label].high = std::min(m_intervals[label].high, around.high);
-    }
+    const core::GroupedSeedSums sums =
+        seedSums(codes, words, {burst.plane, burst.lowCode, burst.highCode, burst.seedGroups});
+    const auto add = [this](std::size_t label, const core::SeedSums& around) {
+        m_seedIntervals[label].push_back(core::seedInterval(around, m_limits.sigmas256));
+    };
+    for (std::size_t group = 0; group < sums.groups.size(); ++group)
+        add(burst.seedGroups[group].label, sums.groups[group]);
+    for (std::size_t label = 0; label < sums.others.size(); ++label)
+        add(label, sums.others[label]);
 }
 
 int GrowCriterion::code(const glm::ivec3& voxel) const
@@ -71,7 +94,12 @@ int GrowCriterion::code(const glm::ivec3& voxel) const
 
 bool GrowCriterion::within(std::uint32_t label, const glm::ivec3& voxel) const
 {
-    return code(voxel) >= m_intervals[label].low && code(voxel) <= m_intervals[label].high;
+    const auto isIn = [code = code(voxel)](const core::CodeInterval& interval) {
+        return interval.low <= code && code <= interval.high;
+    };
+    const std::vector<core::CodeInterval>& seeds = m_seedIntervals[label];
+    return isIn(m_interval)
+        && (m_limits.sigmas256 == 0 || std::any_of(seeds.begin(), seeds.end(), isIn));
 }
 
 std::int64_t GrowCriterion::magnitude(const glm::ivec3& voxel) const

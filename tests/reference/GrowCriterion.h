@@ -5,12 +5,13 @@
 #include "tests/reference/DenseFields.h"
 
 #include <array>
+#include <vector>
 
 namespace reference {
 
-/// The sums around the seeds of each label (core::GrowLimits, core::ProbeSeeds).
-[[nodiscard]] std::array<core::SeedSums, 256> seedSums(const DenseArray<std::uint16_t>& codes,
-    const DenseArray<std::uint32_t>& words, int lowCode, int highCode);
+/// The sums around the seeds of each group (core::GrowLimits, core::ProbeSeeds).
+[[nodiscard]] core::GroupedSeedSums seedSums(const DenseArray<std::uint16_t>& codes,
+    const DenseArray<std::uint32_t>& words, const core::ProbeSeeds& question);
 
 /// The rules of core::GrowLimits, as they are written. Codes are borrowed.
 class GrowCriterion {
@@ -32,7 +33,8 @@ private:
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_coverage;
     core::GrowLimits m_limits;
-    std::array<core::CodeInterval, 256> m_intervals; ///< by label
+    core::CodeInterval m_interval; ///< lowCode … highCode
+    std::array<std::vector<core::CodeInterval>, 256> m_seedIntervals; ///< by label: of its groups
 };
 
 } // namespace reference

@@ -19,15 +19,6 @@ auto refuse(const char* field, const char* reason)
         core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
 }
 
-core::Result<void> check(const core::GrowBurst& burst)
-{
-    if (burst.connectivity != 6 && burst.connectivity != 18 && burst.connectivity != 26)
-        return refuse("connectivity", "is not 6, 18 or 26");
-    if (!core::isSound(burst))
-        return refuse("limits", "are not sound");
-    return {};
-}
-
 core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
 {
     core::EditStatistics statistics;
@@ -114,6 +105,28 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SeedPlacement& 
     }
     placeSeeds(m_fields, edit);
     return Done{};
+}
+
+core::Result<void> ReferenceEngine::checkGroups(const std::vector<core::SeedGroup>& groups) const
+{
+    if (!core::isSound(groups))
+        return refuse("seedGroups", "are not sound");
+    for (const core::SeedGroup& group : groups) {
+        for (const glm::ivec3& voxel : group.voxels) {
+            if (!m_codes.contains(voxel))
+                return refuse("voxels", "outside the volume");
+        }
+    }
+    return {};
+}
+
+core::Result<void> ReferenceEngine::check(const core::GrowBurst& edit) const
+{
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refuse("connectivity", "is not 6, 18 or 26");
+    if (!core::isSound(edit))
+        return refuse("limits", "are not sound");
+    return checkGroups(edit.seedGroups);
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::GrowBurst& edit)

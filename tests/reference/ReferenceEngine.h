@@ -74,6 +74,8 @@ private:
     [[nodiscard]] Outcome carryOut(core::ForeseeCut& command);
     [[nodiscard]] Outcome carryOut(core::DropForesight& command);
     [[nodiscard]] core::Result<void> checkCut(const core::CutGrowth& edit) const;
+    [[nodiscard]] core::Result<void> check(const core::GrowBurst& edit) const;
+    [[nodiscard]] core::Result<void> checkGroups(const std::vector<core::SeedGroup>& groups) const;
 
     [[nodiscard]] core::Result<Work> begin(core::SeedPlacement& edit);
     [[nodiscard]] core::Result<Work> begin(core::GrowBurst& edit);

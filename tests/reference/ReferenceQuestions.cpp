@@ -37,12 +37,18 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
 
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeSeeds& command)
 {
-    const auto sums =
-        seedSums(m_codes, m_fields.seedWords(command.plane), command.lowCode, command.highCode);
+    if (const core::Result<void> checked = checkGroups(command.seedGroups); !checked)
+        return tl::unexpected(checked.error());
+    const core::GroupedSeedSums sums =
+        seedSums(m_codes, m_fields.seedWords(command.plane), command);
     core::EngineResult result;
-    for (std::size_t label = 0; label < sums.size(); ++label) {
-        if (sums[label].voxels > 0)
-            result.seeds.push_back({std::uint8_t(label), sums[label]});
+    for (std::size_t group = 0; group < sums.groups.size(); ++group) {
+        if (sums.groups[group].voxels > 0)
+            result.seeds.push_back({command.seedGroups[group].label, sums.groups[group], group});
+    }
+    for (std::size_t label = 0; label < sums.others.size(); ++label) {
+        if (sums.others[label].voxels > 0)
+            result.seeds.push_back({std::uint8_t(label), sums.others[label], {}});
     }
     return result;
 }

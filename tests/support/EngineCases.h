@@ -46,6 +46,7 @@ namespace test {
 // The cases of the conformance suite, named and adversarial ones first, then random ones.
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> growLimitCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> seedGroupCases(int randomCount); ///< statistics by stroke
 [[nodiscard]] std::vector<EngineCase> wideGrowthCases(int randomCount); ///< of one label
 [[nodiscard]] std::vector<EngineCase> intervalCases(int randomCount); ///< barriers between
 [[nodiscard]] std::vector<EngineCase> beneathCases(int randomCount); ///< taken and given back

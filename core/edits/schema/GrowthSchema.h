@@ -43,6 +43,11 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
         "narrows the interval, for each segment by itself, to mean ± so many standard deviations "
         "around its seeds",
         "the interval as it is");
+    visit.maybe("perStroke", criteria.perStroke, editFields::Flag{},
+        "whether sigmas narrows it for each stroke of seeds by itself: a voxel joins a segment "
+        "where "
+        "one of its strokes takes it; painted seeds are one stroke",
+        "all seeds of a segment together");
     visit.maybe("difference", criteria.difference, valueDifference,
         "from the voxel it is reached from, at most", "any");
     visit.maybe("gradient", criteria.gradient, valuePerMillimetre,

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/growth/SeedGroups.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace core {
+
+bool isSound(const std::vector<SeedGroup>& groups)
+{
+    const auto comesNoLater = [](const glm::ivec3& a, const glm::ivec3& b) {
+        return std::tie(a.z, a.y, a.x) >= std::tie(b.z, b.y, b.x);
+    };
+    return std::all_of(groups.begin(), groups.end(), [&](const SeedGroup& group) {
+        const std::vector<glm::ivec3>& voxels = group.voxels;
+        return group.label != 0
+            && std::adjacent_find(voxels.begin(), voxels.end(), comesNoLater) == voxels.end();
+    });
+}
+
+} // namespace core

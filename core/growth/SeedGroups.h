@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/SeedStatistics.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// Places of a label's seeds that have statistics of their own: a stroke's. Only those count that
+/// are seeds of the label when somebody asks.
+struct SeedGroup {
+    std::uint8_t label = 0;
+    std::vector<glm::ivec3> voxels{}; ///< inside the volume, ascending by z, y, x, none twice
+    bool operator==(const SeedGroup&) const = default;
+};
+
+/// Whether no label is 0 and the voxels of each stand in their order.
+[[nodiscard]] bool isSound(const std::vector<SeedGroup>& groups);
+
+/// What lies around seeds, group by group.
+struct GroupedSeedSums {
+    std::vector<SeedSums> groups{}; ///< in their order
+    std::array<SeedSums, 256> others{}; ///< by label: of its seeds that no group of its holds
+};
+
+} // namespace core
