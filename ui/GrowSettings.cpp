@@ -78,6 +78,8 @@ core::GrowCriteria criteriaOf(const GrowSettings& settings)
     criteria.upper = settings.upper;
     criteria.connectivity = settings.connectivity;
     criteria.sigmas = asked(settings.sigmas);
+    if (criteria.sigmas)
+        criteria.perStroke = true;
     criteria.difference = asked(settings.difference);
     criteria.gradient = asked(settings.gradient);
     criteria.gradientDifference = asked(settings.gradientDifference);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/SeedBand.h"
 
+#include "core/session/SeedStrokes.h"
 #include "ui/Workspace.h"
 
 #include <QPointer>
@@ -9,6 +10,27 @@
 #include <cmath>
 
 namespace ui {
+
+namespace {
+
+/// Ascending, those that overlap or touch as one.
+std::vector<core::CodeInterval> united(std::vector<core::CodeInterval> intervals)
+{
+    std::sort(intervals.begin(), intervals.end(),
+        [](const core::CodeInterval& a, const core::CodeInterval& b) { return a.low < b.low; });
+    std::vector<core::CodeInterval> apart;
+    for (const core::CodeInterval& next : intervals) {
+        if (next.low > next.high)
+            continue;
+        if (!apart.empty() && next.low <= apart.back().high + 1)
+            apart.back().high = std::max(apart.back().high, next.high);
+        else
+            apart.push_back(next);
+    }
+    return apart;
+}
+
+} // namespace
 
 SeedBand::SeedBand(Workspace& workspace, QObject* parent)
     : QObject(parent)
@@ -28,11 +50,11 @@ SeedBand::SeedBand(Workspace& workspace, QObject* parent)
         });
 }
 
-void SeedBand::set(const std::optional<std::pair<double, double>>& values)
+void SeedBand::set(const std::optional<SeedStretches>& stretches)
 {
-    if (values == m_values)
+    if (stretches == m_stretches)
         return;
-    m_values = values;
+    m_stretches = stretches;
     Q_EMIT changed();
 }
 
@@ -52,6 +74,8 @@ void SeedBand::ask()
     core::ProbeSeeds question;
     question.lowCode = volume->encoding.lowestCodeAtLeast(settings.lower);
     question.highCode = volume->encoding.highestCodeAtMost(settings.upper);
+    question.seedGroups =
+        core::seedStrokes(session->history(), session->document(), question.plane);
     session->ask(question,
         [band = QPointer<SeedBand>(this), session, question](const core::EngineResult& result) {
             if (!band || band->m_workspace.session() != session)
@@ -61,19 +85,45 @@ void SeedBand::ask()
                 band->ask();
                 return;
             }
-            const GrowSettings& now = band->m_workspace.growSettings();
-            const core::VoxelEncoding& encoding = band->m_workspace.volume()->encoding;
-            std::optional<std::pair<double, double>> values;
-            for (const core::ProbedSeeds& seeds : result.seeds) {
-                if (int(seeds.label) != band->m_workspace.activeSegment() || !now.sigmas.on)
-                    continue;
-                const core::CodeInterval codes =
-                    core::seedInterval(seeds.sums, int(std::lround(now.sigmas.value * 256.0)));
-                values = {encoding.value(std::max(codes.low, question.lowCode)),
-                    encoding.value(std::min(codes.high, question.highCode))};
-            }
-            band->set(values);
+            band->set(band->stretchesOf(result, question));
         });
+}
+
+std::optional<SeedStretches> SeedBand::stretchesOf(
+    const core::EngineResult& result, const core::ProbeSeeds& question) const
+{
+    const GrowSettings& settings = m_workspace.growSettings();
+    if (!settings.sigmas.on)
+        return std::nullopt;
+    SeedStretches stretches;
+    std::vector<core::CodeInterval> intervals;
+    std::optional<core::CodeInterval> newest;
+    for (const core::ProbedSeeds& seeds : result.seeds) {
+        if (int(seeds.label) != m_workspace.activeSegment())
+            continue;
+        core::CodeInterval codes =
+            core::seedInterval(seeds.sums, int(std::lround(settings.sigmas.value * 256.0)));
+        codes.low = std::max(codes.low, question.lowCode);
+        codes.high = std::min(codes.high, question.highCode);
+        intervals.push_back(codes);
+        if (seeds.group) {
+            ++stretches.strokes;
+            newest = codes; // strokes stand in their order
+        } else {
+            stretches.others = true;
+        }
+    }
+    if (intervals.empty())
+        return std::nullopt;
+    const auto valuesOf = [this](const core::CodeInterval& codes) {
+        const core::VoxelEncoding& encoding = m_workspace.volume()->encoding;
+        return SeedStretches::Stretch(encoding.value(codes.low), encoding.value(codes.high));
+    };
+    if (newest && newest->low <= newest->high && intervals.size() > 1)
+        stretches.newest = valuesOf(*newest);
+    for (const core::CodeInterval& codes : united(std::move(intervals)))
+        stretches.values.push_back(valuesOf(codes));
+    return stretches;
 }
 
 } // namespace ui

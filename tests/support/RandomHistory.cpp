@@ -106,9 +106,9 @@ private:
         else if (!rowsBefore)
             ++m_result.done[what];
         else if (rows > *rowsBefore)
-            ++m_result.done[m_session->history().rows().back().name.contains(noVoxel)
-                    ? what + noVoxel
-                    : what];
+            ++m_result
+                  .done[m_session->history().rows().back().name.contains(noVoxel) ? what + noVoxel
+                                                                                  : what];
         return what;
     }
     QString jump()
@@ -347,6 +347,8 @@ private:
             grow.guard.factor = between(10, 40) / 10.0;
         // Of the row's number: the histories of before stay as they are but for this.
         const std::size_t row = m_session->history().rows().size();
+        if (grow.criteria.sigmas && row % 2 == 0)
+            grow.criteria.perStroke = true;
         if (row % 7 == 0)
             grow.criteria.passage = 1.5 + double(row % 10) / 2.0;
         return grow;

@@ -220,6 +220,8 @@ void addRandomLimits(
     };
     if (random() % 4 == 0)
         criteria.sigmas = randomInt(random, 1, 1500) / 256.0;
+    if (criteria.sigmas && int(*criteria.sigmas * 256.0) % 2 == 0)
+        criteria.perStroke = true;
     criteria.difference = maybe(tissueCode);
     criteria.gradient = maybe(tissueCode);
     criteria.gradientDifference = maybe(tissueCode);
@@ -505,6 +507,20 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         change.criteria.upper = upper;
         return change;
     };
+    // Two strokes of a segment, each with statistics of its own.
+    core::GrowSteps byStroke{
+        .criteria = {.lower = 0, .upper = 1000, .sigmas = 0.75, .perStroke = true}, .steps = 4};
+    core::SeedStroke more = std::get<core::SeedStroke>(others);
+    more.segment = 1;
+    cases.push_back({"growth by strokes", volume, {first, seeds, more}, byStroke});
+    cases.push_back({"growth by strokes of two", volume,
+        {first, second, seeds, moved, others, more}, byStroke});
+    cases.push_back({"growth by strokes, one taken back", volume,
+        {first, seeds, more, core::RevertRows{{2}}}, byStroke});
+    cases.push_back(
+        {"another interval by strokes", volume, {first, seeds, more, byStroke}, interval(0, 700)});
+    cases.push_back(
+        {"resume by strokes", volume, {first, seeds, byStroke, more}, core::ResumeGrowth{}});
     core::GrowSteps rolling = over;
     rolling.criteria.passage = 2.5 * document.volumes.front().geometry.spacingMm().x;
     cases.push_back({"growth through passages of a width", volume, {first, seeds}, rolling});

@@ -43,6 +43,33 @@ int decimalsFor(double value)
     return value >= 10.0 || value <= 0.0 ? 1 : std::clamp(int(2.0 - std::log10(value)), 1, 6);
 }
 
+/// "24.0 … 36.0 HU"; of several strokes "3 strokes: 24.0 … 36.0, 55.0 … 66.0 HU".
+QString bandText(const SeedStretches& band, const QString& unit)
+{
+    constexpr std::size_t mostTold = 3;
+    QStringList told;
+    for (const auto& [lower, upper] : band.values) {
+        if (told.size() < qsizetype(mostTold))
+            told.append(
+                GrowCriteriaSection::tr("%1 … %2").arg(numberText(lower, 1), numberText(upper, 1)));
+    }
+    QString values = QStringLiteral("%1 %2").arg(told.join(QStringLiteral(", ")), unit).trimmed();
+    if (band.values.empty())
+        values = GrowCriteriaSection::tr("no value of the interval");
+    else if (band.values.size() > mostTold)
+        values = GrowCriteriaSection::tr("%1 and %2 more")
+                     .arg(values)
+                     .arg(band.values.size() - mostTold);
+    if (band.strokes + int(band.others) < 2)
+        return values;
+    const QString strokes = band.strokes == 1
+        ? GrowCriteriaSection::tr("1 stroke")
+        : GrowCriteriaSection::tr("%1 strokes").arg(band.strokes);
+    return (band.others ? GrowCriteriaSection::tr("%1 and other seeds: %2")
+                        : GrowCriteriaSection::tr("%1: %2"))
+        .arg(strokes, values);
+}
+
 } // namespace
 
 GrowCriteriaSection::GrowCriteriaSection(
@@ -69,12 +96,15 @@ void GrowCriteriaSection::build()
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(0, 1);
-    addRow(&GrowSettings::sigmas, "growSigmas", tr("Seeds' mean ±"),
-        tr("Narrow the interval, for each segment by itself, to the mean of the values around its "
-           "seeds ± so many standard deviations: of what lies within three voxels of a seed and in "
-           "the interval. The stretch is drawn on the histogram"));
+    addRow(&GrowSettings::sigmas, "growSigmas", tr("Strokes' mean ±"),
+        tr("Narrow the interval, for each stroke of seeds by itself, to the mean of the values "
+           "around its seeds ± so many standard deviations: of what lies within three voxels of a "
+           "seed and in the interval. A segment takes what one of its strokes lets in; painted "
+           "seeds are one stroke. The stretches are drawn on the histogram, that of the newest "
+           "stroke stronger"));
     m_bandText = smallLabel(m_body, Qt::AlignRight);
     m_bandText->setObjectName(QStringLiteral("growBandText"));
+    m_bandText->setWordWrap(true);
     grid->addWidget(m_bandText, grid->rowCount(), 0, 1, 2);
     addRow(&GrowSettings::difference, "growDifference", tr("Step at most"),
         tr("A voxel's value differs by no more than this from that of the voxel it is reached "
@@ -264,16 +294,11 @@ void GrowCriteriaSection::showSettings()
 
 void GrowCriteriaSection::showBand()
 {
-    const auto& band = m_band.values();
+    const auto& band = m_band.stretches();
     const core::Volume* volume = m_workspace.volume();
     m_bandText->setVisible(band.has_value());
-    if (!band || !volume)
-        return;
-    m_bandText->setText(band->first > band->second
-            ? tr("no value of the interval")
-            : tr("%1 … %2 %3")
-                  .arg(numberText(band->first, 1), numberText(band->second, 1), volume->unit)
-                  .trimmed());
+    if (band && volume)
+        m_bandText->setText(bandText(*band, volume->unit));
 }
 
 void GrowCriteriaSection::change(const Row& row)

@@ -72,7 +72,10 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     m_liveInterval = new LiveInterval(workspace, this);
     connect(m_liveInterval, &LiveInterval::progressed, this, &GrowthPanel::showState);
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
-    connect(m_band, &SeedBand::changed, this, [this] { m_range->setBand(m_band->values()); });
+    connect(m_band, &SeedBand::changed, this, [this] {
+        const SeedStretches shown = m_band->stretches().value_or(SeedStretches());
+        m_range->setBands(shown.values, shown.newest);
+    });
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
     connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
     connect(m_range, &HistogramRange::rangeCancelled, m_liveInterval, &LiveInterval::cancel);
@@ -266,8 +269,8 @@ void GrowthPanel::showVolume()
     Q_EMIT summaryChanged(summary());
 }
 
-/// What a recipe has grown goes on by its own criteria; what a window has kept for the session comes
-/// after this and wins (DisplayState).
+/// What a recipe has grown goes on by its own criteria; what a window has kept for the session
+/// comes after this and wins (DisplayState).
 void GrowthPanel::takeRecentCriteria()
 {
     const core::EditSession* session = m_workspace.session();

@@ -29,7 +29,7 @@ constexpr int againAfterMilliseconds = 120;
 QString nameOf(const QString& field)
 {
     if (field == QLatin1String("tolerance.sigmas"))
-        return ToleranceSection::tr("Seeds' mean");
+        return ToleranceSection::tr("Strokes' mean");
     if (field == QLatin1String("tolerance.difference"))
         return ToleranceSection::tr("Step at most");
     if (field == QLatin1String("tolerance.gradientDifference"))

@@ -138,9 +138,10 @@ void HistogramRange::setMarkers(const std::vector<double>& values)
     m_plot->setMarkers(values);
 }
 
-void HistogramRange::setBand(const std::optional<std::pair<double, double>>& band)
+void HistogramRange::setBands(const std::vector<std::pair<double, double>>& bands,
+    const std::optional<std::pair<double, double>>& stronger)
 {
-    m_plot->setBand(band);
+    m_plot->setBands(bands, stronger);
 }
 
 void HistogramRange::setMiddleWidget(QWidget* widget)

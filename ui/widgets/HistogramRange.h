@@ -32,8 +32,10 @@ public:
     [[nodiscard]] double upper() const { return m_upper; }
     /// Values of seeds, as ticks on the histogram's foot.
     void setMarkers(const std::vector<double>& values);
-    /// What the interval is narrowed to by something else, on the histogram.
-    void setBand(const std::optional<std::pair<double, double>>& band);
+    /// What the interval is narrowed to by something else, on the histogram. @param stronger a
+    /// part of it that stands out
+    void setBands(const std::vector<std::pair<double, double>>& bands,
+        const std::optional<std::pair<double, double>>& stronger);
     /// Stands between the two numbers; taken over.
     void setMiddleWidget(QWidget* widget);
     /// The part of the histogram around the interval fills the width.

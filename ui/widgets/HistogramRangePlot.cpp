@@ -39,9 +39,11 @@ void HistogramRangePlot::setMarkers(const std::vector<double>& values)
     update();
 }
 
-void HistogramRangePlot::setBand(const std::optional<std::pair<double, double>>& band)
+void HistogramRangePlot::setBands(const std::vector<std::pair<double, double>>& bands,
+    const std::optional<std::pair<double, double>>& stronger)
 {
-    m_band = band;
+    m_bands = bands;
+    m_strongerBand = stronger;
     update();
 }
 
@@ -144,6 +146,27 @@ void HistogramRangePlot::keyPressEvent(QKeyEvent* event)
     Q_EMIT released();
 }
 
+void HistogramRangePlot::paintBands(QPainter& painter) const
+{
+    const QRectF area = plotArea();
+    const auto place = [&](const std::pair<double, double>& band) {
+        const double left = xOf(band.first);
+        return QRectF(QPointF(left, area.top()),
+            QPointF(std::max(xOf(band.second), left + 1.0), area.bottom()));
+    };
+    QColor fill = theme::caution;
+    fill.setAlpha(45);
+    for (const std::pair<double, double>& band : m_bands) {
+        const QRectF at = place(band);
+        painter.fillRect(at, fill);
+        painter.setPen(QPen(theme::caution, 1.0, Qt::DashLine));
+        painter.drawLine(at.topLeft(), at.bottomLeft());
+        painter.drawLine(at.topRight(), at.bottomRight());
+    }
+    if (m_strongerBand)
+        painter.fillRect(place(*m_strongerBand), fill);
+}
+
 void HistogramRangePlot::paintEvent(QPaintEvent* event)
 {
     HistogramPlot::paintEvent(event);
@@ -159,15 +182,7 @@ void HistogramRangePlot::paintEvent(QPaintEvent* event)
     painter.setClipRect(QRectF(rect()));
     painter.fillRect(QRectF(QPointF(left, area.top()), QPointF(right, area.bottom())),
         QColor(colour.red(), colour.green(), colour.blue(), 60));
-    if (m_band && m_band->first <= m_band->second) {
-        const QRectF band(QPointF(xOf(m_band->first), area.top()),
-            QPointF(std::max(xOf(m_band->second), xOf(m_band->first) + 1.0), area.bottom()));
-        painter.fillRect(
-            band, QColor(theme::caution.red(), theme::caution.green(), theme::caution.blue(), 45));
-        painter.setPen(QPen(theme::caution, 1.0, Qt::DashLine));
-        painter.drawLine(band.topLeft(), band.bottomLeft());
-        painter.drawLine(band.topRight(), band.bottomRight());
-    }
+    paintBands(painter);
     for (const double x : {left, right}) {
         painter.setPen(QPen(colour, 2.0));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));

@@ -19,8 +19,9 @@ public:
 
     void setRange(double lower, double upper);
     void setMarkers(const std::vector<double>& values);
-    /// A stretch of its own within the interval; none: there is none.
-    void setBand(const std::optional<std::pair<double, double>>& band);
+    /// Stretches of their own within the interval. @param stronger one that stands out
+    void setBands(const std::vector<std::pair<double, double>>& bands,
+        const std::optional<std::pair<double, double>>& stronger);
 
 Q_SIGNALS:
     void rangeDragged(double lower, double upper);
@@ -39,11 +40,13 @@ private:
     enum class Grip { None, Lower, Upper, Both };
     [[nodiscard]] Grip gripAt(double x) const;
     void move(Grip grip, double lower, double upper);
+    void paintBands(QPainter& painter) const;
 
     double m_lower = 0.0;
     double m_upper = 0.0;
     std::vector<double> m_markers;
-    std::optional<std::pair<double, double>> m_band;
+    std::vector<std::pair<double, double>> m_bands;
+    std::optional<std::pair<double, double>> m_strongerBand;
     Grip m_grip = Grip::None;
     Grip m_lastGrip = Grip::Upper;
     double m_pressX = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
 #include "tests/support/WorkspaceFixture.h"
 #include "ui/GrowSettings.h"
 #include "ui/SegmentActions.h"
@@ -86,6 +87,7 @@ private Q_SLOTS:
             fixture.part<QCheckBox>(name).click();
         const core::GrowCriteria criteria = fixture.criteria();
         QCOMPARE(criteria.sigmas.value_or(0.0), 2.5);
+        QCOMPARE(criteria.perStroke, std::optional(true));
         QCOMPARE(criteria.majority.value_or(0), 14);
         QVERIFY(criteria.difference && criteria.gradient && criteria.gradientDifference);
         QCOMPARE(*criteria.gradient, fixture.part<QDoubleSpinBox>("growGradientValue").value());
@@ -137,6 +139,51 @@ private Q_SLOTS:
         QVERIFY2(text.text().startsWith(QStringLiteral("0.0 …")), qPrintable(text.text()));
         fixture.part<QCheckBox>("growSigmas").click();
         QVERIFY(text.isHidden());
+    }
+
+    /// A stroke in the ventricle and one in the brain: two stretches, and what they are of.
+    void everyStrokeHasItsStretch()
+    {
+        CriteriaPanel fixture;
+        fixture.setInterval(0.0, 100.0);
+        fixture.part<QDoubleSpinBox>("growSigmasValue").setValue(1.0);
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        fixture.settle();
+        auto& text = fixture.part<QLabel>("growBandText");
+        const QString one = text.text();
+        QVERIFY2(one.count(QStringLiteral("…")) == 1 && !one.contains(QLatin1Char(':')),
+            qPrintable(one));
+        fixture.apply(core::SeedStroke{1, {{9.0, 0.0, 0.0}}});
+        fixture.settle();
+        const QString values = one.chopped(3); // without " HU"
+        QCOMPARE(text.text(), QStringLiteral("2 strokes: %1, 40.0 … 40.0 HU").arg(values));
+        // As the growth itself goes.
+        fixture.panel.runToClosure();
+        QVERIFY(QTest::qWaitFor([&] { return !fixture.panel.running(); }));
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels,
+            test::smallHead::voxelsOf(test::smallHead::ventricleHu)
+                + test::smallHead::voxelsOf(test::smallHead::brainHu));
+
+        // Strokes of another segment are none of its, and painted seeds are told apart.
+        fixture.apply(test::addSegment("Other"));
+        fixture.apply(core::SeedStroke{2, {{0.0, 9.0, 0.0}}});
+        fixture.settle();
+        QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes: ")), qPrintable(text.text()));
+        core::PaintStroke paint{.segment = 1, .path = {}, .seeds = true};
+        paint.path.radiusMm = 1.2;
+        paint.path.pointsLps = {{0.0, -14.5, 0.0}};
+        fixture.apply(paint);
+        fixture.settle();
+        QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes")), qPrintable(text.text()));
+        fixture.setInterval(0.0, 1000.0); // the bone that is painted counts, too
+        fixture.settle();
+        QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes and other seeds: ")),
+            qPrintable(text.text()));
+        // Of the segment that is active.
+        fixture.workspace.setActiveSegment(2);
+        fixture.settle();
+        QVERIFY2(!text.text().contains(QStringLiteral("stroke")), qPrintable(text.text()));
     }
 
     /// Between what asks nothing and what is refused.

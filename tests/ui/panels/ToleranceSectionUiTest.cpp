@@ -238,7 +238,7 @@ private Q_SLOTS:
         settings.sigmas.on = true;
         fixture.workspace.setGrowSettings(settings);
         QTRY_VERIFY(
-            (fixture.session().poll(), fixture.text().contains(QStringLiteral("Seeds' mean"))));
+            (fixture.session().poll(), fixture.text().contains(QStringLiteral("Strokes' mean"))));
         QVERIFY(!fixture.bar.isVisible());
         settings.sigmas.on = false;
         fixture.workspace.setGrowSettings(settings);
