@@ -57,6 +57,12 @@ void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sess
         qUtf8Printable(sessionFile), qUtf8Printable(reason));
 }
 
+void tellProblems(const core::Volume& volume, const QString& study)
+{
+    for (const core::VolumeProblem& problem : volume.problems)
+        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(study), qUtf8Printable(problem.text));
+}
+
 int tellUsage(const char* command, const QString& problem)
 {
     std::fprintf(stderr, "burin %s: %s (burin --help)\n", command, qUtf8Printable(problem));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Error.h"
+#include "core/volume/Volume.h"
 
 #include <QMap>
 #include <QString>
@@ -34,6 +35,8 @@ int tellFailure(const core::Error& error, const QString& about = {});
 /// Tells on stderr, where it is so, that the study's images came out of a session file.
 /// @param why LoadedVolume::notFromStudy
 void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile);
+/// Tells on stderr what was noticed about a study when it was opened, a line each.
+void tellProblems(const core::Volume& volume, const QString& study);
 /// Tells how a command is used. @return the exit status of wrong arguments
 int tellUsage(const char* command, const QString& problem);
 

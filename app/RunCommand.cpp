@@ -190,6 +190,7 @@ int run(core::Recipe recipe, const Arguments& arguments)
     if (!loaded)
         return tellFailure(loaded.error());
     tellNotFromStudy(loaded->notFromStudy, file);
+    tellProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
     core::fillSurfaces(recipe, loaded->volume);
     std::optional<core::RecipeElsewhere> elsewhere;
     std::vector<core::RecipeElsewhere::LeftOut> leftOut;

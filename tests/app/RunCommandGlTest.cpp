@@ -101,6 +101,27 @@ private Q_SLOTS:
         QCOMPARE(replayed.lines.size(), qsizetype(test::manyEdits().size()));
     }
 
+    void whatWasNoticedAboutTheStudyIsTold()
+    {
+        // One voxel so far out that steps between values are huge.
+        QByteArray nrrd("NRRD0004\ntype: float\ndimension: 3\nsizes: 8 8 8\nencoding: ascii\n"
+                        "space: left-posterior-superior\nspace origin: (0,0,0)\n"
+                        "space directions: (1,0,0) (0,1,0) (0,0,1)\n\n3e38");
+        for (int voxel = 1; voxel < 512; ++voxel)
+            nrrd += ' ' + QByteArray::number(voxel);
+        const QString study = write("far.nrrd", nrrd);
+        const QString file = recipe({{key("edits"), toJson({AddSegment{key("A"), 1, {}}})}});
+        const Outcome outcome =
+            burin({key("run"), file, key("--study"), study, key("--session"), path("a.burin")});
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        const Result<LoadedVolume> loaded = loadVolume(study);
+        QVERIFY(loaded);
+        QCOMPARE(loaded->volume.problems.size(), std::size_t(1));
+        QVERIFY(loaded->volume.problems.front().kind == VolumeProblem::Kind::InexactValues);
+        QVERIFY2(outcome.complaint.contains(loaded->volume.problems.front().text),
+            qPrintable(outcome.complaint));
+    }
+
     void carvedVolumeAndCoverageAreExports()
     {
         const QJsonArray exports{QJsonObject{{key("format"), key("coverage")}, {key("layer"), 1},
