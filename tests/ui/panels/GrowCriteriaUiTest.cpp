@@ -167,7 +167,7 @@ private Q_SLOTS:
 
         // Strokes of another segment are none of its, and painted seeds are told apart.
         fixture.apply(test::addSegment("Other"));
-        fixture.apply(core::SeedStroke{2, {{0.0, 9.0, 0.0}}});
+        fixture.apply(core::SeedStroke{2, {{0.0, 14.0, 0.0}}});
         fixture.settle();
         QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes: ")), qPrintable(text.text()));
         core::PaintStroke paint{.segment = 1, .path = {}, .seeds = true};
