@@ -515,8 +515,6 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growth by strokes", volume, {first, seeds, more}, byStroke});
     cases.push_back({"growth by strokes of two", volume,
         {first, second, seeds, moved, others, more}, byStroke});
-    cases.push_back({"growth by strokes, one taken back", volume,
-        {first, seeds, more, core::RevertRows{{3}}}, byStroke});
     cases.push_back(
         {"another interval by strokes", volume, {first, seeds, more, byStroke}, interval(0, 700)});
     cases.push_back(
