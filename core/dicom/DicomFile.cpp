@@ -215,9 +215,12 @@ Result<void> DicomFile::readInto(DcmDataset& set) const
         syntax = EXS_LittleEndianExplicit;
     // The syntax is the one that was checked, whatever DCMTK would make of the file by itself.
     constexpr Uint32 longestValue = 1024;
-    DcmInputFileStream stream(QFile::encodeName(m_path).constData(), offile_off_t(m_dataSetAt));
+    DcmInputFileStream stream(QFile::encodeName(m_path).constData());
     OFCondition read = stream.status();
     if (read.good() && !m_dataSet.empty()) {
+        // Skipped, not begun behind: long values are fetched from where the stream was, by its own
+        // count.
+        stream.skip(offile_off_t(m_dataSetAt));
         set.transferInit();
         read = set.readUntilTag(stream, syntax, EGL_noChange, longestValue, DCM_PixelData);
         set.transferEnd();
