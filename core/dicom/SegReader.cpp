@@ -6,8 +6,12 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <cmath>
+
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmiod/cielabutil.h>
 
 namespace core {
 
@@ -32,8 +36,43 @@ SegSegment segmentIn(const ItemReader& item)
     if (const auto lab = item.triple(DCM_RecommendedDisplayCIELabValue)) {
         segment.cieLab = {
             std::uint16_t((*lab)[0]), std::uint16_t((*lab)[1]), std::uint16_t((*lab)[2])};
+        std::array<double, 3> shares{};
+        IODCIELabUtil::dicomLab2RGB(
+            shares[0], shares[1], shares[2], (*lab)[0], (*lab)[1], (*lab)[2]);
+        std::uint32_t rgb = 0;
+        for (const double share : shares)
+            rgb = (rgb << 8U) | std::uint32_t(std::lround(std::clamp(share, 0.0, 1.0) * 255.0));
+        segment.rgb = rgb;
     }
     return segment;
+}
+
+/// What the pixels mean, and how many bits each has.
+Result<void> setType(SegFile& seg, const ItemReader& reader, const QString& path)
+{
+    const QString sopClass = reader.text(DCM_SOPClassUID);
+    // DCMTK 3.6.7 does not know it yet.
+    const bool labelMap = sopClass == QLatin1String("1.2.840.10008.5.1.4.1.1.66.7");
+    if (!labelMap && sopClass != QLatin1String(UID_SegmentationStorage))
+        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM SEG"));
+    const QString type = reader.text(DCM_SegmentationType);
+    seg.bitsPerPixel = reader.integer(DCM_BitsAllocated).value_or(0);
+    bool fits = seg.bitsPerPixel == 1;
+    if (labelMap || type == QLatin1String("LABELMAP")) {
+        seg.type = SegFile::Type::LabelMap;
+        fits = seg.bitsPerPixel == 8 || seg.bitsPerPixel == 16;
+    } else if (type == QLatin1String("FRACTIONAL")) {
+        seg.type = SegFile::Type::Fractional;
+        seg.fullPixel = reader.integer(DCM_MaximumFractionalValue).value_or(255);
+        fits = seg.bitsPerPixel == 8 && seg.fullPixel >= 1;
+    } else if (type != QLatin1String("BINARY")) {
+        return failure(
+            ErrorCode::UnsupportedFormat, path, QStringLiteral("of type '%1'").arg(type.left(20)));
+    }
+    if (fits)
+        return {};
+    return failure(ErrorCode::UnsupportedFormat, path,
+        QStringLiteral("of type %1 with %2 bits a pixel").arg(type).arg(seg.bitsPerPixel));
 }
 
 Result<std::vector<std::uint8_t>> bitsIn(
@@ -64,6 +103,15 @@ bool SegFile::pixel(std::size_t frame, int column, int row) const
     return ((bits[bit / 8] >> (bit % 8)) & 1U) != 0;
 }
 
+int SegFile::value(std::size_t frame, int column, int row) const
+{
+    if (bitsPerPixel == 1)
+        return pixel(frame, column, row) ? 1 : 0;
+    const std::size_t place =
+        (frame * std::size_t(rows) + std::size_t(row)) * std::size_t(columns) + std::size_t(column);
+    return bitsPerPixel == 8 ? bits[place] : bits[2 * place] | (bits[2 * place + 1] << 8);
+}
+
 Result<SegFile> readSeg(const QString& path)
 {
     if (!QFileInfo::exists(path))
@@ -75,15 +123,12 @@ Result<SegFile> readSeg(const QString& path)
     if (const Result<void> parsed = file->readInto(dataset); !parsed)
         return tl::unexpected<Error>(parsed.error());
     const ItemReader reader(&dataset);
-    if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_SegmentationStorage))
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM SEG"));
-    if (reader.text(DCM_SegmentationType) != QLatin1String("BINARY")
-        || reader.integer(DCM_BitsAllocated) != 1)
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not of type BINARY"));
+    SegFile seg;
+    if (const Result<void> typed = setType(seg, reader, path); !typed)
+        return tl::unexpected<Error>(typed.error());
     if (file->isEncapsulated())
         return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("compressed"));
 
-    SegFile seg;
     seg.patient = readHeaderPatient(dataset);
     dataset.convertToUTF8();
     seg.studyUid = reader.text(DCM_StudyInstanceUID);
@@ -125,8 +170,15 @@ Result<SegFile> readSeg(const QString& path)
         seg.frames.push_back(frame);
     }
 
-    const std::uint64_t bitCount =
-        std::uint64_t(frameCount) * std::uint64_t(seg.rows) * std::uint64_t(seg.columns);
+    const ItemReader measures = reader.functionalGroup(DCM_PixelMeasuresSequence, 0);
+    for (const DcmTagKey& tag : {DCM_SliceThickness, DCM_SpacingBetweenSlices}) {
+        bool isNumber = false;
+        const double distance = measures.text(tag).toDouble(&isNumber);
+        if (isNumber && std::isfinite(distance) && distance > 0.0)
+            seg.planeDistance = distance;
+    }
+    const std::uint64_t bitCount = std::uint64_t(frameCount) * std::uint64_t(seg.rows)
+        * std::uint64_t(seg.columns) * std::uint64_t(seg.bitsPerPixel);
     auto bits = bitsIn(*file, path, (bitCount + 7) / 8);
     if (!bits)
         return tl::unexpected(bits.error());

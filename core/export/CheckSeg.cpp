@@ -81,6 +81,8 @@ Result<QStringList> checkSegExport(
     if (!read)
         return tl::unexpected(read.error());
     const SegFile& seg = *read;
+    if (seg.type != SegFile::Type::Binary)
+        return mismatch(QStringLiteral("the type is not BINARY"));
     if (seg.columns != size.x || seg.rows != size.y)
         return mismatch(QStringLiteral("rows or columns"));
     if (seg.segments.size() != expected.segments.size())

@@ -2,7 +2,6 @@
 #include "core/metaimage/MetaImageReader.h"
 
 #include "core/metaimage/MetaImageHeader.h"
-#include "core/voxelfile/GridFile.h"
 #include "core/voxelfile/VoxelFileNames.h"
 
 #include <algorithm>
@@ -202,7 +201,15 @@ Result<void> setFiles(GridFile& grid, const MetaImageHeader& header)
     return {};
 }
 
-Result<GridFile> readGrid(const QString& path)
+} // namespace
+
+bool isMetaImageName(const QString& path)
+{
+    return path.endsWith(QLatin1String(".mha"), Qt::CaseInsensitive)
+        || path.endsWith(QLatin1String(".mhd"), Qt::CaseInsensitive);
+}
+
+Result<GridFile> readMetaImage(const QString& path)
 {
     const Result<MetaImageHeader> header = readMetaImageHeader(path);
     if (!header)
@@ -218,17 +225,9 @@ Result<GridFile> readGrid(const QString& path)
     return grid;
 }
 
-} // namespace
-
-bool isMetaImageName(const QString& path)
-{
-    return path.endsWith(QLatin1String(".mha"), Qt::CaseInsensitive)
-        || path.endsWith(QLatin1String(".mhd"), Qt::CaseInsensitive);
-}
-
 Result<SeriesEntry> readMetaImageEntry(const QString& path)
 {
-    const Result<GridFile> grid = readGrid(path);
+    const Result<GridFile> grid = readMetaImage(path);
     if (!grid)
         return tl::unexpected(grid.error());
     return entryOf(*grid);
@@ -236,7 +235,7 @@ Result<SeriesEntry> readMetaImageEntry(const QString& path)
 
 Result<LoadedVolume> loadMetaImage(const SeriesEntry& entry, const Progress& progress)
 {
-    const Result<GridFile> grid = readGrid(entry.files.front());
+    const Result<GridFile> grid = readMetaImage(entry.files.front());
     if (!grid)
         return tl::unexpected(grid.error());
     return loadGridFile(*grid, entry, QStringLiteral("MetaImage"), progress);

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/volume/StudyListing.h"
+#include "core/voxelfile/GridFile.h"
 
 #include <QByteArray>
 
@@ -11,6 +12,10 @@ namespace core {
 
 /// By name, as the format asks for it: .mha and .mhd.
 [[nodiscard]] bool isMetaImageName(const QString& path);
+
+/// Geometry, facts and the place of the voxels, from a file's header. Errors as of
+/// readMetaImageEntry().
+[[nodiscard]] Result<GridFile> readMetaImage(const QString& path);
 
 /// What a listing shows of a file, from its header: files are the header and
 /// those that hold its voxels elsewhere. Its world is LPS in millimetres, as

@@ -179,17 +179,38 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     return entry;
 }
 
-Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
+Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
 {
     const QString path = entry.files.front();
     if (const Result<void> fits = checkMemory(2 * entry.geometry.voxelCount()); !fits)
         return tl::unexpected<Error>(fits.error());
-    progress.report(QStringLiteral("Reading voxels"), 0, 1);
     const Image image = readImage(path);
-    const std::vector<char> voxelBytes = image ? readVoxels(*image, path) : std::vector<char>();
     const std::optional<ScalarType> type = image ? scalarType(image->datatype) : std::nullopt;
-    if (voxelBytes.empty() || !type)
+    NiftiNumbers voxels;
+    if (type)
+        voxels.bytes = readVoxels(*image, path);
+    if (voxels.bytes.empty())
         return failure(ErrorCode::FileTruncated, path, QStringLiteral("its voxels are incomplete"));
+    voxels.type = *type;
+    // A slope of 0 means that there is none (nifti1.h).
+    if (image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
+        && std::isfinite(image->scl_inter)) {
+        voxels.slope = double(image->scl_slope);
+        voxels.intercept = double(image->scl_inter);
+    }
+    if (image->cal_max > image->cal_min) {
+        voxels.window = {.centre = (double(image->cal_max) + double(image->cal_min)) / 2.0,
+            .width = double(image->cal_max) - double(image->cal_min)};
+    }
+    return voxels;
+}
+
+Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
+{
+    progress.report(QStringLiteral("Reading voxels"), 0, 1);
+    const Result<NiftiNumbers> voxels = readNiftiNumbers(entry);
+    if (!voxels)
+        return tl::unexpected(voxels.error());
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
 
@@ -199,18 +220,10 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
     volume.geometry = entry.geometry;
     volume.sourceFormat = QStringLiteral("NIfTI");
     volume.problems = entry.problems;
-    // A slope of 0 means that there is none (nifti1.h).
-    const bool scaled = image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
-        && std::isfinite(image->scl_inter);
-    const double slope = scaled ? double(image->scl_slope) : 1.0;
-    const double intercept = scaled ? double(image->scl_inter) : 0.0;
-    const bool hasWindow = image->cal_max > image->cal_min;
-    if (hasWindow) {
-        volume.defaultWindow = {.centre = (double(image->cal_max) + double(image->cal_min)) / 2.0,
-            .width = double(image->cal_max) - double(image->cal_min)};
-    }
-
-    encodeScalars(loaded, voxelBytes, *type, slope, intercept, hasWindow);
+    if (voxels->window)
+        volume.defaultWindow = *voxels->window;
+    encodeScalars(loaded, voxels->bytes, voxels->type, voxels->slope, voxels->intercept,
+        voxels->window.has_value());
     return loaded;
 }
 

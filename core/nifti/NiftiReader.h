@@ -4,6 +4,10 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/volume/StudyListing.h"
+#include "core/voxelfile/StoredScalars.h"
+
+#include <optional>
+#include <vector>
 
 namespace core {
 
@@ -15,6 +19,17 @@ namespace core {
 /// is kept, even where it is left-handed, so that a mask lands on its grid. UnsupportedFormat for
 /// more than one volume, colour or complex values.
 [[nodiscard]] Result<SeriesEntry> readNiftiEntry(const QString& path);
+
+/// The numbers of a file, in the machine's byte order, and what makes values of them.
+struct NiftiNumbers {
+    std::vector<char> bytes;
+    ScalarType type = ScalarType::Int16;
+    double slope = 1.0;
+    double intercept = 0.0;
+    std::optional<WindowLevel> window{};
+};
+/// FileTruncated, OutOfMemory.
+[[nodiscard]] Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry);
 
 /// The volume with its voxels; scl_slope and scl_inter applied. FileTruncated, OutOfMemory.
 [[nodiscard]] Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress);

@@ -156,6 +156,38 @@ Result<GridFile> gridOf(const NrrdHeader& header, const QString& path)
     return grid;
 }
 
+/// The first of the words of a field, which go with the axes, taken away.
+QByteArray dropFirstWord(QByteArray& text)
+{
+    text = text.simplified();
+    const qsizetype end = text.indexOf(' ');
+    const QByteArray word = end < 0 ? text : text.left(end);
+    text = end < 0 ? QByteArray() : text.mid(end + 1);
+    return word;
+}
+
+/// Takes a first axis of four away where it is none of space. @return its length; 1: there is none
+int takeFirstAxis(NrrdHeader& header)
+{
+    const QByteArray kinds = header.field("kinds").toLower().simplified();
+    const bool beyondSpace = header.field("spacedirections").simplified().startsWith("none")
+        || kinds.startsWith("list") || kinds.startsWith("vector");
+    constexpr int mostLayers = 255;
+    const auto sizes = wholeNumbers(header.field("sizes"));
+    if (!beyondSpace || header.field("dimension") != "4" || !sizes || sizes->size() != 4
+        || sizes->front() < 1 || sizes->front() > mostLayers)
+        return 1;
+    header.fields["dimension"] = "3";
+    for (const char* name : {"sizes", "kinds", "spacedirections", "spacings", "axismins",
+             "axismaxs", "centerings", "centers"}) {
+        if (const auto field = header.fields.find(name); field != header.fields.end())
+            static_cast<void>(dropFirstWord(field->second));
+    }
+    for (const char* name : {"units", "labels", "thicknesses"})
+        header.fields.erase(name);
+    return int(sizes->front());
+}
+
 } // namespace
 
 bool isNrrdName(const QString& path)
@@ -170,6 +202,20 @@ Result<GridFile> readNrrd(const QString& path)
     if (!header)
         return tl::unexpected(header.error());
     return gridOf(*header, path);
+}
+
+Result<NrrdLayers> readNrrdLayers(const QString& path)
+{
+    Result<NrrdHeader> header = readNrrdHeader(path);
+    if (!header)
+        return tl::unexpected(header.error());
+    const int layers = takeFirstAxis(*header);
+    Result<GridFile> grid = gridOf(*header, path);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    grid->voxels.voxels *= std::size_t(layers);
+    return NrrdLayers{
+        .grid = *std::move(grid), .layers = layers, .keyValues = std::move(header->keyValues)};
 }
 
 Result<SeriesEntry> readNrrdEntry(const QString& path)

@@ -6,6 +6,8 @@
 #include "core/volume/StudyListing.h"
 #include "core/voxelfile/GridFile.h"
 
+#include <map>
+
 namespace core {
 
 /// By name, as the format asks for it: .nrrd and .nhdr.
@@ -16,6 +18,16 @@ namespace core {
 /// The file's index order is kept. UnsupportedFormat for more than one volume, vectors, bzip2 and
 /// the scanner's own space.
 [[nodiscard]] Result<GridFile> readNrrd(const QString& path);
+/// A file with several numbers a voxel, as 3D Slicer writes segments that overlap: the grid of one,
+/// while `voxels` tells of all, those of a voxel one behind the other.
+struct NrrdLayers {
+    GridFile grid;
+    int layers = 1;
+    std::map<QByteArray, QByteArray> keyValues; ///< of the header
+};
+/// As readNrrd(), with a first axis that is none of space, or without.
+[[nodiscard]] Result<NrrdLayers> readNrrdLayers(const QString& path);
+
 /// What a listing shows of it: files are the header and those that hold its voxels elsewhere.
 /// Whether they are there is checked; FileTruncated where they are too short.
 [[nodiscard]] Result<SeriesEntry> readNrrdEntry(const QString& path);

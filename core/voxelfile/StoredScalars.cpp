@@ -18,7 +18,7 @@ template <class Stored> double storedAt(const char* bytes, std::size_t index)
     return double(value);
 }
 
-using StoredAt = double (*)(const char* bytes, std::size_t index);
+} // namespace
 
 StoredAt storedAtFor(ScalarType type)
 {
@@ -46,8 +46,6 @@ StoredAt storedAtFor(ScalarType type)
     }
     return storedAt<double>;
 }
-
-} // namespace
 
 std::size_t bytesPerScalar(ScalarType type)
 {

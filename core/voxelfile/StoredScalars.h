@@ -25,6 +25,10 @@ enum class ScalarType {
 [[nodiscard]] std::size_t bytesPerScalar(ScalarType type);
 [[nodiscard]] bool isFloating(ScalarType type);
 
+/// The number at a place, stored in the machine's byte order.
+using StoredAt = double (*)(const char* bytes, std::size_t index);
+[[nodiscard]] StoredAt storedAtFor(ScalarType type);
+
 /// Between a foreign byte order and the machine's, in place.
 void swapScalars(std::span<char> bytes, ScalarType type);
 

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/masks/LabelGrid.h"
+#include "core/masks/MaskParts.h"
+#include "core/metaimage/MetaImageReader.h"
+#include "core/nifti/NiftiReader.h"
+#include "core/nrrd/NrrdReader.h"
+
+#include <QFileInfo>
+
+#include <cmath>
+#include <set>
+
+namespace core {
+
+namespace {
+
+constexpr int mostLabels = 255;
+
+/// Stored numbers, several a voxel perhaps, and what the header says of them.
+struct StoredLabels {
+    VolumeGeometry geometry;
+    std::vector<VolumeProblem> problems;
+    std::unique_ptr<char[]> owned;
+    std::vector<char> bytesOfNifti;
+    std::span<const char> bytes;
+    ScalarType type = ScalarType::UInt8;
+    double slope = 1.0;
+    double intercept = 0.0;
+    int layers = 1;
+    std::map<QByteArray, QByteArray> keyValues;
+};
+
+Result<StoredLabels> storedIn(GridFile grid, const Progress& progress)
+{
+    Result<VoxelBytes> bytes = readVoxels(grid.voxels, progress);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    StoredLabels stored{.geometry = std::move(grid.geometry), .problems = std::move(grid.problems)};
+    stored.type = grid.voxels.type;
+    stored.owned = std::move(bytes->data);
+    stored.bytes = {stored.owned.get(), bytes->size};
+    return stored;
+}
+
+Result<StoredLabels> readStored(const QString& path, const Progress& progress)
+{
+    if (isNiftiName(path)) {
+        const Result<SeriesEntry> entry = readNiftiEntry(path);
+        if (!entry)
+            return tl::unexpected(entry.error());
+        Result<NiftiNumbers> voxels = readNiftiNumbers(*entry);
+        if (!voxels)
+            return tl::unexpected(voxels.error());
+        StoredLabels stored{.geometry = entry->geometry, .problems = entry->problems};
+        stored.bytesOfNifti = std::move(voxels->bytes);
+        stored.bytes = stored.bytesOfNifti;
+        stored.type = voxels->type;
+        stored.slope = voxels->slope;
+        stored.intercept = voxels->intercept;
+        return stored;
+    }
+    if (isMetaImageName(path)) {
+        Result<GridFile> grid = readMetaImage(path);
+        if (!grid)
+            return tl::unexpected(grid.error());
+        return storedIn(*std::move(grid), progress);
+    }
+    Result<NrrdLayers> nrrd = readNrrdLayers(path);
+    if (!nrrd)
+        return tl::unexpected(nrrd.error());
+    Result<StoredLabels> stored = storedIn(std::move(nrrd->grid), progress);
+    if (stored) {
+        stored->layers = nrrd->layers;
+        stored->keyValues = std::move(nrrd->keyValues);
+    }
+    return stored;
+}
+
+/// What a header says of a segment.
+struct NamedSegment {
+    int layer = 0;
+    int label = 0;
+    QString name;
+    std::optional<std::uint32_t> rgb;
+    CodedConcept code;
+};
+
+std::optional<std::uint32_t> colourOf(const QByteArray& text)
+{
+    const QList<QByteArray> parts = text.simplified().split(' ');
+    std::uint32_t rgb = 0;
+    for (const QByteArray& part : parts) {
+        bool isNumber = false;
+        const double share = part.toDouble(&isNumber);
+        if (!isNumber || !(share >= 0.0 && share <= 1.0))
+            return std::nullopt;
+        rgb = (rgb << 8U) | std::uint32_t(std::lround(share * 255.0));
+    }
+    return parts.size() == 3 ? std::optional(rgb) : std::nullopt;
+}
+
+/// The type among 3D Slicer's seven parts of a terminology.
+CodedConcept codeOf(const QString& tags)
+{
+    const QString name = QStringLiteral("TerminologyEntry:");
+    for (const QString& tag : tags.split(QLatin1Char('|'))) {
+        if (!tag.startsWith(name))
+            continue;
+        const QStringList code =
+            tag.mid(name.size()).split(QLatin1Char('~')).value(2).split(QLatin1Char('^'));
+        if (code.size() == 3 && !code[1].isEmpty())
+            return {.scheme = code[0], .value = code[1], .meaning = code[2]};
+    }
+    return {};
+}
+
+/// Segment0_Name, Segment0_LabelValue … of a .seg.nrrd.
+std::vector<NamedSegment> namedSegments(const std::map<QByteArray, QByteArray>& keys)
+{
+    std::vector<NamedSegment> segments;
+    for (int number = 0;; ++number) {
+        const QByteArray prefix = "Segment" + QByteArray::number(number) + '_';
+        const auto value = [&](const char* key) {
+            const auto found = keys.find(prefix + key);
+            return found == keys.end() ? QByteArray() : found->second;
+        };
+        if (!keys.contains(prefix + "ID"))
+            return segments;
+        // Files of older programs know neither layers nor label values: one segment, label 1.
+        segments.push_back({.layer = value("Layer").toInt(),
+            .label = keys.contains(prefix + "LabelValue") ? value("LabelValue").toInt() : 1,
+            .name = QString::fromUtf8(value("Name")).simplified(),
+            .rgb = colourOf(value("Color")),
+            .code = codeOf(QString::fromUtf8(value("Tags")))});
+    }
+}
+
+/// "liver.nii.gz" → "liver"
+QString baseName(const QString& path)
+{
+    QString name = QFileInfo(path).fileName();
+    for (const char* ending : {".nii.gz", ".seg.nrrd", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd"}) {
+        if (name.endsWith(QLatin1String(ending), Qt::CaseInsensitive)) {
+            name.chop(qsizetype(qstrlen(ending)));
+            break;
+        }
+    }
+    name = name.simplified();
+    return name.isEmpty() ? QStringLiteral("Mask") : name;
+}
+
+using LayersOnVolume = std::vector<LabelsOnVolume>;
+
+/// Segments in the order of the header, then labels that it does not name.
+std::vector<MaskSegment> segmentsOf(
+    LayersOnVolume& layers, const std::vector<NamedSegment>& named, const QString& path)
+{
+    std::vector<MaskSegment> segments;
+    const auto take = [&](int layer, int label) {
+        auto& voxels = layers[std::size_t(layer)].voxels;
+        const auto found = voxels.find(label);
+        VoxelRuns runs;
+        if (found != voxels.end()) {
+            runs = std::move(found->second);
+            voxels.erase(found);
+        }
+        return runs;
+    };
+    for (const NamedSegment& one : named) {
+        if (one.layer < 0 || one.layer >= int(layers.size()))
+            continue;
+        VoxelRuns voxels = take(one.layer, one.label);
+        if (voxels.empty())
+            continue;
+        segments.push_back(
+            {.name = one.name.isEmpty() ? QStringLiteral("Label %1").arg(one.label) : one.name,
+                .rgb = one.rgb,
+                .code = one.code,
+                .voxels = std::move(voxels)});
+    }
+    std::size_t left = 0;
+    for (const LabelsOnVolume& layer : layers)
+        left += layer.voxels.size();
+    const bool alone = left == 1 && segments.empty();
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        for (auto& [label, voxels] : layers[layer].voxels) {
+            const QString name = alone ? baseName(path)
+                : layers.size() > 1 ? QStringLiteral("Label %1, layer %2").arg(label).arg(layer + 1)
+                                    : QStringLiteral("Label %1").arg(label);
+            segments.push_back({.name = name, .rgb = {}, .code = {}, .voxels = std::move(voxels)});
+        }
+    }
+    return segments;
+}
+
+} // namespace
+
+Result<MaskOnVolume> readLabelMask(
+    const QString& path, const Volume& volume, const Progress& progress)
+{
+    const Result<StoredLabels> stored = readStored(path, progress);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    MaskOnVolume mask;
+    for (const VolumeProblem& problem : stored->problems) {
+        if (problem.caution)
+            mask.notes += problem.text;
+    }
+    LayersOnVolume layers;
+    MaskFit fit{.oneToOne = true};
+    std::size_t labels = 0;
+    for (int layer = 0; layer < stored->layers; ++layer) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        progress.report(QStringLiteral("Placing the mask"), layer, stored->layers);
+        Result<std::vector<std::uint16_t>> values = labelsFrom(stored->bytes, stored->type,
+            stored->slope, stored->intercept, stored->layers, layer, path);
+        if (!values)
+            return tl::unexpected(values.error());
+        const std::set<std::uint16_t> present(values->begin(), values->end());
+        labels += present.size() - present.count(0);
+        if (labels > mostLabels)
+            return failure(ErrorCode::UnsupportedFormat, path,
+                QStringLiteral("it holds more than %1 labels").arg(mostLabels));
+        Result<LabelsOnVolume> placed = labelsOn(
+            volume.geometry, {.geometry = stored->geometry, .labels = *std::move(values)}, path);
+        if (!placed)
+            return tl::unexpected(placed.error());
+        fit.oneToOne = fit.oneToOne && placed->oneToOne;
+        fit.labelled += placed->labelled;
+        fit.outside += placed->outside;
+        layers.push_back(*std::move(placed));
+    }
+    if (fit.labelled == 0)
+        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("it has no label"));
+    mask.segments = segmentsOf(layers, namedSegments(stored->keyValues), path);
+    std::uint64_t taken = 0;
+    for (const MaskSegment& segment : mask.segments)
+        taken += segment.voxels.voxelCount();
+    fit.labelledMl = millilitres(fit.labelled, stored->geometry);
+    fit.takenMl = millilitres(taken, volume.geometry);
+    mask.notes += notesOn(fit);
+    if (labels > mask.segments.size() && !mask.segments.empty())
+        mask.notes += QStringLiteral("%1 of the file's %2 segments have no voxel inside the study "
+                                     "and are left out.")
+                          .arg(labels - mask.segments.size())
+                          .arg(labels);
+    return mask;
+}
+
+} // namespace core

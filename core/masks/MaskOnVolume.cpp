@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/masks/MaskOnVolume.h"
+
+#include "core/dicom/RtStructReader.h"
+#include "core/masks/MaskParts.h"
+#include "core/metaimage/MetaImageReader.h"
+#include "core/nifti/NiftiReader.h"
+#include "core/nrrd/NrrdReader.h"
+
+#include <QFileInfo>
+
+namespace core {
+
+namespace {
+
+constexpr const char* rtStructClass = "1.2.840.10008.5.1.4.1.1.481.3";
+
+QString grouped(std::uint64_t count)
+{
+    QString text = QString::number(count);
+    for (qsizetype place = text.size() - 3; place > 0; place -= 3)
+        text.insert(place, QLatin1Char(' '));
+    return text;
+}
+
+QString inMl(double ml)
+{
+    return QString::number(ml, 'f', ml < 1.0 ? 3 : 1) + QStringLiteral(" mL");
+}
+
+/// A label plane has room for one segment a voxel.
+QStringList notesOnOverlap(const std::vector<MaskSegment>& segments)
+{
+    VoxelRuns all;
+    std::uint64_t shared = 0;
+    for (const MaskSegment& segment : segments) {
+        shared += sharedVoxels(all, segment.voxels);
+        all = united(all, segment.voxels);
+    }
+    if (shared == 0)
+        return {};
+    return {QStringLiteral("Segments of the file overlap in %1 voxels; each of these goes to the "
+                           "first of its segments.")
+                .arg(grouped(shared))};
+}
+
+} // namespace
+
+double millilitres(std::uint64_t voxels, const VolumeGeometry& geometry)
+{
+    return double(voxels) * geometry.voxelVolumeMm3() / 1000.0;
+}
+
+QStringList notesOn(const MaskFit& fit)
+{
+    QStringList notes;
+    if (!fit.oneToOne)
+        notes += QStringLiteral("The mask lies on another grid than the study: each voxel has what "
+                                "the mask's nearest voxel has; %1 there are %2 here.")
+                     .arg(inMl(fit.labelledMl), inMl(fit.takenMl));
+    if (fit.outside != 0)
+        notes +=
+            QStringLiteral("%1 of the mask's %2 voxels lie outside the study and are left out.")
+                .arg(grouped(fit.outside), grouped(fit.labelled));
+    return notes;
+}
+
+QStringList notesOnOrigin(
+    const QString& patientId, const QString& frameOfReferenceUid, const Volume& volume)
+{
+    const auto differ = [](const QString& one, const QString& other) {
+        return !one.isEmpty() && !other.isEmpty() && one != other;
+    };
+    QStringList notes;
+    if (differ(patientId, volume.identity.patientId))
+        notes += QStringLiteral("The mask names another patient than the study.");
+    if (differ(frameOfReferenceUid, volume.identity.frameOfReferenceUid))
+        notes += QStringLiteral("The mask names another frame of reference than the study; its "
+                                "millimetres are taken for the study's.");
+    return notes;
+}
+
+Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const Progress& progress)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return failure(ErrorCode::FileNotFound, path);
+    if (info.isDir())
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    const bool labels = isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
+    auto read = readLabelMask;
+    if (!labels) {
+        const Result<QString> sopClass = sopClassOf(path);
+        if (!sopClass)
+            return tl::unexpected(sopClass.error());
+        read = *sopClass == QLatin1String(rtStructClass) ? readContourMask : readSegMask;
+    }
+    Result<MaskOnVolume> mask = read(path, volume, progress);
+    if (!mask)
+        return mask;
+    if (mask->segments.empty())
+        return failure(
+            ErrorCode::UnsupportedFormat, path, QStringLiteral("it lies wholly outside the study"));
+    mask->notes += notesOnOverlap(mask->segments);
+    return mask;
+}
+
+bool isMaskClass(const QString& sopClassUid)
+{
+    return sopClassUid == QLatin1String(rtStructClass)
+        || sopClassUid == QLatin1String("1.2.840.10008.5.1.4.1.1.66.4") // Segmentation
+        || sopClassUid == QLatin1String("1.2.840.10008.5.1.4.1.1.66.7"); // Label Map Segmentation
+}
+
+QStringList maskNamePatterns()
+{
+    return {QStringLiteral("*.nii"), QStringLiteral("*.nii.gz"), QStringLiteral("*.nrrd"),
+        QStringLiteral("*.nhdr"), QStringLiteral("*.mha"), QStringLiteral("*.mhd"),
+        QStringLiteral("*.dcm")};
+}
+
+} // namespace core

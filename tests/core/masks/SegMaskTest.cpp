@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/ExportMask.h"
+#include "core/masks/MaskOnVolume.h"
+#include "tests/support/SmallSeries.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <functional>
+#include <random>
+
+namespace {
+
+using Labels = std::vector<std::uint8_t>;
+
+/// Slices without labels at both ends and in the middle.
+Labels gappedLabels(const glm::ivec3& size, unsigned seed)
+{
+    std::mt19937 random(seed);
+    const std::size_t slice = std::size_t(size.x) * std::size_t(size.y);
+    Labels labels(slice * std::size_t(size.z), 0);
+    for (int k = 1; k < size.z; k += 2) {
+        for (std::size_t i = 0; i < slice; ++i)
+            labels[std::size_t(k) * slice + i] = std::uint8_t(random() % 3);
+    }
+    return labels;
+}
+
+Labels numbersOf(const core::MaskOnVolume& mask, const core::Volume& volume)
+{
+    Labels numbers(volume.geometry.voxelCount(), 0);
+    for (std::size_t i = 0; i < mask.segments.size(); ++i) {
+        for (const core::VoxelRun& run : mask.segments[i].voxels.runs())
+            std::fill_n(
+                numbers.begin() + std::ptrdiff_t(run.first), run.count, std::uint8_t(i + 1));
+    }
+    return numbers;
+}
+
+struct Exported {
+    Exported(const test::SmallSeries& series, bool multiFrame = false)
+        : volume(multiFrame ? series.writeMultiFrame(images) : series.write(images))
+        , labels(gappedLabels(series.size, 11))
+    {
+        std::vector<core::Segment> segments;
+        for (int label = 1; label < 3; ++label) {
+            core::Segment segment;
+            segment.label = std::uint8_t(label);
+            segment.name = QStringLiteral("Part %1").arg(label);
+            segment.code = {
+                QStringLiteral("SCT"), QStringLiteral("10200004"), QStringLiteral("Liver")};
+            segments.push_back(segment);
+        }
+        const std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+        const auto written =
+            core::exportMask(volume, {.file = file, .segments = segments, .planes = planes}, {});
+        if (!written)
+            qFatal("%s", qPrintable(written.error().arguments.join(QStringLiteral(" | "))));
+    }
+    void change(const std::function<void(DcmDataset&)>& how) const
+    {
+        DcmFileFormat format;
+        format.loadFile(qPrintable(file));
+        format.loadAllDataIntoMemory();
+        how(*format.getDataset());
+        if (format.saveFile(qPrintable(file), EXS_LittleEndianExplicit).bad())
+            qFatal("cannot be saved");
+    }
+    [[nodiscard]] core::Result<core::MaskOnVolume> read() const
+    {
+        return core::readMask(file, volume, {});
+    }
+
+    QTemporaryDir folder;
+    QString images = folder.filePath(QStringLiteral("images"));
+    QString file = folder.filePath(QStringLiteral("seg.dcm"));
+    core::Volume volume;
+    Labels labels;
+};
+
+test::SmallSeries evenSeries(const glm::dvec3& step = {0, 0, 1.5})
+{
+    test::SmallSeries series;
+    series.placeEvenly({-3, 4, 5}, step);
+    return series;
+}
+
+int framesOf(DcmDataset& set)
+{
+    OFString text;
+    set.findAndGetOFString(DCM_NumberOfFrames, text);
+    return std::stoi(text);
+}
+
+/// The number of a frame's segment.
+int segmentOf(DcmDataset& set, int frame)
+{
+    DcmItem* item = nullptr;
+    set.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, item, frame);
+    DcmItem* identification = nullptr;
+    item->findAndGetSequenceItem(DCM_SegmentIdentificationSequence, identification);
+    Uint16 number = 0;
+    identification->findAndGetUint16(DCM_ReferencedSegmentNumber, number);
+    return number;
+}
+
+/// Pixels of a BINARY object, a byte each.
+std::vector<Uint8> pixelsOf(DcmDataset& set, std::size_t count)
+{
+    const Uint8* bits = nullptr;
+    set.findAndGetUint8Array(DCM_PixelData, bits);
+    std::vector<Uint8> pixels(count);
+    for (std::size_t i = 0; i < count; ++i)
+        pixels[i] = (bits[i / 8] >> (i % 8)) & 1;
+    return pixels;
+}
+
+void setEightBits(DcmDataset& set, const char* type, std::vector<Uint8> pixels)
+{
+    set.putAndInsertString(DCM_SegmentationType, type);
+    set.putAndInsertUint16(DCM_BitsAllocated, 8);
+    set.putAndInsertUint16(DCM_BitsStored, 8);
+    set.putAndInsertUint16(DCM_HighBit, 7);
+    if (pixels.size() % 2 != 0)
+        pixels.push_back(0);
+    delete set.remove(DCM_PixelData);
+    set.putAndInsertUint8Array(DCM_PixelData, pixels.data(), pixels.size());
+}
+
+} // namespace
+
+class SegMaskTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyStackComesBack_data()
+    {
+        QTest::addColumn<int>("which");
+        int which = 0;
+        for (const char* name :
+            {"axial", "oblique", "tilted", "uneven", "two slices", "multi-frame"})
+            QTest::newRow(name) << which++;
+    }
+    void everyStackComesBack()
+    {
+        QFETCH(int, which);
+        test::SmallSeries series = evenSeries();
+        if (which == 1) {
+            series.rowDirection = glm::normalize(glm::dvec3(0.8, 0.5, 0.33));
+            series.columnDirection = glm::normalize(
+                glm::cross(glm::normalize(glm::dvec3(-0.2, -0.6, 0.9)), series.rowDirection));
+            const glm::dvec3 normal = glm::cross(series.rowDirection, series.columnDirection);
+            series.placeEvenly({10, -20, 30}, 1.25 * normal);
+        } else if (which == 2) {
+            series.placeEvenly({0, 0, 0}, {0, 0.5, 1.4});
+        } else if (which == 3) {
+            series.positions = {
+                {0, 0, 0}, {0, 0, 1}, {0, 0, 2.5}, {0, 0, 3.5}, {0, 0, 7}, {0, 0, 8}};
+        } else if (which == 4) {
+            series.size.z = 2;
+            series.positions = {{0, 0, 0}, {0, 0, 3}};
+        }
+        const Exported on(series, which == 5);
+        const auto mask = on.read();
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        QCOMPARE(mask->notes, QStringList());
+        QCOMPARE(numbersOf(*mask, on.volume), on.labels);
+        QCOMPARE(mask->segments.front().name, QStringLiteral("Part 1"));
+        QCOMPARE(mask->segments.front().code.value, QStringLiteral("10200004"));
+    }
+
+    /// Frames say where they are; their order says nothing.
+    void framesInAnyOrder()
+    {
+        const Exported on(evenSeries());
+        on.change([](DcmDataset& set) {
+            const int frames = framesOf(set);
+            const std::size_t pixels = 12 * 9;
+            const std::vector<Uint8> all = pixelsOf(set, pixels * std::size_t(frames));
+            DcmSequenceOfItems* groups = nullptr;
+            set.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups);
+            std::vector<Uint8> turned;
+            for (int frame = frames - 1; frame >= 0; --frame)
+                turned.insert(turned.end(), all.begin() + std::ptrdiff_t(pixels) * frame,
+                    all.begin() + std::ptrdiff_t(pixels) * (frame + 1));
+            for (int frame = 0; frame < frames; ++frame)
+                groups->insert(
+                    groups->remove(frames - 1), static_cast<unsigned long>(frame), OFTrue);
+            std::vector<Uint8> bits((turned.size() + 15) / 16 * 2, 0);
+            for (std::size_t i = 0; i < turned.size(); ++i)
+                bits[i / 8] = Uint8(bits[i / 8] | turned[i] << (i % 8));
+            delete set.remove(DCM_PixelData);
+            set.putAndInsertUint8Array(DCM_PixelData, bits.data(), bits.size());
+        });
+        const auto mask = on.read();
+        QVERIFY(mask);
+        QCOMPARE(numbersOf(*mask, on.volume), on.labels);
+    }
+
+    void fractionsFromOneHalf()
+    {
+        const Exported on(evenSeries());
+        on.change([](DcmDataset& set) {
+            std::vector<Uint8> pixels = pixelsOf(set, 12 * 9 * std::size_t(framesOf(set)));
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                pixels[i] = pixels[i] ? (i % 2 ? 50 : 99) : (i % 2 ? 49 : 0);
+            set.putAndInsertUint16(DCM_MaximumFractionalValue, 100);
+            set.putAndInsertString(DCM_SegmentationFractionalType, "OCCUPANCY");
+            setEightBits(set, "FRACTIONAL", pixels);
+        });
+        const auto mask = on.read();
+        QVERIFY(mask);
+        QCOMPARE(numbersOf(*mask, on.volume), on.labels);
+        QCOMPARE(mask->notes.size(), 1);
+        QVERIFY(mask->notes.front().contains(QStringLiteral("one half")));
+    }
+
+    /// One frame a slice, its pixels numbers of segments.
+    void labelMaps()
+    {
+        const Exported on(evenSeries());
+        on.change([](DcmDataset& set) {
+            // Both segments' frames stay: pixels of either bear their own segment's number.
+            const std::size_t frame = 12 * 9;
+            std::vector<Uint8> pixels = pixelsOf(set, frame * std::size_t(framesOf(set)));
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                pixels[i] = Uint8(pixels[i] * segmentOf(set, int(i / frame)));
+            set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.66.7");
+            setEightBits(set, "LABELMAP", pixels);
+        });
+        const auto mask = on.read();
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        QCOMPARE(mask->notes, QStringList());
+        QCOMPARE(numbersOf(*mask, on.volume), on.labels);
+    }
+
+    /// Onto slices twice as far apart and shifted: those in between are left out, with a word.
+    void anotherGrid()
+    {
+        const Exported on(evenSeries());
+        core::Volume coarse = on.volume;
+        coarse.geometry.size.z = 3;
+        coarse.geometry.indexToWorld[2] *= 2.0;
+        coarse.geometry.indexToWorld[3] += glm::dvec4(0, 0, 0.4, 0);
+        const auto mask = core::readMask(on.file, coarse, {});
+        QVERIFY(!mask); // slices 0, 2 and 4 have nothing
+        coarse.geometry.indexToWorld[3] += glm::dvec4(0, 0, 1.5, 0);
+        const auto odd = core::readMask(on.file, coarse, {});
+        QVERIFY(odd);
+        QVERIFY(odd->notes.front().startsWith(QStringLiteral("The mask lies on another grid")));
+        const std::size_t slice = 12 * 9;
+        const Labels numbers = numbersOf(*odd, coarse);
+        for (std::size_t k = 0; k < 3; ++k) {
+            QVERIFY(std::equal(numbers.begin() + std::ptrdiff_t(k * slice),
+                numbers.begin() + std::ptrdiff_t((k + 1) * slice),
+                on.labels.begin() + std::ptrdiff_t((2 * k + 1) * slice)));
+        }
+    }
+
+    void whatAReaderMustKnow()
+    {
+        const Exported on(evenSeries());
+        core::Volume other = on.volume;
+        other.identity.patientId = QStringLiteral("somebody else");
+        other.identity.frameOfReferenceUid = QStringLiteral("1.2.3");
+        const auto mask = core::readMask(on.file, other, {});
+        QVERIFY(mask);
+        QCOMPARE(mask->notes.size(), 2);
+        QVERIFY(!mask->notes.join(u' ').contains(QStringLiteral("P-0815"))); // nobody's name
+        other.geometry.indexToWorld[3] += glm::dvec4(0, 0, 300, 0);
+        QCOMPARE(core::readMask(on.file, other, {}).error().arguments.value(1),
+            QStringLiteral("it lies wholly outside the study"));
+        on.change([](DcmDataset& set) { set.putAndInsertString(DCM_SegmentationType, "GUESSED"); });
+        QCOMPARE(on.read().error().arguments.value(1), QStringLiteral("of type 'GUESSED'"));
+    }
+};
+
+QTEST_GUILESS_MAIN(SegMaskTest)
+#include "SegMaskTest.moc"
