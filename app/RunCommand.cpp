@@ -192,6 +192,11 @@ int run(core::Recipe recipe, const Arguments& arguments)
     tellNotFromStudy(loaded->notFromStudy, file);
     tellProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
     core::fillSurfaces(recipe, loaded->volume);
+    const Result<QStringList> notes = core::readMasks(recipe, loaded->volume);
+    if (!notes)
+        return tellFailure(notes.error());
+    for (const QString& note : *notes)
+        std::fprintf(stderr, "%s\n", qUtf8Printable(note));
     std::optional<core::RecipeElsewhere> elsewhere;
     std::vector<core::RecipeElsewhere::LeftOut> leftOut;
     if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {

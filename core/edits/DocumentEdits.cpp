@@ -189,6 +189,27 @@ Result<bool> apply(const SegmentSeen& edit, Document& document)
     return addNewSegment(edit.target, document);
 }
 
+Result<bool> apply(const ImportMask& edit, Document& document)
+{
+    const Result<ImportTargets> where = importTargets(edit, document);
+    if (!where)
+        return tl::unexpected(where.error());
+    if (!where->isNew)
+        return false;
+    const std::vector<ImportedSegment>& segments = *edit.segments;
+    for (std::size_t i = 0; i < (edit.as ? 1 : segments.size()); ++i) {
+        const bool alone = !edit.as || segments.size() == 1;
+        const Result<bool> added =
+            apply(AddSegment{.name = edit.as ? edit.as->name : segments[i].name,
+                      .rgb = segments[i].rgb,
+                      .code = alone ? segments[i].code : CodedConcept{}},
+                document);
+        if (!added)
+            return added;
+    }
+    return true;
+}
+
 Result<bool> apply(const MoveLayer& edit, Document& document)
 {
     const SculptLayer* layer = document.layer(edit.layer);
@@ -400,15 +421,15 @@ bool changesDocumentOnly(const Edit& edit)
         [&edit](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             return changedPart(edit)
-                && !isOneOf<E, RemoveSegment, RemoveLayer, MergeLayers, LayerToSegment,
-                    SegmentSeen>;
+                && !isOneOf<E, RemoveSegment, RemoveLayer, MergeLayers, LayerToSegment, SegmentSeen,
+                    ImportMask>;
         },
         edit);
 }
 
 bool takesVoxelsOrNothing(const Edit& edit)
 {
-    return std::holds_alternative<LayerToSegment>(edit)
+    return std::holds_alternative<LayerToSegment>(edit) || std::holds_alternative<ImportMask>(edit)
         || std::holds_alternative<SegmentSeen>(edit);
 }
 
@@ -422,6 +443,8 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
                 return What::Segments;
             else if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
                 return known.target.segment ? std::nullopt : std::optional(What::Segments);
+            else if constexpr (isOneOf<E, ImportMask>)
+                return known.as && known.as->number ? std::nullopt : std::optional(What::Segments);
             else if constexpr (isOneOf<E, AddLayer, ChangeLayer, MoveLayer, RemoveLayer,
                                    MergeLayers>)
                 return What::Layers;

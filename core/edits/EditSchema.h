@@ -6,6 +6,7 @@
 #include "core/edits/schema/DocumentSchema.h"
 #include "core/edits/schema/GrowthSchema.h"
 #include "core/edits/schema/HistorySchema.h"
+#include "core/edits/schema/MaskSchema.h"
 #include "core/edits/schema/PieceSchema.h"
 #include "core/edits/schema/SculptSchema.h"
 #include "core/edits/schema/SegmentSchema.h"

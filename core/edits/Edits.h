@@ -121,6 +121,31 @@ struct SegmentSeen {
     bool overwriteUnlocked = false;
 };
 
+/// A segment of a mask that was read from a file.
+struct ImportedSegment {
+    QString name{};
+    std::uint32_t rgb = 0;
+    CodedConcept code{};
+    QByteArray voxels{}; ///< packedRuns() (core/brick/VoxelRuns.h), on the volume's grid
+};
+
+/// A segment by the number or the name that a recipe has for it.
+struct SegmentWord {
+    std::optional<int> number{}; ///< label; none: the name says it
+    QString name{};
+};
+
+/// The segments of a mask's file become segments here. An edit that is carried out holds their
+/// voxels and needs the file no more; one that has none yet is completed by core/masks first. Where
+/// segments overlap, the first one has the voxel.
+struct ImportMask {
+    QString file{};
+    std::optional<SegmentWord> as{}; ///< the one that receives all of it; none: new ones
+    bool overwriteUnlocked = false;
+    std::optional<glm::ivec3> size{}; ///< of the volume
+    std::optional<std::vector<ImportedSegment>> segments{};
+};
+
 /// Keep a view of the patient by name.
 struct AddBookmark {
     QString name{};
@@ -441,6 +466,6 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
     SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps,
-    ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds>;
+    ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask>;
 
 } // namespace core

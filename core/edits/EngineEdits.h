@@ -82,6 +82,16 @@ namespace core {
 /// Errors: those of labelTarget(), InvalidField (lower > upper).
 [[nodiscard]] Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document);
 
+/// Where the segments of a mask go. Errors: InvalidField (no voxels read, another grid, no room for
+/// so many segments), UnknownSegment, SegmentLocked.
+struct ImportTargets {
+    std::vector<LabelTarget> targets; ///< one a segment
+    bool isNew = true; ///< they are made: one by one, or with "as" one
+};
+[[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
+/// Errors: those of importTargets(), InvalidField (voxels that are none).
+[[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
+
 /// Errors: UnknownSegment.
 [[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
 

@@ -74,10 +74,11 @@ struct CapsuleCut {
 /// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
 /// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
 /// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
-/// layers and segments, whole at once. Those of growth: growth/GrowthCommands.h.
+/// layers and segments, whole at once; LabelListed there: a mask that comes in. Those of growth:
+/// growth/GrowthCommands.h.
 using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel,
-    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, CoverLabel, FoldLayer,
-    ShrinkGrowth, CutGrowth, PaintBarrier, SpreadLabels>;
+    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed, CoverLabel,
+    FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, SpreadLabels>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -124,7 +125,8 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
 // connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
-// a brush's frame, what is hidden, a growth or groups of seeds that are not sound (isSound());
+// a brush's frame, what is hidden, a list of labels, a growth or groups of seeds that are not sound
+// (isSound());
 // bounds that are not (areSound()); a layer folded into itself; a table of opacities of another
 // length than 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two
 // labels; TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of

@@ -258,11 +258,21 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             break;
         if (const Result<void> checked = checkAgainst(document, *edit); !checked)
             return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
+        const std::size_t segmentsBefore = document.segments.size();
         static_cast<void>(applyToDocument(*edit, document));
         if (const auto* seed = std::get_if<SeedStroke>(edit))
             seeded.insert(seed->segment);
         if (const auto* paint = std::get_if<PaintStroke>(edit); paint && !paint->erase)
             seeded.insert(paint->segment);
+        if (const auto* mask = std::get_if<ImportMask>(edit)) {
+            // What it made is last, as many as there are; what was there is named.
+            for (std::size_t k = 0; k < document.segments.size(); ++k) {
+                const Segment& segment = document.segments[k];
+                if (k >= segmentsBefore || (mask->as && mask->as->number == segment.label)
+                    || (mask->as && mask->as->name == segment.name))
+                    seeded.insert(segment.label);
+            }
+        }
         const auto* carved = std::get_if<LayerToSegment>(edit);
         const auto* seen = std::get_if<SegmentSeen>(edit);
         if (carved || seen) {

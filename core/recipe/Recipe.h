@@ -43,6 +43,12 @@ struct Recipe {
 /// is recorded names it.
 void fillSurfaces(Recipe& recipe, const Volume& volume);
 
+/// Reads the files of masks that its steps bring in (importMask), so that what is recorded holds
+/// their voxels. A name without a folder is looked for where the program runs, then beside the
+/// recipe. @return sentences on what was resampled or left out. Errors: those of readMask()
+/// (core/masks/MaskOnVolume.h).
+[[nodiscard]] Result<QStringList> readMasks(Recipe& recipe, const Volume& volume);
+
 /// Everything about a recipe that can be wrong on this document (with its volume) and known before
 /// it is carried out; edits behind a walk through the history are checked when their turn comes.
 /// Errors: those of checkAgainst(), with the entry; of exports UnsupportedFormat, FileExists,

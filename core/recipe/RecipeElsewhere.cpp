@@ -114,7 +114,7 @@ bool RecipeElsewhere::mayMake(const Edit& edit, Kind& kind)
     return std::visit(
         [&kind](const auto& known) {
             using E = std::decay_t<decltype(known)>;
-            if constexpr (isOneOf<E, AddSegment, LayerToSegment, SegmentSeen>)
+            if constexpr (isOneOf<E, AddSegment, LayerToSegment, SegmentSeen, ImportMask>)
                 kind = Kind::Segment;
             else if constexpr (isOneOf<E, AddLayer>)
                 kind = Kind::Layer;
@@ -169,8 +169,9 @@ void RecipeElsewhere::followRecorded()
         Kind kind{};
         const bool makes = mayMake(edit, kind)
             && lastGiven(kind, after.document) > lastGiven(kind, before.document);
-        if (makes)
-            after.makers[{kind, lastGiven(kind, after.document)}] = i;
+        for (int made = lastGiven(kind, before.document) + 1;
+             makes && made <= lastGiven(kind, after.document); ++made)
+            after.makers[{kind, made}] = i;
         HistoryRow row;
         row.edit = edit;
         history.append(std::move(row));

@@ -108,7 +108,7 @@ bool isBoundToStudy(const RecipeStep& step)
             else
                 return isOneOf<E, SeedStroke, DrillStroke, LaserStroke, PeelCut, ScissorsCut,
                     BrushStroke, PaintStroke, BarrierStroke, ShrinkAt, PlugLeak, AddBookmark,
-                    AddMeasurement, RevertRows, ReviseStroke>;
+                    AddMeasurement, RevertRows, ReviseStroke, ImportMask>;
         },
         *edit);
 }

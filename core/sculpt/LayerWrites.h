@@ -46,6 +46,18 @@ struct LabelSeen {
     std::vector<VoxelBound> bounds{};
 };
 
+/// Give labels to voxels that are listed. Each by the rule of LabelTarget, with the label that is
+/// asked for it; where 0 is asked nothing happens.
+struct LabelListed {
+    struct Brick {
+        std::uint32_t brick = 0;
+        std::vector<std::uint8_t> labels; ///< of its 4096 voxels
+    };
+    std::uint8_t plane = 0;
+    std::bitset<256> overwritable{};
+    std::vector<Brick> bricks{}; ///< ascending, each once
+};
+
 /// Coverage of the layer = 255 wherever the plane holds the label.
 struct CoverLabel {
     std::uint8_t layer = 0;
@@ -58,6 +70,19 @@ struct FoldLayer {
     std::uint8_t layer = 0;
     std::optional<std::uint8_t> into{};
 };
+
+/// Whether its bricks are whole, ascend and are the volume's.
+[[nodiscard]] inline bool isSound(const LabelListed& edit, int brickCount)
+{
+    std::int64_t last = -1;
+    for (const LabelListed::Brick& brick : edit.bricks) {
+        if (brick.labels.size() != 4096 || std::int64_t(brick.brick) <= last
+            || std::int64_t(brick.brick) >= brickCount)
+            return false;
+        last = brick.brick;
+    }
+    return true;
+}
 
 /// Whether every normal is short enough for a volume of this size.
 [[nodiscard]] inline bool areSound(const std::vector<VoxelBound>& bounds, const glm::ivec3& size)

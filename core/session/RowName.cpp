@@ -274,10 +274,28 @@ QString targetName(const SegmentChoice& choice, const Document& document)
     return quoted(choice.segment ? segmentName(*choice.segment, document) : choice.name);
 }
 
+/// "Import 7 segments of liver.dcm, 12.3 mL"
+QString importName(
+    const ImportMask& mask, const EditStatistics& statistics, const Document& document)
+{
+    const qsizetype slash = mask.file.lastIndexOf(QLatin1Char('/'));
+    const auto count = std::int64_t(mask.segments ? mask.segments->size() : 0);
+    const double ml = double(statistics.voxelsChanged)
+        * document.volumes.front().geometry.voxelVolumeMm3() / 1000.0;
+    QString what =
+        QStringLiteral("Import %1 of %2").arg(counted(count, "segment"), mask.file.mid(slash + 1));
+    if (mask.as)
+        what += QStringLiteral(" as ")
+            + quoted(mask.as->number ? segmentName(*mask.as->number, document) : mask.as->name);
+    return what + QStringLiteral(", %1 mL").arg(ml, 0, 'f', ml < 1.0 ? 3 : 1);
+}
+
 /// What passes between layers and segments; empty for other edits.
 QString passageName(const Edit& edit, const EditStatistics& statistics, const Document& document)
 {
     const QString count = counted(statistics.voxelsChanged, "voxel");
+    if (const auto* mask = std::get_if<ImportMask>(&edit))
+        return importName(*mask, statistics, document);
     if (const auto* carved = std::get_if<LayerToSegment>(&edit))
         return QStringLiteral("Layer %1 to segment %2, +%3")
             .arg(layerName(carved->layer, document), targetName(carved->target, document), count);

@@ -174,6 +174,15 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
             }
         }
         m_reach = std::move(bricks);
+    } else if (const auto* mask = std::get_if<ImportMask>(&edit)) {
+        Bricks bricks;
+        if (const Result<LabelListed> listed = labelListed(*mask, document)) {
+            for (const LabelListed::Brick& brick : listed->bricks) {
+                bricks.keys.insert({Field::Labels, listed->plane, brick.brick});
+                bricks.keys.insert({Field::SeedWords, listed->plane, brick.brick});
+            }
+        }
+        m_reach = std::move(bricks);
     } else if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
         Bricks bricks;
         const VolumeGeometry& geometry = document.volumes.front().geometry;

@@ -40,6 +40,7 @@ struct RowTrace {
 /// - paint: the labels and seed words of the bricks under the brush;
 /// - a carve brush: the coverage of its own layer in the bricks under the brush;
 /// - of all of these that spare segments, the labels of the same bricks too;
+/// - a mask that came in: the labels and seed words of the bricks that it has voxels in;
 /// - a layer that became a segment: the coverage of that layer, and the labels and seed words of
 /// the
 ///   segment's plane, since what other segments held decided too;

@@ -104,6 +104,8 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         return asEngineEdit(labelCarved(*carved, document));
     if (const auto* seen = std::get_if<SegmentSeen>(&m_edit))
         return asEngineEdit(labelSeen(*seen, document));
+    if (const auto* mask = std::get_if<ImportMask>(&m_edit))
+        return asEngineEdit(labelListed(*mask, document));
     if (const auto* segment = std::get_if<SegmentToLayer>(&m_edit))
         return asEngineEdit(coverLabel(*segment, document));
     const auto* removed = std::get_if<RemoveLayer>(&m_edit);

@@ -134,6 +134,13 @@ core::Result<void> check(const core::LabelSeen& edit, const core::BrickGrid& gri
     return check(edit.target);
 }
 
+core::Result<void> check(const core::LabelListed& edit, const core::BrickGrid& grid)
+{
+    if (!core::isSound(edit, grid.brickCount()))
+        return refusal("bricks", "are not sound");
+    return {};
+}
+
 core::Result<void> check(const core::CoverLabel& edit, const core::BrickGrid&)
 {
     if (edit.label == 0)
@@ -226,6 +233,8 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_wholeKeys = labelCarved(programs.label, fields, before, *carved);
     } else if (const auto* seen = std::get_if<core::LabelSeen>(&edit)) {
         transaction->m_wholeKeys = labelSeen(programs.label, fields, before, *seen);
+    } else if (const auto* listed = std::get_if<core::LabelListed>(&edit)) {
+        transaction->m_wholeKeys = labelListed(programs.label, fields, before, *listed);
     } else if (const auto* cover = std::get_if<core::CoverLabel>(&edit)) {
         transaction->m_wholeKeys = coverLabel(programs.erase, fields, before, *cover);
     } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {

@@ -52,7 +52,7 @@ std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& bricks,
     return result;
 }
 
-/// @param bindSource binds what voxels are chosen by
+/// @param bindSource binds what voxels of these bricks are chosen by
 template <class Bind>
 std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeImages& before,
     const core::LabelTarget& target, const std::vector<std::uint32_t>& bricks,
@@ -63,8 +63,8 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
         .set("label", unsigned(target.label))
         .set("overwritable", target.overwritable);
     BrickField& seedWords = fields.seedWords(target.plane);
-    const auto bind = [&] {
-        bindSource();
+    const auto bind = [&](const std::vector<std::uint32_t>& listed) {
+        bindSource(listed);
         seedWords.pageTable().bindUnit(1);
         fields.labels(target.plane).bindImage(0, GL_READ_WRITE);
         seedWords.atlas().bindImage(1, GL_READ_WRITE);
@@ -74,7 +74,7 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
         const std::size_t last = std::min(first + bricksAtOnce, bricks.size());
         const std::vector<std::uint32_t> batch(
             bricks.begin() + std::ptrdiff_t(first), bricks.begin() + std::ptrdiff_t(last));
-        bind();
+        bind(batch);
         const std::vector<std::uint32_t> found = run(kernel, batch, false);
         const std::vector<std::uint32_t> labels = chosen(batch, found, changedLabel);
         const std::vector<std::uint32_t> wordBricks = chosen(batch, found, changedWord);
@@ -83,7 +83,7 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
             continue;
         before.capture(core::Field::Labels, target.plane, labels);
         before.capture(core::Field::SeedWords, target.plane, wordBricks);
-        bind(); // capturing has bound textures of its own
+        bind(either); // capturing has bound textures of its own
         run(kernel, either, true);
         fields.noteChanged(core::Field::Labels, labels);
         fields.noteChanged(core::Field::SeedWords, wordBricks);
@@ -100,6 +100,7 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
 LabelPrograms::LabelPrograms(const ShaderLibrary& library)
     : carved(program(library, {}))
     , seen(program(library, {{"SEEN", 1}}))
+    , listed(program(library, {{"LISTED", 1}}))
 {
 }
 
@@ -107,10 +108,11 @@ std::vector<core::BrickKey> labelCarved(LabelPrograms& programs, VoxelFields& fi
     BeforeImages& before, const core::LabelCarved& edit)
 {
     BrickField& coverage = fields.coverage(edit.layer);
-    return label(programs.carved, fields, before, edit.target, coverage.heldBricks(), [&coverage] {
-        coverage.atlas().bindUnit(0);
-        coverage.pageTable().bindUnit(2);
-    });
+    return label(programs.carved, fields, before, edit.target, coverage.heldBricks(),
+        [&coverage](const std::vector<std::uint32_t>&) {
+            coverage.atlas().bindUnit(0);
+            coverage.pageTable().bindUnit(2);
+        });
 }
 
 std::vector<core::BrickKey> labelSeen(
@@ -126,11 +128,38 @@ std::vector<core::BrickKey> labelSeen(
     programs.seen.set("lowCode", none ? 65536u : unsigned(std::max(edit.lowCode, 0)))
         .set("highCode", none ? 0u : unsigned(edit.highCode))
         .set("boundCount", unsigned(bounds.size()));
-    return label(programs.seen, fields, before, edit.target, bricks, [&] {
-        fields.codes().bindUnit(0);
-        fields.radiation().bindUnit(2);
-        boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    });
+    return label(
+        programs.seen, fields, before, edit.target, bricks, [&](const std::vector<std::uint32_t>&) {
+            fields.codes().bindUnit(0);
+            fields.radiation().bindUnit(2);
+            boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+        });
+}
+
+std::vector<core::BrickKey> labelListed(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelListed& edit)
+{
+    std::vector<std::uint32_t> bricks;
+    for (const core::LabelListed::Brick& brick : edit.bricks)
+        bricks.push_back(brick.brick);
+    Buffer asked(
+        {.label = "asked labels", .bytes = bricksAtOnce * core::BrickGrid::voxelsPerBrick});
+    const auto bindAsked = [&](const std::vector<std::uint32_t>& listed) {
+        std::vector<std::uint8_t> labels;
+        labels.reserve(listed.size() * core::BrickGrid::voxelsPerBrick);
+        for (const std::uint32_t number : listed) {
+            const auto brick = std::lower_bound(edit.bricks.begin(), edit.bricks.end(), number,
+                [](const core::LabelListed::Brick& one, std::uint32_t wanted) {
+                    return one.brick < wanted;
+                });
+            labels.insert(labels.end(), brick->labels.begin(), brick->labels.end());
+        }
+        asked.write(std::span<const std::uint8_t>(labels));
+        asked.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    };
+    const core::LabelTarget target{
+        .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
+    return label(programs.listed, fields, before, target, bricks, bindAsked);
 }
 
 } // namespace gpu

@@ -15,14 +15,18 @@ struct LabelPrograms {
 
     Program carved;
     Program seen;
+    Program listed;
 };
 
-/// Carries out LabelCarved or LabelSeen (core/sculpt/LayerWrites.h). Bricks in which something
-/// changes are looked for first; only those are captured and written. Returns the keys of what
-/// changed. Cost ∝ the bricks that the layer holds, or the volume. Engine thread only.
+/// Carries out LabelCarved, LabelSeen or LabelListed (core/sculpt/LayerWrites.h). Bricks in which
+/// something changes are looked for first; only those are captured and written. Returns the keys of
+/// what changed. Cost ∝ the bricks that the layer holds, the volume, or the bricks that are listed.
+/// Engine thread only.
 std::vector<core::BrickKey> labelCarved(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit);
 std::vector<core::BrickKey> labelSeen(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelSeen& edit);
+std::vector<core::BrickKey> labelListed(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelListed& edit);
 
 } // namespace gpu

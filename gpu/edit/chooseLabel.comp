@@ -1,4 +1,4 @@
-// Gives a label to chosen voxels of listed bricks (LabelCarved, LabelSeen in
+// Gives a label to chosen voxels of listed bricks (LabelCarved, LabelSeen, LabelListed in
 // core/sculpt/LayerWrites.h). Tells what changes in each; writes only where it is told to. One
 // work-group a brick, each voxel written by one invocation.
 
@@ -14,6 +14,8 @@ layout(binding = 2, std430) readonly buffer Bounds { ivec4 bounds[]; };
 uniform uint boundCount;
 uniform uint lowCode;
 uniform uint highCode;
+#elif defined(LISTED)
+layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four labels each, by brick
 #else
 layout(binding = 0) uniform usampler3D coverage; // atlas
 layout(binding = 2) uniform usampler3D coveragePages;
@@ -46,13 +48,24 @@ bool isChosen(ivec3 voxel)
     }
     return true;
 }
-#else
+#elif !defined(LISTED)
 bool isChosen(ivec3 voxel)
 {
     uint entry = texelFetch(coveragePages, voxel >> 4, 0).r;
     return entry != 0u && texelFetch(coverage, atlasTexel(entry, voxel), 0).r >= 128u;
 }
 #endif
+
+/// 0: nothing is asked for.
+uint labelFor(ivec3 voxel, int offset)
+{
+#ifdef LISTED
+    uint four = asked[gl_WorkGroupID.x * 1024u + uint(offset >> 2)];
+    return four >> (8 * (offset & 3)) & 255u;
+#else
+    return isChosen(voxel) ? label : 0u;
+#endif
+}
 
 void main()
 {
@@ -61,21 +74,22 @@ void main()
     uint found = 0u;
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 voxel = brick * brickSide + voxelInBrick(offset);
-        if (!inside(voxel, volumeSize) || !isChosen(voxel))
+        uint wanted = inside(voxel, volumeSize) ? labelFor(voxel, offset) : 0u;
+        if (wanted == 0u)
             continue;
         uint held = imageLoad(labels, voxel).r;
-        if (held != 0u && held != label && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+        if (held != 0u && held != wanted && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
             continue;
-        if (held != label) {
+        if (held != wanted) {
             found |= changedLabel;
             if (write)
-                imageStore(labels, voxel, uvec4(label));
+                imageStore(labels, voxel, uvec4(wanted));
         }
         if (entry == 0u)
             continue;
         ivec3 texel = atlasTexel(entry, voxel);
         uint word = imageLoad(words, texel).r;
-        if ((isMember(word) || isPendingSeed(word)) && labelOf(word) != label) {
+        if ((isMember(word) || isPendingSeed(word)) && labelOf(word) != wanted) {
             found |= changedWord;
             if (write)
                 imageStore(words, texel, uvec4(unvisited));

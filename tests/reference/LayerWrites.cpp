@@ -63,6 +63,21 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     });
 }
 
+void labelListed(DenseFields& fields, const core::LabelListed& edit)
+{
+    const core::BrickGrid grid{fields.size()};
+    for (const core::LabelListed::Brick& brick : edit.bricks) {
+        const core::VoxelBox box = grid.boxOf(int(brick.brick));
+        forEachVoxel(box.maximum - box.minimum, [&](const glm::ivec3& within) {
+            const glm::ivec3 voxel = box.minimum + within;
+            const std::uint8_t asked =
+                brick.labels[std::size_t(core::BrickGrid::offsetInBrick(voxel))];
+            if (asked != 0)
+                give(fields, {edit.plane, asked, edit.overwritable}, voxel);
+        });
+    }
+}
+
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit)
 {
     const DenseArray<std::uint8_t> labels = fields.labels(edit.plane);

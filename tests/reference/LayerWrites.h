@@ -12,6 +12,7 @@ void labelCarved(DenseFields& fields, const core::LabelCarved& edit);
 /// @param carved coverage of the layers that are not muted, composed
 void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
     DenseFields& fields, const core::LabelSeen& edit);
+void labelListed(DenseFields& fields, const core::LabelListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);
 void foldLayer(DenseFields& fields, const core::FoldLayer& edit);
 

@@ -271,6 +271,14 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelSeen& edit
     return Done{};
 }
 
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelListed& edit)
+{
+    if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
+        return refuse("bricks", "are not sound");
+    labelListed(m_fields, edit);
+    return Done{};
+}
+
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CoverLabel& edit)
 {
     if (edit.label == 0)

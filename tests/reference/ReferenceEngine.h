@@ -91,6 +91,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::MaskScissors& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelCarved& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelSeen& edit);
+    [[nodiscard]] core::Result<Work> begin(core::LabelListed& edit);
     [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);
     [[nodiscard]] core::Result<Work> begin(core::LaserCut& edit);

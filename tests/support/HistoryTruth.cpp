@@ -82,8 +82,8 @@ bool changesLabels(const Edit& edit)
         || std::holds_alternative<BarrierStroke>(edit)
         || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<PaintStroke>(edit)
         || std::holds_alternative<RemoveSegment>(edit)
-        || std::holds_alternative<LayerToSegment>(edit)
-        || std::holds_alternative<SegmentSeen>(edit);
+        || std::holds_alternative<LayerToSegment>(edit) || std::holds_alternative<SegmentSeen>(edit)
+        || std::holds_alternative<ImportMask>(edit);
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -236,6 +236,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *labelCarved(*carved, document), {}, nullptr);
     if (const auto* seen = std::get_if<SegmentSeen>(&edit))
         return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
+    if (const auto* mask = std::get_if<ImportMask>(&edit))
+        return after(before, *labelListed(*mask, document), {}, nullptr);
     if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);
@@ -614,6 +616,11 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         addTarget(carved->target, document);
     } else if (const auto* seen = std::get_if<SegmentSeen>(&edit)) {
         addTarget(seen->target, document);
+    } else if (const auto* mask = std::get_if<ImportMask>(&edit); mask && !mask->as) {
+        for (const ImportedSegment& segment : *mask->segments) {
+            addTarget({.segment = {}, .name = segment.name, .rgb = segment.rgb}, document);
+            document.segments.back().code = segment.code;
+        }
     } else if (const auto* view = std::get_if<AddBookmark>(&edit)) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)

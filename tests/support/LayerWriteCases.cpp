@@ -10,6 +10,7 @@ namespace {
 using core::CoverLabel;
 using core::FoldLayer;
 using core::LabelCarved;
+using core::LabelListed;
 using core::LabelSeen;
 using core::LabelTarget;
 using core::VoxelBound;
@@ -58,6 +59,23 @@ LabelTarget randomTarget(Random& random, std::uint8_t plane)
     return target;
 }
 
+/// Labels asked for in some bricks, about every third voxel.
+LabelListed randomList(const glm::ivec3& size, std::uint8_t plane, Random& random)
+{
+    LabelListed list{.plane = plane};
+    for (int label = 1; label < 6; ++label)
+        list.overwritable[std::size_t(label)] = random() % 3 == 0;
+    for (int brick = 0; brick < core::BrickGrid{size}.brickCount(); ++brick) {
+        if (random() % 3 == 0)
+            continue;
+        std::vector<std::uint8_t> labels(core::BrickGrid::voxelsPerBrick);
+        for (std::uint8_t& label : labels)
+            label = random() % 3 ? 0 : std::uint8_t(randomInt(random, 1, 255) % 7);
+        list.bricks.push_back({.brick = std::uint32_t(brick), .labels = std::move(labels)});
+    }
+    return list;
+}
+
 EngineCase randomWrites(int number)
 {
     Random random(std::uint32_t(21000 + number));
@@ -73,7 +91,7 @@ EngineCase randomWrites(int number)
         const auto plane = std::uint8_t(random() % 6 ? 0 : 1);
         const auto layer = std::uint8_t(random() % 2 + 1);
         const core::Ending ending = random() % 5 ? core::Ending::Commit : core::Ending::Rollback;
-        switch (random() % 9) {
+        switch (random() % 10) {
         case 0: {
             core::SeedPlacement seeds{
                 .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
@@ -122,6 +140,9 @@ EngineCase randomWrites(int number)
             made.steps.push_back(command(mute));
             break;
         }
+        case 8:
+            appendWhole(made.steps, randomList(size, plane, random), {}, ending);
+            break;
         default:
             made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
             break;
@@ -200,10 +221,32 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
         grown.steps.push_back(Undo{});
     cases.push_back(grown);
 
+    EngineCase listed{"labels that are listed", codes, {}};
+    appendWhole(listed.steps, LabelListed{});
+    appendWhole(listed.steps, core::SeedPlacement{.label = 2, .voxels = {{0, 0, 0}, {20, 17, 19}}});
+    listed.steps.push_back(BeginGrowth{{.lowCode = 0, .highCode = 65535}});
+    listed.steps.push_back(command(core::ExtendEdit{core::GrowAdvance{4}}));
+    listed.steps.push_back(command(core::EndEdit{}));
+    LabelListed full{.plane = 0};
+    for (int brick = 0; brick < core::BrickGrid{size}.brickCount(); ++brick)
+        full.bricks.push_back({std::uint32_t(brick),
+            std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, std::uint8_t(255))});
+    appendWhole(listed.steps, full); // what has grown stays
+    appendWhole(listed.steps, full); // nothing is left to do
+    full.overwritable.set(2);
+    appendWhole(listed.steps, full);
+    for (int i = 0; i < 3; ++i)
+        listed.steps.push_back(Undo{});
+    cases.push_back(listed);
+
     EngineCase refused{"layer writes that are refused", codes, {}};
     refused.steps.push_back(put(noise(size, random, {0, 255}), core::Field::Coverage, 1));
     appendWhole(refused.steps, LabelCarved{{}, 1});
     appendWhole(refused.steps, LabelSeen{});
+    const std::vector<std::uint8_t> whole(core::BrickGrid::voxelsPerBrick, std::uint8_t(1));
+    appendWhole(refused.steps, LabelListed{.bricks = {{12, whole}}});
+    appendWhole(refused.steps, LabelListed{.bricks = {{3, whole}, {3, whole}}});
+    appendWhole(refused.steps, LabelListed{.bricks = {{3, {1, 2, 3}}}});
     appendWhole(refused.steps, CoverLabel{.layer = 1});
     appendWhole(refused.steps, FoldLayer{.layer = 1, .into = 1});
     appendWhole(

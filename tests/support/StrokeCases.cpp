@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/StrokeCases.h"
 
+#include "core/brick/VoxelRuns.h"
 #include "core/session/EditSession.h"
 #include "tests/support/EngineCases.h"
 
@@ -371,6 +372,40 @@ core::Edit randomEdit(const core::Document& document, Random& random)
         return stroke;
     }
     }
+}
+
+/// Two segments that overlap, as if read from a file.
+core::ImportMask importOf(const glm::ivec3& size)
+{
+    core::VoxelRuns low;
+    core::VoxelRuns middle;
+    const std::uint64_t slice = std::uint64_t(size.x) * std::uint64_t(size.y);
+    for (int row = 3; row < size.y - 2; ++row) {
+        const std::uint64_t at = slice * 2 + std::uint64_t(row) * std::uint64_t(size.x);
+        low.append(at + 1, std::uint64_t(size.x) / 2);
+        middle.append(at + std::uint64_t(row), 5);
+    }
+    middle.append(slice * std::uint64_t(size.z / 2), slice * 2);
+    core::ImportMask mask{.file = QStringLiteral("organs.seg.nrrd")};
+    mask.size = size;
+    mask.segments = {{.name = QStringLiteral("Low"),
+                         .rgb = 0x40C080,
+                         .code = {},
+                         .voxels = core::packedRuns(low)},
+        {.name = QStringLiteral("Middle"),
+            .rgb = 0xC04080,
+            .code = {.scheme = QStringLiteral("SCT"),
+                .value = QStringLiteral("10200004"),
+                .meaning = QStringLiteral("Liver")},
+            .voxels = core::packedRuns(middle)}};
+    return mask;
+}
+
+/// The same, all of it into segment 1.
+core::ImportMask joinedFirst(core::ImportMask mask)
+{
+    mask.as = core::SegmentWord{.number = 1, .name = {}};
+    return mask;
 }
 
 } // namespace
@@ -800,6 +835,17 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         {"segment what is seen in a clip region", volume, {first, second, taker, peel}, clipped});
     cases.push_back(
         {"nothing is seen", volume, {}, core::SegmentSeen{.target = toNew, .lower = 1e9}});
+    const core::ImportMask mask = importOf(geometry.size);
+    core::ImportMask joined = mask;
+    joined.as = core::SegmentWord{.number = 2, .name = {}};
+    joined.overwriteUnlocked = true;
+    cases.push_back({"import a mask", volume, {}, mask});
+    cases.push_back({"import a mask around what has grown", volume, {first, seeds, some}, mask});
+    cases.push_back({"import a mask into a segment", volume, {first, seeds, all, second}, joined});
+    cases.push_back({"growth after a mask", volume, {first, seeds, some, joinedFirst(mask)}, all});
+    cases.push_back({"import a mask twice", volume, {mask}, mask});
+    cases.push_back(
+        {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});

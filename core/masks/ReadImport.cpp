@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/masks/ReadImport.h"
+
+#include "core/document/SegmentColours.h"
+#include "core/edits/EditFields.h"
+
+#include <QFileInfo>
+
+namespace core {
+
+namespace {
+
+/// As a name of a segment may be.
+QString nameFrom(QString text)
+{
+    constexpr qsizetype longest = 256;
+    for (QChar& character : text) {
+        if (character.category() == QChar::Other_Control)
+            character = QLatin1Char(' ');
+    }
+    text = text.simplified().left(longest);
+    return editFields::Text().check(text).isEmpty() ? text : QStringLiteral("Segment");
+}
+
+} // namespace
+
+Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
+    std::size_t segmentsBefore, const Progress& progress)
+{
+    Result<MaskOnVolume> mask = readMask(edit.file, volume, progress);
+    if (!mask)
+        return tl::unexpected(mask.error());
+    ReadImport read{.edit = edit, .notes = std::move(mask->notes)};
+    read.edit.file = QFileInfo(edit.file).fileName();
+    read.edit.size = volume.geometry.size;
+    std::vector<ImportedSegment>& segments = read.edit.segments.emplace();
+    for (const MaskSegment& segment : mask->segments) {
+        const bool isCode = editFields::Code().check(segment.code).isEmpty();
+        segments.push_back({.name = nameFrom(segment.name),
+            .rgb = segment.rgb.value_or(usualSegmentColour(segmentsBefore + segments.size())),
+            .code = isCode ? segment.code : CodedConcept{},
+            .voxels = packedRuns(segment.voxels)});
+        if (segments.back().voxels.isEmpty())
+            return failure(ErrorCode::UnsupportedFormat, edit.file,
+                QStringLiteral("the outline of its segment '%1' is too ragged to be kept")
+                    .arg(segments.back().name));
+    }
+    return read;
+}
+
+} // namespace core
