@@ -5,6 +5,7 @@
 #include "ui/ErrorText.h"
 #include "ui/Icons.h"
 #include "ui/LoadingBar.h"
+#include "ui/MaskImporter.h"
 #include "ui/MessageBar.h"
 #include "ui/OptionBar.h"
 #include "ui/PanelColumn.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_panels(new PanelColumn(this))
     , m_splitter(new QSplitter(this))
     , m_saver(new SessionSaver(workspace, *this))
+    , m_importer(new MaskImporter(workspace, this))
     , m_bookmarks(new BookmarkMenu(workspace, m_views->volume(), this))
 {
     setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
@@ -127,7 +129,7 @@ void MainWindow::buildMenus()
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     m_actions.fill(*m_fileMenu,
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
-            "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
+            "file.importMask", "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
     m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
     m_actions.fill(
         *m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author", "edit.historyMemory"}));
@@ -481,6 +483,8 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (path.isEmpty())
         return;
     event->acceptProposedAction();
+    if (m_workspace.session() && MaskImporter::looksLikeMask(path))
+        return m_importer->import(path);
     m_opener.open(path);
 }
 

@@ -22,6 +22,7 @@ class OptionBar;
 class Panel;
 class PanelColumn;
 class ReadOnlyMark;
+class MaskImporter;
 class SessionSaver;
 class StartPage;
 class StatusLine;
@@ -74,6 +75,7 @@ public:
     void askForSession();
     void showAbout();
     void saveSessionAs();
+    [[nodiscard]] MaskImporter& importer() { return *m_importer; }
     /// Unless the user would rather keep steps that are not on disk yet.
     void closeStudy();
 
@@ -120,6 +122,7 @@ private:
     PanelColumn* m_panels;
     QSplitter* m_splitter;
     SessionSaver* m_saver;
+    MaskImporter* m_importer;
     QString m_sessionFolder;
     BookmarkMenu* m_bookmarks;
     bool m_panelsWanted = true;

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/SegmentActions.h"
 
+#include "core/document/SegmentColours.h"
 #include "ui/CountText.h"
 #include "ui/Workspace.h"
 
 #include <algorithm>
-#include <array>
 
 namespace ui {
 
 std::uint32_t nextSegmentColour(const core::Document& document)
 {
-    static constexpr std::array<std::uint32_t, 12> colours{0x4a9bff, 0x5bc07c, 0xf0b04a, 0xef6a5b,
-        0xb98cf0, 0x4fc7c7, 0xe889b5, 0xc9d14f, 0x7f9cf5, 0xd98e5f, 0x8fd694, 0xe5dcc3};
-    return colours[document.segments.size() % colours.size()];
+    return core::usualSegmentColour(document.segments.size());
 }
 
 QString nextSegmentName(const core::Document& document)

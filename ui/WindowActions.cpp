@@ -6,6 +6,7 @@
 #include "ui/InitialDisplay.h"
 #include "ui/LayerActions.h"
 #include "ui/MainWindow.h"
+#include "ui/MaskImporter.h"
 #include "ui/MessageBar.h"
 #include "ui/SegmentActions.h"
 #include "ui/dialogs/AuthorDialog.h"
@@ -83,6 +84,33 @@ void addFileActions(MainWindow& window)
         .tip = QStringLiteral("Who did what and when in this session, checked, to print or keep"),
         .run = [audit] { audit->ask(); },
         .possible = [&workspace] { return workspace.session() != nullptr; }});
+    MaskImporter& importer = window.importer();
+    QObject::connect(&importer, &MaskImporter::failed, &workspace, &Workspace::fail);
+    QObject::connect(&importer, &MaskImporter::imported, &window,
+        [&window, &workspace](const QString& rowName, const QStringList& notes) {
+            const auto kind =
+                notes.isEmpty() ? MessageBar::Kind::Notice : MessageBar::Kind::Caution;
+            window.messages().show(kind,
+                (QStringList{rowName + QLatin1Char('.')} + notes).join(QLatin1Char(' ')),
+                QStringLiteral("Undo"), [&workspace] {
+                    if (core::EditSession* session = workspace.session())
+                        static_cast<void>(session->undo());
+                });
+        });
+    QObject::connect(
+        &importer, &MaskImporter::nothingTaken, &window, [&window](const QString& path) {
+            window.messages().show(MessageBar::Kind::Notice,
+                QStringLiteral("%1: segments that are here have all of its voxels already; nothing "
+                               "was taken.")
+                    .arg(path));
+        });
+    actions.add({.id = QStringLiteral("file.importMask"),
+        .text = QStringLiteral("Import mask …"),
+        .tip = QStringLiteral("Segments from a DICOM SEG, NIfTI, NRRD or MetaImage file, laid on "
+                              "this study"),
+        .run = [&importer] { importer.ask(); },
+        .possible = [&workspace,
+                        &importer] { return workspace.session() != nullptr && !importer.busy(); }});
     actions.add({.id = QStringLiteral("file.demonstration"),
         .text = QStringLiteral("Open the demonstration study"),
         .icon = QStringLiteral("demo"),
