@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+namespace core {
+
+/// A name that stands in one line of a file; never empty.
+[[nodiscard]] QString oneLine(const QString& name);
+
+} // namespace core
