@@ -16,12 +16,15 @@ namespace {
 
 void printText(const std::vector<core::EditDocumentation>& edits)
 {
-    std::printf("A recipe is {\"edits\": [edit, …], \"export\": [export, …]}. An export is one of\n"
-                "{\"format\": \"dicom-seg\", \"nifti\" or \"seg-nrrd\", \"file\": path},\n"
-                "{\"format\": \"coverage\", \"layer\": number, \"file\": path.nii.gz},\n"
-                "{\"format\": \"carved-volume\", \"file\": path.nii.gz or a new folder for a DICOM "
-                "series,\n \"fill\": value where nothing is left (default: the least)}.\n"
-                "Each edit is an object {\"edit\": name, fields …}; any other field is refused.\n");
+    std::printf(
+        "A recipe is {\"edits\": [edit, …], \"export\": [export, …]}. An export is one of\n"
+        "{\"format\": \"dicom-seg\", \"rtstruct\", \"nifti\" or \"seg-nrrd\", \"file\": path},\n"
+        "{\"format\": \"stl\", \"obj\", \"ply\" or \"gltf\", \"file\": path, \"space\": \"LPS\" "
+        "or \"RAS\" (default: LPS)},\n"
+        "{\"format\": \"coverage\", \"layer\": number, \"file\": path.nii.gz},\n"
+        "{\"format\": \"carved-volume\", \"file\": path.nii.gz or a new folder for a DICOM "
+        "series,\n \"fill\": value where nothing is left (default: the least)}.\n"
+        "Each edit is an object {\"edit\": name, fields …}; any other field is refused.\n");
     for (const core::EditDocumentation& edit : edits) {
         std::printf("\n%s\n    %s\n\n", qPrintable(edit.name), qPrintable(edit.meaning));
         qsizetype nameWidth = 0;

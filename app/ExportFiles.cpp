@@ -50,6 +50,7 @@ private:
         request.format = target.format;
         request.file = target.file;
         request.force = m_force;
+        request.space = target.space;
         request.planes = {{.plane = 0, .labels = m_labels}};
         for (const core::ExportChoice& choice : core::exportChoices(m_session.document(), {})) {
             if (choice.chosen)

@@ -5,7 +5,6 @@
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
 #include "app/SessionProblems.h"
-#include "core/nifti/NiftiReader.h"
 #include "core/session/EditSession.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionSalvage.h"
@@ -161,21 +160,35 @@ Result<void> checkSound(const Arguments& arguments, const Recorded& recorded)
     return {};
 }
 
+/// ".dcm, .nii.gz, … or .seg.nrrd"
+QString knownEndings()
+{
+    QStringList endings;
+    for (const core::ExportFormatFacts& facts : core::exportFormats()) {
+        for (const char* ending : {facts.ending, facts.otherEnding}) {
+            if (*ending != '\0' && !endings.contains(QLatin1String(ending)))
+                endings += QLatin1String(ending);
+        }
+    }
+    const QString last = endings.takeLast();
+    return endings.join(QStringLiteral(", ")) + QStringLiteral(" or ") + last;
+}
+
 /// The words of an export are those of one in a recipe.
 /// @return what is wrong with them; empty if nothing
 QString readExport(const Arguments& arguments, Task& task)
 {
     const QString file = arguments.value("export");
     QString format = arguments.value("format");
-    if (format.isEmpty() && core::isNiftiName(file))
-        format = QStringLiteral("nifti");
-    else if (format.isEmpty() && file.endsWith(QLatin1String(".seg.nrrd"), Qt::CaseInsensitive))
-        format = QStringLiteral("seg-nrrd");
-    else if (format.isEmpty() && file.endsWith(QLatin1String(".dcm")))
-        format = QStringLiteral("dicom-seg");
-    else if (format.isEmpty())
-        return QStringLiteral("--export: the name ends in .nii, .nii.gz, .seg.nrrd or .dcm");
+    if (format.isEmpty()) {
+        const std::optional<core::ExportFormat> known = core::exportFormatOfFile(file);
+        if (!known)
+            return QStringLiteral("--export: the name ends in %1").arg(knownEndings());
+        format = QLatin1String(core::factsOf(*known).name);
+    }
     QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
+    if (arguments.has("space"))
+        words[QStringLiteral("space")] = arguments.value("space");
     for (const char* number : {"layer", "fill"}) {
         if (!arguments.has(number))
             continue;
@@ -224,7 +237,7 @@ int runReplay(const QStringList& words)
     const Arguments arguments(words,
         {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
             QStringLiteral("export"), QStringLiteral("format"), QStringLiteral("layer"),
-            QStringLiteral("fill")},
+            QStringLiteral("fill"), QStringLiteral("space")},
         {QStringLiteral("verify"), QStringLiteral("force")});
     if (!arguments.problem().isEmpty())
         return tellUsage("replay", arguments.problem());
@@ -232,7 +245,7 @@ int runReplay(const QStringList& words)
         return tellUsage("replay", QStringLiteral("it needs one session file"));
     if (!arguments.has("verify") && !arguments.has("export"))
         return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
-    for (const char* detail : {"format", "layer", "fill"}) {
+    for (const char* detail : {"format", "layer", "fill", "space"}) {
         if (arguments.has(detail) && !arguments.has("export"))
             return tellUsage(
                 "replay", QStringLiteral("--%1 is for --export").arg(QLatin1String(detail)));

@@ -152,7 +152,7 @@ Result<SegSource> readSegSource(
                 if (!missing.isEmpty())
                     return failure(ErrorCode::UnsupportedFormat, file,
                         missing
-                            + QStringLiteral("; a DICOM SEG cannot refer to it, NIfTI can be "
+                            + QStringLiteral("; no DICOM object can refer to it, NIfTI can be "
                                              "exported instead"));
             }
             if (std::find(held.begin(), held.end(), std::size_t(0)) != held.end()) {

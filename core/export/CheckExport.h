@@ -10,6 +10,7 @@ struct ExportExpectation {
     const Volume& volume;
     std::vector<Segment> segments; ///< those written, in order
     std::span<const LabelPlaneView> planes;
+    MeshSpace space = MeshSpace::Lps; ///< of surfaces
 };
 
 /// Opens a DICOM SEG and the files of the volume's slices, and checks, from their headers alone:
@@ -36,5 +37,20 @@ Result<QStringList> checkNiftiExport(
 /// Returns and errors as above.
 Result<QStringList> checkSegNrrdExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
+
+/// Opens an RTSTRUCT and the files of the volume's slices, and checks, from their headers alone:
+/// every contour lies in the plane of the image it names, filling its contours again by a
+/// rasteriser of its own (even-odd, at the pixels' centres) gives each slice's voxels exactly once,
+/// and patient, study, frame of reference, numbers, names and colours are as they should be.
+/// Returns and errors as above.
+Result<QStringList> checkRtStructExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress);
+
+/// Opens an STL, OBJ, PLY or glTF file by readers of its own, and the source files, and checks that
+/// the surfaces are closed and that exactly the centres of each segment's voxels are inside, once
+/// and from the right side; that names and colours are there where the format has them.
+/// Returns and errors as above.
+Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
+    const ExportExpectation& expected, const Progress& progress);
 
 } // namespace core

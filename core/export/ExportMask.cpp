@@ -52,12 +52,19 @@ Result<QStringList> write(const QString& path, const Volume& volume, const Expor
     switch (request.format) {
     case ExportFormat::DicomSeg:
         return writeSegMask(path, volume, request, selection, progress, report);
+    case ExportFormat::RtStruct:
+        return writeRtStructMask(path, volume, request, selection, progress, report);
     case ExportFormat::Nifti:
         return writeNiftiMask(path, volume, request, selection, report);
     case ExportFormat::SegNrrd:
+        return writeSegNrrdMask(path, volume, request, selection, report);
+    case ExportFormat::Stl:
+    case ExportFormat::Obj:
+    case ExportFormat::Ply:
+    case ExportFormat::Gltf:
         break;
     }
-    return writeSegNrrdMask(path, volume, request, selection, report);
+    return writeSurfaces(path, volume, request, selection, progress, report);
 }
 
 Result<QStringList> check(ExportFormat format, const QString& path,
@@ -66,38 +73,22 @@ Result<QStringList> check(ExportFormat format, const QString& path,
     switch (format) {
     case ExportFormat::DicomSeg:
         return checkSegExport(path, expected, progress);
+    case ExportFormat::RtStruct:
+        return checkRtStructExport(path, expected, progress);
     case ExportFormat::Nifti:
         return checkNiftiExport(path, expected, progress);
     case ExportFormat::SegNrrd:
+        return checkSegNrrdExport(path, expected, progress);
+    case ExportFormat::Stl:
+    case ExportFormat::Obj:
+    case ExportFormat::Ply:
+    case ExportFormat::Gltf:
         break;
     }
-    return checkSegNrrdExport(path, expected, progress);
+    return checkSurfaceExport(format, path, expected, progress);
 }
 
 } // namespace
-
-std::optional<ExportFormat> exportFormatNamed(const QString& name)
-{
-    if (name == QLatin1String("dicom-seg"))
-        return ExportFormat::DicomSeg;
-    if (name == QLatin1String("nifti"))
-        return ExportFormat::Nifti;
-    if (name == QLatin1String("seg-nrrd"))
-        return ExportFormat::SegNrrd;
-    return std::nullopt;
-}
-
-QString exportNameObstacle(ExportFormat format, const QString& file)
-{
-    const auto endsIn = [&](const char* ending) {
-        return file.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
-    };
-    if (format == ExportFormat::Nifti && !endsIn(".nii") && !endsIn(".nii.gz"))
-        return QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
-    if (format == ExportFormat::SegNrrd && !endsIn(".seg.nrrd"))
-        return QStringLiteral("the name of a 3D Slicer segmentation ends in .seg.nrrd");
-    return {};
-}
 
 CodedConcept anatomicalStructure()
 {
@@ -111,23 +102,21 @@ QString dicomSegObstacle(const Volume& volume)
     const QString instead = QStringLiteral("; NIfTI can be exported instead");
     if (volume.sourceFormat != QLatin1String("DICOM")
         || volume.sources.size() != std::size_t(volume.geometry.size.z))
-        return QStringLiteral(
-                   "the study was not read from DICOM images, which a DICOM SEG must name")
+        return QStringLiteral("the study was not read from DICOM images, which a DICOM SEG or "
+                              "RTSTRUCT must name")
             + instead;
     if (volume.identity.studyUid.isEmpty())
-        return QStringLiteral("the source images carry no Study Instance UID, so a DICOM SEG could "
-                              "not say to which study it belongs")
+        return QStringLiteral("the source images carry no Study Instance UID, so a DICOM SEG or "
+                              "RTSTRUCT could not say to which study it belongs")
             + instead;
     if (volume.identity.seriesUid.isEmpty())
-        return QStringLiteral(
-                   "the source images carry no Series Instance UID, so a DICOM SEG could "
-                   "not say on which series it was drawn")
+        return QStringLiteral("the source images carry no Series Instance UID, so a DICOM SEG or "
+                              "RTSTRUCT could not say on which series it was drawn")
             + instead;
     for (const SourceSlice& slice : volume.sources) {
         if (slice.sopInstanceUid.isEmpty() || slice.sopClassUid.isEmpty())
-            return QStringLiteral(
-                       "the source images carry no SOP Instance UID, so a DICOM SEG could "
-                       "not say on which image a frame was drawn")
+            return QStringLiteral("the source images carry no SOP Instance UID, so a DICOM SEG or "
+                                  "RTSTRUCT could not say on which image it was drawn")
                 + instead;
     }
     if (std::max(volume.geometry.size.x, volume.geometry.size.y) > 65535)
@@ -138,8 +127,7 @@ QString dicomSegObstacle(const Volume& volume)
 Result<ExportReport> exportMask(
     const Volume& volume, const ExportRequest& request, const Progress& progress)
 {
-    const bool seg = request.format == ExportFormat::DicomSeg;
-    if (seg) {
+    if (factsOf(request.format).namesSourceImages) {
         if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
     }
@@ -149,7 +137,7 @@ Result<ExportReport> exportMask(
     const auto selection = selectMask(volume, request);
     if (!selection)
         return tl::unexpected(selection.error());
-    if (seg) {
+    if (request.format == ExportFormat::DicomSeg) {
         for (const Segment& segment : selection->segments) {
             if (!segment.code.isSet())
                 return failure(ErrorCode::SegmentNotCoded, segment.name);
@@ -168,7 +156,7 @@ Result<ExportReport> exportMask(
     if (!written)
         return tl::unexpected(renamed(written.error(), *staged, request.file));
     report.written = *written;
-    const ExportExpectation expected{volume, selection->segments, request.planes};
+    const ExportExpectation expected{volume, selection->segments, request.planes, request.space};
     const auto checked = check(request.format, staged->path(), expected, progress);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), *staged, request.file));

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/export/ExportFormats.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
@@ -15,13 +16,6 @@
 #include <vector>
 
 namespace core {
-
-enum class ExportFormat { DicomSeg, Nifti, SegNrrd };
-
-/// "dicom-seg", "nifti" and "seg-nrrd", as recipes say it.
-[[nodiscard]] std::optional<ExportFormat> exportFormatNamed(const QString& name);
-/// Why a file of this format cannot have that name, as a clause; empty if it can.
-[[nodiscard]] QString exportNameObstacle(ExportFormat format, const QString& file);
 
 /// The labels of one plane on the volume's grid, x fastest.
 struct LabelPlaneView {
@@ -40,6 +34,7 @@ struct ExportRequest {
     std::vector<Segment> segments; ///< in the order of their numbers in the file
     std::vector<LabelPlaneView> planes; ///< every plane that a segment names
     CodedConcept category = anatomicalStructure();
+    MeshSpace space = MeshSpace::Lps; ///< of surfaces
 };
 
 /// What was done, in sentences for a person.
@@ -56,7 +51,8 @@ struct ExportReport {
 /// only after that; on any failure nothing is left behind, and a file of that name is as it was.
 ///
 /// Segments without a voxel are left out and named. DICOM SEG: one BINARY object, empty frames left
-/// out, every frame on its native slice, also where the stack is tilted or uneven. NIfTI: one label
+/// out, every frame on its native slice, also where the stack is tilted or uneven. RTSTRUCT: closed
+/// contours along the borders of the voxels, on the native slices. NIfTI: one label
 /// map on the source's grid; the file's name must end in .nii or .nii.gz. 3D Slicer segmentation:
 /// the same map with names, colours and codes in one layer; the name must end in .seg.nrrd.
 ///
@@ -67,7 +63,8 @@ struct ExportReport {
 Result<ExportReport> exportMask(
     const Volume& volume, const ExportRequest& request, const Progress& progress);
 
-/// Why this volume cannot carry a DICOM SEG, as a clause; empty if it can. Reads no file.
+/// Why this volume cannot carry a DICOM SEG or RTSTRUCT, as a clause; empty if it can. Reads no
+/// file.
 [[nodiscard]] QString dicomSegObstacle(const Volume& volume);
 
 } // namespace core

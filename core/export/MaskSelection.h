@@ -28,6 +28,12 @@ bool isSourceFile(const Volume& volume, const QString& file);
 Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report);
+Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
+    ExportReport& report);
+Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
+    ExportReport& report);
 Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
 Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,

@@ -96,8 +96,10 @@ QString obstacleOf(const RecipeExport& target, const Volume& volume)
     case RecipeExport::What::Segments:
         break;
     }
-    if (target.format == ExportFormat::DicomSeg)
-        return dicomSegObstacle(volume);
+    if (factsOf(target.format).namesSourceImages) {
+        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+            return obstacle;
+    }
     return exportNameObstacle(target.format, target.file);
 }
 
@@ -137,9 +139,8 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         made.what = RecipeExport::What::CarvedVolume;
     else
         return failure(ErrorCode::InvalidField, QStringLiteral("export.format"),
-            QStringLiteral("'%1' is not known; known are dicom-seg, nifti, seg-nrrd, coverage "
-                           "and carved-volume")
-                .arg(*format));
+            QStringLiteral("'%1' is not known; known are %2, coverage and carved-volume")
+                .arg(*format, exportFormatNames().join(QStringLiteral(", "))));
     const Result<QString> file = takeText(object, "file");
     if (!file)
         return tl::unexpected(file.error());
@@ -151,6 +152,13 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
                 layer.isUndefined() ? QStringLiteral("missing")
                                     : QStringLiteral("must be the number of a sculpt layer"));
         made.layer = layer.toInt();
+    }
+    if (made.what == RecipeExport::What::Segments && factsOf(made.format).isSurface) {
+        const QString space = object.take(QStringLiteral("space")).toString(QStringLiteral("LPS"));
+        if (space != QLatin1String("LPS") && space != QLatin1String("RAS"))
+            return failure(ErrorCode::InvalidField, QStringLiteral("export.space"),
+                QStringLiteral("must be \"LPS\" or \"RAS\""));
+        made.space = space == QLatin1String("RAS") ? MeshSpace::Ras : MeshSpace::Lps;
     }
     if (made.what == RecipeExport::What::CarvedVolume) {
         const QJsonValue fill = object.take(QStringLiteral("fill"));

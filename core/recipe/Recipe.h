@@ -22,6 +22,7 @@ struct RecipeExport {
     QString file; ///< of a carved volume also a folder that is not there yet
     int layer = 0; ///< of coverage
     std::optional<double> fill{}; ///< of a carved volume: modality units
+    MeshSpace space = MeshSpace::Lps; ///< of surfaces
 };
 
 /// What `burin run` carries out: steps, then exports.

@@ -8,6 +8,7 @@
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/models/SegmentListModel.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -18,8 +19,8 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QSettings>
+#include <QStandardItemModel>
 #include <QStandardPaths>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
@@ -43,15 +44,7 @@ QString folderKey()
 
 QString suffixOf(core::ExportFormat format)
 {
-    switch (format) {
-    case core::ExportFormat::DicomSeg:
-        return QStringLiteral(".dcm");
-    case core::ExportFormat::SegNrrd:
-        return QStringLiteral(".seg.nrrd");
-    case core::ExportFormat::Nifti:
-        break;
-    }
-    return QStringLiteral(".nii.gz");
+    return QLatin1String(core::factsOf(format).ending);
 }
 
 /// Numbers at the right, with a gap to the words of the next column.
@@ -137,8 +130,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
         if (column == CodeColumn)
             chooseCode(item);
     });
-    for (QRadioButton* button : {m_seg, m_nifti, m_nrrd})
-        connect(button, &QRadioButton::toggled, this, &ExportDialog::showFormat);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
     connect(m_file, &QLineEdit::textChanged, this, &ExportDialog::showState);
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
@@ -174,13 +166,12 @@ void ExportDialog::build()
     m_segments->setColumnWidth(NameColumn, 200);
     m_segments->setColumnWidth(VolumeColumn, 90);
     m_segments->setColumnWidth(CodeColumn, 190);
-    m_seg = new QRadioButton(tr("DICOM SEG (one object, references the source images)"), this);
-    m_seg->setObjectName(QStringLiteral("exportSeg"));
-    m_nifti = new QRadioButton(tr("NIfTI label map (.nii.gz, no patient data)"), this);
-    m_nifti->setObjectName(QStringLiteral("exportNifti"));
-    m_nrrd = new QRadioButton(
-        tr("3D Slicer segmentation (.seg.nrrd, names, colours and codes, no patient data)"), this);
-    m_nrrd->setObjectName(QStringLiteral("exportSegNrrd"));
+    m_format = new QComboBox(this);
+    m_format->setObjectName(QStringLiteral("exportFormat"));
+    m_formatSays = line(this, {}, QStringLiteral("secondary"));
+    m_space = new QComboBox(this);
+    m_space->setObjectName(QStringLiteral("exportSpace"));
+    m_spaceName = new QLabel(tr("Axes"), this);
     m_obstacle = line(this, {}, QStringLiteral("secondary"));
     m_file = new QLineEdit(this);
     m_file->setObjectName(QStringLiteral("exportFile"));
@@ -201,6 +192,13 @@ void ExportDialog::build()
     m_close->setAutoDefault(false);
     m_browse->setAutoDefault(false);
 
+    auto* format = new QHBoxLayout;
+    format->addWidget(new QLabel(tr("Format"), this));
+    format->addWidget(m_format);
+    format->addSpacing(theme::padding);
+    format->addWidget(m_spaceName);
+    format->addWidget(m_space);
+    format->addStretch(1);
     auto* target = new QHBoxLayout;
     target->addWidget(new QLabel(tr("File"), this));
     target->addWidget(m_file, 1);
@@ -214,25 +212,42 @@ void ExportDialog::build()
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(identityBlock());
     layout->addWidget(m_segments, 1);
-    layout->addWidget(m_seg);
+    layout->addLayout(format);
+    layout->addWidget(m_formatSays);
     layout->addWidget(m_obstacle);
-    layout->addWidget(m_nifti);
-    layout->addWidget(m_nrrd);
     layout->addLayout(target);
     layout->addWidget(m_state);
     layout->addWidget(m_progress);
     layout->addWidget(m_report);
     layout->addLayout(buttons);
 
-    const core::Volume* volume = m_workspace.volume();
-    const QString obstacle = volume ? core::dicomSegObstacle(*volume) : QString();
-    m_seg->setEnabled(obstacle.isEmpty());
-    m_obstacle->setVisible(!obstacle.isEmpty());
-    m_obstacle->setText(tr("DICOM SEG is not possible: %1").arg(obstacle));
-    (obstacle.isEmpty() ? m_seg : m_nifti)->setChecked(true);
+    fillFormats();
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const QString folder = QSettings().value(folderKey(), documents).toString();
     m_file->setText(QDir(folder).filePath(QStringLiteral("segmentation") + suffixOf(format())));
+}
+
+void ExportDialog::fillFormats()
+{
+    const core::Volume* volume = m_workspace.volume();
+    const QString obstacle = volume ? core::dicomSegObstacle(*volume) : QString();
+    auto* model = qobject_cast<QStandardItemModel*>(m_format->model());
+    int first = -1;
+    for (const core::ExportFormatFacts& facts : core::exportFormats()) {
+        m_format->addItem(
+            QStringLiteral("%1 (%2)").arg(QLatin1String(facts.title), QLatin1String(facts.ending)),
+            int(facts.format));
+        const int row = m_format->count() - 1;
+        const bool possible = obstacle.isEmpty() || !facts.namesSourceImages;
+        if (model)
+            model->item(row)->setEnabled(possible);
+        first = first < 0 && possible ? row : first;
+    }
+    m_format->setCurrentIndex(first);
+    m_obstacle->setVisible(!obstacle.isEmpty());
+    m_obstacle->setText(tr("DICOM SEG and RTSTRUCT are not possible: %1").arg(obstacle));
+    m_space->addItem(tr("LPS (DICOM, ITK)"));
+    m_space->addItem(tr("RAS (NIfTI, 3D Slicer's scene)"));
 }
 
 QWidget* ExportDialog::identityBlock()
@@ -296,9 +311,7 @@ void ExportDialog::fillSegments()
 
 core::ExportFormat ExportDialog::format() const
 {
-    if (m_seg->isChecked())
-        return core::ExportFormat::DicomSeg;
-    return m_nrrd->isChecked() ? core::ExportFormat::SegNrrd : core::ExportFormat::Nifti;
+    return core::ExportFormat(m_format->currentData().toInt());
 }
 
 std::vector<core::Segment> ExportDialog::chosen() const
@@ -318,11 +331,16 @@ std::vector<core::Segment> ExportDialog::chosen() const
 void ExportDialog::showFormat()
 {
     QString file = m_file->text();
-    for (const QString& suffix : {QStringLiteral(".nii.gz"), QStringLiteral(".nii"),
-             QStringLiteral(".seg.nrrd"), QStringLiteral(".dcm")}) {
-        if (file.endsWith(suffix))
-            file.chop(suffix.size());
+    for (const core::ExportFormatFacts& facts : core::exportFormats()) {
+        for (const char* ending : {facts.ending, facts.otherEnding}) {
+            if (*ending != '\0' && file.endsWith(QLatin1String(ending)))
+                file.chop(qsizetype(qstrlen(ending)));
+        }
     }
+    const core::ExportFormatFacts& facts = core::factsOf(format());
+    m_formatSays->setText(QLatin1String(facts.says));
+    m_space->setVisible(facts.isSurface);
+    m_spaceName->setVisible(facts.isSurface);
     m_file->setText(file + suffixOf(format()));
     showState();
 }
@@ -365,11 +383,10 @@ void ExportDialog::chooseCode(QTreeWidgetItem* item)
 
 void ExportDialog::browse()
 {
-    QString filter = tr("NIfTI (*.nii.gz *.nii)");
-    if (format() != core::ExportFormat::Nifti)
-        filter = format() == core::ExportFormat::DicomSeg
-            ? tr("DICOM (*.dcm)")
-            : tr("3D Slicer segmentation (*.seg.nrrd)");
+    const core::ExportFormatFacts& facts = core::factsOf(format());
+    const QString filter = QStringLiteral("%1 (*%2 *%3)")
+                               .arg(QLatin1String(facts.title), QLatin1String(facts.ending),
+                                   QLatin1String(facts.otherEnding));
     const QString file = QFileDialog::getSaveFileName(
         this, tr("Export to"), m_file->text(), filter, nullptr, QFileDialog::DontConfirmOverwrite);
     if (!file.isEmpty())
@@ -384,6 +401,7 @@ void ExportDialog::start()
     core::ExportRequest request;
     request.format = format();
     request.file = m_file->text().trimmed();
+    request.space = m_space->currentIndex() == 0 ? core::MeshSpace::Lps : core::MeshSpace::Ras;
     if (QFileInfo::exists(request.file)) {
         const auto answer = QMessageBox::question(this, tr("Replace the file?"),
             tr("%1 exists already. Replace it?").arg(request.file),
@@ -413,10 +431,8 @@ void ExportDialog::write(const std::vector<ExportJob::Plane>& planes)
 void ExportDialog::showRunning(bool isRunning)
 {
     for (QWidget* input :
-        std::initializer_list<QWidget*>{m_segments, m_seg, m_nifti, m_nrrd, m_file, m_browse})
+        std::initializer_list<QWidget*>{m_segments, m_format, m_space, m_file, m_browse})
         input->setEnabled(!isRunning);
-    const core::Volume* volume = m_workspace.volume();
-    m_seg->setEnabled(!isRunning && volume && core::dicomSegObstacle(*volume).isEmpty());
     m_progress->setVisible(isRunning);
     m_close->setText(isRunning ? tr("Abort") : tr("Close"));
     if (isRunning)

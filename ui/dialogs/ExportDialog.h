@@ -10,11 +10,11 @@
 
 #include <bitset>
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
-class QRadioButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -26,7 +26,7 @@ namespace ui {
 
 class Workspace;
 
-/// Export of chosen segments as DICOM SEG, NIfTI or .seg.nrrd: whose study it is, which segments
+/// Export of chosen segments in one of core::exportFormats(): whose study it is, which segments
 /// with their millilitres and remarks, codes where they are missing, the file; then what was
 /// written and what the check of the file found.
 class ExportDialog : public QDialog {
@@ -44,6 +44,7 @@ Q_SIGNALS:
 private:
     void build();
     QWidget* identityBlock();
+    void fillFormats();
     void fillSegments();
     void showState();
     void showFormat();
@@ -61,9 +62,10 @@ private:
 
     Workspace& m_workspace;
     QTreeWidget* m_segments = nullptr;
-    QRadioButton* m_seg = nullptr;
-    QRadioButton* m_nifti = nullptr;
-    QRadioButton* m_nrrd = nullptr;
+    QComboBox* m_format = nullptr;
+    QLabel* m_formatSays = nullptr;
+    QComboBox* m_space = nullptr; ///< of surfaces
+    QLabel* m_spaceName = nullptr;
     QLabel* m_obstacle = nullptr;
     QLineEdit* m_file = nullptr;
     QLabel* m_state = nullptr;

@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QCryptographicHash>
 #include <QFile>
 #include <QLabel>
@@ -93,6 +94,22 @@ QAbstractButton& button(const ui::ExportDialog& dialog, const char* name)
     return *dialog.findChild<QAbstractButton*>(text(name));
 }
 
+int rowOf(const ui::ExportDialog& dialog, core::ExportFormat format)
+{
+    return dialog.findChild<QComboBox*>(text("exportFormat"))->findData(int(format));
+}
+
+bool isPossible(const ui::ExportDialog& dialog, core::ExportFormat format)
+{
+    const auto* model = dialog.findChild<QComboBox*>(text("exportFormat"))->model();
+    return model->flags(model->index(rowOf(dialog, format), 0)).testFlag(Qt::ItemIsEnabled);
+}
+
+void choose(const ui::ExportDialog& dialog, core::ExportFormat format)
+{
+    dialog.findChild<QComboBox*>(text("exportFormat"))->setCurrentIndex(rowOf(dialog, format));
+}
+
 void answer(QMessageBox::StandardButton with)
 {
     QTimer::singleShot(0, qApp, [with] {
@@ -144,19 +161,19 @@ private Q_SLOTS:
     {
         ExportFixture fixture;
         ui::ExportDialog dialog(fixture.workspace);
-        QVERIFY(button(dialog, "exportSeg").isEnabled());
+        QVERIFY(isPossible(dialog, core::ExportFormat::DicomSeg));
         QVERIFY(!button(dialog, "exportStart").isEnabled());
         QVERIFY(dialog.findChild<QLabel*>(text("exportState"))->text().contains(text("Grown")));
-        button(dialog, "exportNifti").click();
+        choose(dialog, core::ExportFormat::Nifti);
         QVERIFY(button(dialog, "exportStart").isEnabled());
         QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".nii.gz")));
-        button(dialog, "exportSegNrrd").click();
+        choose(dialog, core::ExportFormat::SegNrrd);
         QVERIFY(button(dialog, "exportStart").isEnabled());
         const auto* named = dialog.findChild<QLineEdit*>(text("exportFile"));
         QVERIFY2(named->text().endsWith(text("/segmentation.seg.nrrd")), qPrintable(named->text()));
-        button(dialog, "exportNifti").click();
+        choose(dialog, core::ExportFormat::Nifti);
         QVERIFY2(named->text().endsWith(text("/segmentation.nii.gz")), qPrintable(named->text()));
-        button(dialog, "exportSeg").click();
+        choose(dialog, core::ExportFormat::DicomSeg);
         QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".dcm")));
         // Coding it, by whatever way, is seen at once; the ticks stay.
         row(dialog, "Hidden").setCheckState(0, Qt::Checked);
@@ -171,21 +188,27 @@ private Q_SLOTS:
 
     void writesChecksAndReports_data()
     {
-        QTest::addColumn<QByteArray>("format");
+        QTest::addColumn<int>("format");
         QTest::addColumn<QByteArray>("name");
-        QTest::newRow("SEG") << QByteArray("exportSeg") << QByteArray("out.dcm");
-        QTest::newRow("NIfTI") << QByteArray("exportNifti") << QByteArray("out.nii.gz");
-        QTest::newRow("3D Slicer") << QByteArray("exportSegNrrd") << QByteArray("out.seg.nrrd");
+        QTest::newRow("SEG") << int(core::ExportFormat::DicomSeg) << QByteArray("out.dcm");
+        QTest::newRow("NIfTI") << int(core::ExportFormat::Nifti) << QByteArray("out.nii.gz");
+        QTest::newRow("RTSTRUCT") << int(core::ExportFormat::RtStruct) << QByteArray("rt.dcm");
+        QTest::newRow("STL") << int(core::ExportFormat::Stl) << QByteArray("out.stl");
+        QTest::newRow("OBJ") << int(core::ExportFormat::Obj) << QByteArray("out.obj");
+        QTest::newRow("PLY") << int(core::ExportFormat::Ply) << QByteArray("out.ply");
+        QTest::newRow("glTF") << int(core::ExportFormat::Gltf) << QByteArray("out.glb");
+        QTest::newRow("3D Slicer")
+            << int(core::ExportFormat::SegNrrd) << QByteArray("out.seg.nrrd");
     }
     void writesChecksAndReports()
     {
-        QFETCH(QByteArray, format);
+        QFETCH(int, format);
         QFETCH(QByteArray, name);
         ExportFixture fixture;
         fixture.apply(core::ChangeSegment{1, {}, {}, skull});
         ui::ExportDialog dialog(fixture.workspace);
         dialog.show();
-        button(dialog, format.constData()).click();
+        choose(dialog, core::ExportFormat(format));
         const QString file = fixture.path(name.constData());
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
         QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
@@ -209,7 +232,7 @@ private Q_SLOTS:
         there.close();
         ui::ExportDialog dialog(fixture.workspace);
         dialog.show();
-        button(dialog, "exportNifti").click();
+        choose(dialog, core::ExportFormat::Nifti);
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(path);
         QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
         answer(QMessageBox::No);
@@ -229,7 +252,7 @@ private Q_SLOTS:
         fixture.wakeUp.stop();
         ui::ExportDialog dialog(fixture.workspace);
         dialog.show();
-        button(dialog, "exportNifti").click();
+        choose(dialog, core::ExportFormat::Nifti);
         const QString file = fixture.path("out.nii.gz");
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
         QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
@@ -260,7 +283,7 @@ private Q_SLOTS:
         fixture.wakeUp.stop();
         ui::ExportDialog dialog(fixture.workspace);
         dialog.show();
-        button(dialog, "exportNifti").click();
+        choose(dialog, core::ExportFormat::Nifti);
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(fixture.path("out.nii.gz"));
         button(dialog, "exportStart").click();
         QVERIFY(dialog.running());
@@ -274,7 +297,7 @@ private Q_SLOTS:
         ExportFixture fixture;
         ui::ExportDialog dialog(fixture.workspace);
         dialog.show();
-        button(dialog, "exportNifti").click();
+        choose(dialog, core::ExportFormat::Nifti);
         const QString file = fixture.path("no such folder/out.nii.gz");
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
         button(dialog, "exportStart").click();

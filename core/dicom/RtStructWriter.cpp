@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/RtStructWriter.h"
+
+#include "core/dicom/ConditionChain.h"
+#include "core/dicom/Dcmtk.h"
+#include "core/dicom/DicomText.h"
+#include "core/dicom/NewUid.h"
+#include "core/dicom/PatientHeader.h"
+#include "core/dicom/SegSource.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFile>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace core {
+
+namespace {
+
+/// Millimetres are written so finely that a point strays less than this share of a pixel.
+constexpr double finestShare = 1e-3;
+constexpr int leastDecimals = 4;
+constexpr int mostDecimals = 8; // 16 characters, PS3.5 6.2
+
+class Items {
+public:
+    explicit Items(ConditionChain& chain)
+        : m_chain(chain)
+    {
+    }
+
+    DcmItem* append(DcmItem* parent, const DcmTagKey& sequence) const
+    {
+        DcmItem* item = nullptr;
+        if (parent != nullptr)
+            m_chain(parent->findOrCreateSequenceItem(sequence, item, -2), "sequence");
+        return item;
+    }
+    void put(DcmItem* item, const DcmTagKey& tag, const std::string& value) const
+    {
+        if (item != nullptr)
+            m_chain(item->putAndInsertString(tag, value.c_str()), "attribute");
+    }
+    void put(DcmItem* item, const DcmTagKey& tag, const QString& value) const
+    {
+        put(item, tag, value.toStdString());
+    }
+    void refer(DcmItem* item, const SegSlice& slice) const
+    {
+        put(item, DCM_ReferencedSOPClassUID, slice.sopClassUid);
+        put(item, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
+        if (slice.multiFrame)
+            put(item, DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1));
+    }
+
+private:
+    ConditionChain& m_chain;
+};
+
+/// The plane of an image, from the text of its header.
+struct Plane {
+    glm::dvec3 position{0.0};
+    glm::dvec3 perColumn{0.0};
+    glm::dvec3 perRow{0.0};
+    int decimals = leastDecimals;
+};
+
+Plane planeOf(const SegSlice& slice)
+{
+    const auto number = [](const std::string& text) { return dicomNumber(text).value_or(0.0); };
+    const auto& o = slice.orientation;
+    const double betweenRows = number(slice.spacing[0]);
+    const double betweenColumns = number(slice.spacing[1]);
+    Plane plane;
+    plane.position = {
+        number(slice.position[0]), number(slice.position[1]), number(slice.position[2])};
+    plane.perColumn = glm::dvec3(number(o[0]), number(o[1]), number(o[2])) * betweenColumns;
+    plane.perRow = glm::dvec3(number(o[3]), number(o[4]), number(o[5])) * betweenRows;
+    const double finest = finestShare * std::min(betweenRows, betweenColumns);
+    while (plane.decimals < mostDecimals && std::pow(10.0, -plane.decimals) > finest)
+        ++plane.decimals;
+    return plane;
+}
+
+void appendNumber(QByteArray& text, double value, int decimals)
+{
+    QByteArray digits = QByteArray::number(value, 'f', decimals);
+    while (digits.endsWith('0'))
+        digits.chop(1);
+    if (digits.endsWith('.'))
+        digits.chop(1);
+    if (!text.isEmpty())
+        text += '\\';
+    text += digits == "-0" ? QByteArray("0") : digits;
+}
+
+QByteArray contourData(const std::vector<glm::ivec2>& corners, const Plane& plane)
+{
+    QByteArray text;
+    for (const glm::ivec2& corner : corners) {
+        const glm::dvec3 point =
+            plane.position + plane.perColumn * (corner.x - 0.5) + plane.perRow * (corner.y - 0.5);
+        for (int axis = 0; axis < 3; ++axis)
+            appendNumber(text, point[axis], plane.decimals);
+    }
+    return text;
+}
+
+QString roiName(const Segment& segment)
+{
+    const QString name = singleValueText(segment.name, 64);
+    return name.isEmpty() ? QStringLiteral("Segment") : name;
+}
+
+/// What cleanPatientHeader() leaves out where it is empty, and the object must have (type 2).
+void completePatient(DcmDataset& set, ConditionChain& chain)
+{
+    for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate,
+             DCM_PatientSex, DCM_StudyDate, DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID,
+             DCM_AccessionNumber, DCM_OperatorsName, DCM_PositionReferenceIndicator}) {
+        if (!set.tagExists(tag))
+            chain(set.insertEmptyElement(tag), "empty attribute");
+    }
+}
+
+void describe(DcmDataset& set, const RtStructContent& content, const Items& items)
+{
+    const QDateTime now = QDateTime::currentDateTime();
+    const QString date = now.toString(QStringLiteral("yyyyMMdd"));
+    const QString time = now.toString(QStringLiteral("HHmmss"));
+    const QString version = QCoreApplication::applicationVersion();
+    bool numbered = false;
+    const int source = content.identity.seriesNumber.toInt(&numbered);
+    items.put(&set, DCM_SOPClassUID, std::string(UID_RTStructureSetStorage));
+    items.put(&set, DCM_SOPInstanceUID, newUid());
+    items.put(&set, DCM_InstanceCreationDate, date);
+    items.put(&set, DCM_InstanceCreationTime, time);
+    items.put(&set, DCM_Modality, QStringLiteral("RTSTRUCT"));
+    items.put(&set, DCM_Manufacturer, QStringLiteral("Burin"));
+    items.put(&set, DCM_ManufacturerModelName, QStringLiteral("Burin"));
+    items.put(
+        &set, DCM_SoftwareVersions, version.isEmpty() ? QStringLiteral("development") : version);
+    items.put(&set, DCM_SeriesInstanceUID, newUid());
+    // Beside the series it was drawn on in a list, and of no scanner's own numbers.
+    items.put(&set, DCM_SeriesNumber,
+        QString::number(3000 + (numbered && source > 0 && source < 1'000'000 ? source : 0)));
+    items.put(&set, DCM_SeriesDescription,
+        singleValueText(QStringLiteral("Contours ") + content.identity.seriesDescription, 64));
+    items.put(&set, DCM_InstanceNumber, QStringLiteral("1"));
+    items.put(&set, DCM_StructureSetLabel, QStringLiteral("SEGMENTATION"));
+    items.put(&set, DCM_StructureSetDate, date);
+    items.put(&set, DCM_StructureSetTime, time);
+    items.put(&set, DCM_ApprovalStatus, QStringLiteral("UNAPPROVED"));
+}
+
+/// Names every image of the source, also those without a contour.
+void addReferences(DcmDataset& set, const SegSource& source, const std::string& frame,
+    const std::string& study, const Items& items)
+{
+    DcmItem* frameItem = items.append(&set, DCM_ReferencedFrameOfReferenceSequence);
+    items.put(frameItem, DCM_FrameOfReferenceUID, frame);
+    DcmItem* studyItem = items.append(frameItem, DCM_RTReferencedStudySequence);
+    items.put(studyItem, DCM_ReferencedSOPClassUID,
+        std::string(UID_RETIRED_DetachedStudyManagementSOPClass));
+    items.put(studyItem, DCM_ReferencedSOPInstanceUID, study);
+    std::map<std::string, DcmItem*> series;
+    std::set<std::string> named;
+    for (const SegSlice& slice : source.slices) {
+        auto [item, isNew] = series.try_emplace(slice.seriesUid, nullptr);
+        if (isNew) {
+            item->second = items.append(studyItem, DCM_RTReferencedSeriesSequence);
+            items.put(item->second, DCM_SeriesInstanceUID, slice.seriesUid);
+        }
+        if (!named.insert(slice.sopInstanceUid).second)
+            continue;
+        DcmItem* image = items.append(item->second, DCM_ContourImageSequence);
+        items.put(image, DCM_ReferencedSOPClassUID, slice.sopClassUid);
+        items.put(image, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
+    }
+}
+
+void addRois(DcmDataset& set, const RtStructContent& content, const std::string& frame,
+    const Items& items, std::vector<DcmItem*>& contoursOf)
+{
+    for (std::size_t i = 0; i < content.segments.size(); ++i) {
+        const Segment& segment = content.segments[i];
+        const std::string number = std::to_string(i + 1);
+        DcmItem* roi = items.append(&set, DCM_StructureSetROISequence);
+        items.put(roi, DCM_ROINumber, number);
+        items.put(roi, DCM_ReferencedFrameOfReferenceUID, frame);
+        items.put(roi, DCM_ROIName, roiName(segment));
+        items.put(roi, DCM_ROIGenerationAlgorithm, QStringLiteral("SEMIAUTOMATIC"));
+
+        DcmItem* contours = items.append(&set, DCM_ROIContourSequence);
+        items.put(contours, DCM_ROIDisplayColor,
+            QStringLiteral("%1\\%2\\%3")
+                .arg((segment.rgb >> 16) & 255U)
+                .arg((segment.rgb >> 8) & 255U)
+                .arg(segment.rgb & 255U));
+        items.put(contours, DCM_ReferencedROINumber, number);
+        contoursOf.push_back(contours);
+
+        DcmItem* observation = items.append(&set, DCM_RTROIObservationsSequence);
+        items.put(observation, DCM_ObservationNumber, number);
+        items.put(observation, DCM_ReferencedROINumber, number);
+        items.put(observation, DCM_RTROIInterpretedType, std::string());
+        items.put(observation, DCM_ROIInterpreter, std::string());
+        const auto fits = [](const QString& text, int length) {
+            return !text.isEmpty() && text == singleValueText(text, length);
+        };
+        const CodedConcept& code = segment.code;
+        if (fits(code.value, 16) && fits(code.scheme, 16) && fits(code.meaning, 64)) {
+            DcmItem* coded = items.append(observation, DCM_RTROIIdentificationCodeSequence);
+            items.put(coded, DCM_CodeValue, code.value);
+            items.put(coded, DCM_CodingSchemeDesignator, code.scheme);
+            items.put(coded, DCM_CodeMeaning, code.meaning);
+        }
+    }
+}
+
+Result<void> addContours(const RtStructContent& content, const SegSource& source,
+    const std::vector<DcmItem*>& contoursOf, const Items& items, const Progress& progress)
+{
+    int segment = -1;
+    int number = 0;
+    for (std::size_t i = 0; i < content.contours.size(); ++i) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        if (i % 256 == 0)
+            progress.report(
+                QStringLiteral("Writing contours"), int(i), int(content.contours.size()));
+        const RtStructContent::Contour& contour = content.contours[i];
+        number = contour.segment == segment ? number + 1 : 1;
+        segment = contour.segment;
+        const SegSlice& slice = source.slices[std::size_t(contour.slice)];
+        DcmItem* item = items.append(contoursOf[std::size_t(segment)], DCM_ContourSequence);
+        items.refer(items.append(item, DCM_ContourImageSequence), slice);
+        items.put(item, DCM_ContourNumber, std::to_string(number));
+        items.put(item, DCM_ContourGeometricType, QStringLiteral("CLOSED_PLANAR"));
+        items.put(item, DCM_NumberOfContourPoints, std::to_string(contour.corners.size()));
+        items.put(
+            item, DCM_ContourData, contourData(contour.corners, planeOf(slice)).toStdString());
+    }
+    return {};
+}
+
+} // namespace
+
+Result<RtStructWritten> writeRtStruct(
+    const QString& path, const RtStructContent& content, const Progress& progress)
+{
+    readyDcmtk();
+    const auto source = readSegSource(content.sources, content.keptHeaders.get(), progress);
+    if (!source)
+        return tl::unexpected(source.error());
+    DcmFileFormat format;
+    DcmDataset& set = *format.getDataset();
+    ConditionChain chain;
+    for (DcmObject* object = source->header->nextInContainer(nullptr); object != nullptr;
+         object = source->header->nextInContainer(object))
+        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
+    OFString study;
+    OFString frame;
+    set.findAndGetOFString(DCM_StudyInstanceUID, study);
+    // Contours must be in some frame of reference: slices that have none in common get a new one.
+    if (content.identity.frameOfReferenceUid.isEmpty()
+        || set.findAndGetOFString(DCM_FrameOfReferenceUID, frame).bad()) {
+        frame = newUid().toStdString();
+        chain(set.putAndInsertString(DCM_FrameOfReferenceUID, frame.c_str()), "frame");
+    }
+    const Items items(chain);
+    completePatient(set, chain);
+    describe(set, content, items);
+    if (!source->bodyPart.empty())
+        items.put(&set, DCM_BodyPartExamined, source->bodyPart);
+    addReferences(set, *source, frame, study, items);
+    std::vector<DcmItem*> contoursOf;
+    addRois(set, content, frame, items, contoursOf);
+    if (chain.good()) {
+        if (const auto added = addContours(content, *source, contoursOf, items, progress); !added)
+            return tl::unexpected(added.error());
+    }
+    if (!chain.good())
+        return failure(ErrorCode::Internal, chain.failure());
+    const OFCondition saved =
+        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianImplicit);
+    if (saved.bad())
+        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    return RtStructWritten{source->notes};
+}
+
+} // namespace core

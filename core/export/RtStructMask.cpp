@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/ParallelFor.h"
+#include "core/dicom/RtStructWriter.h"
+#include "core/export/CheckSources.h"
+#include "core/export/MaskSelection.h"
+#include "core/surface/SliceContours.h"
+
+namespace core {
+
+Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
+    ExportReport& report)
+{
+    RtStructContent content;
+    content.identity = volume.identity;
+    content.sources = volume.sources;
+    content.keptHeaders = volume.keptHeaders;
+    content.segments = selection.segments;
+    const glm::ivec2 size(volume.geometry.size);
+    const std::size_t count = voxelsPerSlice(volume);
+    std::size_t points = 0;
+    for (std::size_t s = 0; s < selection.segments.size(); ++s) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        progress.report(QStringLiteral("Tracing contours"), int(s), int(selection.segments.size()));
+        const auto labels = planeOf(request, selection.segments[s])->labels;
+        const std::vector<int>& slices = selection.slices[s];
+        std::vector<std::vector<SliceContour>> ofSlice(slices.size());
+        parallelFor(int(slices.size()), [&](int i) {
+            const auto slice = std::size_t(slices[std::size_t(i)]);
+            ofSlice[std::size_t(i)] = sliceContours(
+                labels.subspan(slice * count, count), selection.segments[s].label, size);
+        });
+        for (std::size_t i = 0; i < slices.size(); ++i) {
+            for (SliceContour& contour : ofSlice[i]) {
+                points += contour.size();
+                content.contours.push_back(
+                    {.segment = int(s), .slice = slices[i], .corners = std::move(contour)});
+            }
+        }
+    }
+    const auto written = writeRtStruct(path, content, progress);
+    if (!written)
+        return tl::unexpected(written.error());
+    report.cautions += written->notes;
+    if (volume.identity.frameOfReferenceUid.isEmpty())
+        report.cautions += QStringLiteral("The source images have no frame of reference in common; "
+                                          "the contours name a new one.");
+    return QStringList{
+        QStringLiteral("DICOM RTSTRUCT: %1 in %2 of %3 points on the source's slices, along the "
+                       "borders of the voxels; holes are reached by slits (keyholes).")
+            .arg(counted(int(content.segments.size()), "segment"),
+                counted(int(content.contours.size()), "contour"))
+            .arg(points)};
+}
+
+} // namespace core

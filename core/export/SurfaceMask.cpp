@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/CheckSources.h"
+#include "core/export/MaskSelection.h"
+#include "core/meshfile/MeshWriter.h"
+#include "core/surface/SegmentSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+/// Between uneven slices along the line from one to the next, beyond the last as before it.
+glm::dvec3 worldOf(const VolumeGeometry& geometry, const glm::dvec3& index)
+{
+    if (geometry.slicePositions.empty())
+        return geometry.toWorld(index);
+    const int last = int(geometry.slicePositions.size()) - 1;
+    const int k = std::clamp(int(std::floor(index.z)), 0, std::max(0, last - 1));
+    const glm::dvec3 here = geometry.slicePositions[std::size_t(k)];
+    const glm::dvec3 step = last > 0 ? geometry.slicePositions[std::size_t(k + 1)] - here
+                                     : glm::dvec3(geometry.indexToWorld[2]);
+    return here + step * (index.z - k)
+        + glm::dmat3(geometry.indexToWorld) * glm::dvec3(index.x, index.y, 0.0);
+}
+
+double millilitresOf(const MeshPart& part)
+{
+    double mm3 = 0.0;
+    const glm::dvec3 middle(part.vertices.front());
+    for (const glm::uvec3& triangle : part.triangles)
+        mm3 += glm::dot(glm::dvec3(part.vertices[triangle.x]) - middle,
+                   glm::cross(glm::dvec3(part.vertices[triangle.y]) - middle,
+                       glm::dvec3(part.vertices[triangle.z]) - middle))
+            / 6.0;
+    return mm3 / 1000.0;
+}
+
+MeshPart partOf(
+    const Segment& segment, SegmentSurface surface, const VolumeGeometry& geometry, MeshSpace space)
+{
+    MeshPart part;
+    part.name = segment.name;
+    part.rgb = segment.rgb;
+    part.label = segment.label;
+    part.vertices = std::move(surface.vertices);
+    part.triangles = std::move(surface.triangles);
+    // Half a turn about the superior axis leaves what is outside there.
+    const glm::dvec3 turn = space == MeshSpace::Ras ? glm::dvec3(-1, -1, 1) : glm::dvec3(1);
+    for (glm::vec3& vertex : part.vertices)
+        vertex = glm::vec3(turn * worldOf(geometry, glm::dvec3(vertex)));
+    if (glm::determinant(glm::dmat3(geometry.indexToWorld)) < 0.0) {
+        for (glm::uvec3& triangle : part.triangles)
+            std::swap(triangle.y, triangle.z);
+    }
+    return part;
+}
+
+} // namespace
+
+Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
+    ExportReport& report)
+{
+    std::vector<MeshPart> parts;
+    QStringList names;
+    for (std::size_t i = 0; i < selection.segments.size(); ++i) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        progress.report(QStringLiteral("Making surfaces"), int(i), int(selection.segments.size()));
+        const Segment& segment = selection.segments[i];
+        const auto labels = planeOf(request, segment)->labels;
+        parts.push_back(partOf(segment, segmentSurface(labels, segment.label, volume.geometry.size),
+            volume.geometry, request.space));
+        names += QStringLiteral("%1 (%2 triangles, %3 mL)")
+                     .arg(segment.name)
+                     .arg(parts.back().triangles.size())
+                     .arg(millilitresOf(parts.back()), 0, 'f', 3);
+    }
+    const QString space =
+        request.space == MeshSpace::Ras ? QStringLiteral("RAS") : QStringLiteral("LPS");
+    Result<void> written;
+    switch (request.format) {
+    case ExportFormat::Obj:
+        written = writeObj(path, parts, space);
+        break;
+    case ExportFormat::Ply:
+        written = writePly(path, parts, space);
+        break;
+    case ExportFormat::Gltf:
+        written = writeGltf(path, parts, space);
+        break;
+    default:
+        written = writeStl(path, parts, space);
+        if (parts.size() > 1)
+            report.cautions += QStringLiteral("STL cannot keep the segments apart: they are one "
+                                              "surface of several parts.");
+    }
+    if (!written)
+        return tl::unexpected(written.error());
+    return QStringList{QStringLiteral("%1, mm in %2: %3.")
+                           .arg(QLatin1String(factsOf(request.format).title), space,
+                               names.join(QStringLiteral(", "))),
+        QStringLiteral("Smoothed by less than half a voxel (at most 0.45 along each axis of the "
+                       "voxels).")};
+}
+
+} // namespace core

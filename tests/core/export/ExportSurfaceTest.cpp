@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/CheckExport.h"
+#include "core/meshfile/MeshReader.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/SmallSeries.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+#include <random>
+
+namespace {
+
+using Format = core::ExportFormat;
+using Alter = std::function<void(QByteArray&)>;
+
+const std::array<std::pair<Format, const char*>, 4> formats{std::pair(Format::Stl, "a.stl"),
+    std::pair(Format::Obj, "a.obj"), std::pair(Format::Ply, "a.ply"),
+    std::pair(Format::Gltf, "a.glb")};
+
+core::Segment segmentOf(int label, const QString& name)
+{
+    core::Segment segment;
+    segment.label = std::uint8_t(label);
+    segment.name = name;
+    segment.rgb = 0x3399ffU + unsigned(label);
+    return segment;
+}
+
+QString messageOf(const core::Error& error)
+{
+    return error.arguments.join(QStringLiteral(" | "));
+}
+
+test::SmallSeries smallSeries()
+{
+    test::SmallSeries series;
+    series.size = {11, 7, 6};
+    series.placeEvenly({-40.25, -31.5, 812.125}, {0, 0, 2.5});
+    return series;
+}
+
+/// A series on disk, labels 0 to 3 on its grid, and room beside it for what is exported.
+struct Fixture {
+    explicit Fixture(const test::SmallSeries& series = smallSeries())
+        : volume(series.write(folder.filePath(QStringLiteral("images"))))
+        , labels(volume.geometry.voxelCount())
+    {
+        std::mt19937 random(4);
+        for (auto& label : labels)
+            label = std::uint8_t(random() % 4);
+    }
+    [[nodiscard]] QString file(const char* name) const
+    {
+        return folder.filePath(QLatin1String(name));
+    }
+    [[nodiscard]] core::Result<core::ExportReport> exported(
+        Format format, const char* name, core::MeshSpace space = core::MeshSpace::Lps) const
+    {
+        return core::exportMask(volume,
+            {.format = format,
+                .file = file(name),
+                .force = true,
+                .segments = segments,
+                .planes = planes,
+                .space = space},
+            {});
+    }
+    [[nodiscard]] core::Result<QStringList> checked(
+        Format format, const char* name, core::MeshSpace space = core::MeshSpace::Lps) const
+    {
+        return core::checkSurfaceExport(format, file(name), {volume, segments, planes, space}, {});
+    }
+
+    QTemporaryDir folder;
+    core::Volume volume;
+    std::vector<std::uint8_t> labels;
+    std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
+    std::vector<core::Segment> segments{
+        segmentOf(1, QStringLiteral("Schädel")), segmentOf(3, QStringLiteral("Leber rechts"))};
+};
+
+core::Result<core::ReadMesh> readAs(Format format, const QString& file)
+{
+    switch (format) {
+    case Format::Obj:
+        return core::readObj(file);
+    case Format::Ply:
+        return core::readPly(file);
+    case Format::Gltf:
+        return core::readGltf(file);
+    default:
+        return core::readStl(file);
+    }
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Alter)
+
+/// Surfaces as STL, OBJ, PLY and glTF.
+class ExportSurfaceTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyGeometry_data();
+    void everyGeometry();
+    void rasIsHalfATurn();
+    void namesOfAnyKind();
+    void fullDiskLeavesNothing();
+    void faultInTheFileIsCaught_data();
+    void faultInTheFileIsCaught();
+};
+
+void ExportSurfaceTest::everyGeometry_data()
+{
+    QTest::addColumn<glm::dmat3>("directions");
+    QTest::addColumn<glm::dvec3>("shear");
+    QTest::addColumn<int>("slices");
+    QTest::addColumn<bool>("even");
+    const glm::dmat3 supine(1.0);
+    QTest::newRow("axial") << supine << glm::dvec3(0) << 6 << true;
+    QTest::newRow("one slice") << supine << glm::dvec3(0) << 1 << true;
+    const glm::dmat3 flipped(1, 0, 0, 0, -1, 0, 0, 0, -1);
+    QTest::newRow("flipped") << flipped << glm::dvec3(0) << 6 << true;
+    const glm::dmat3 sagittal(0, 1, 0, 0, 0, -1, -1, 0, 0);
+    QTest::newRow("sagittal") << sagittal << glm::dvec3(0) << 6 << true;
+    const glm::dmat3 oblique(
+        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))));
+    QTest::newRow("oblique") << oblique << glm::dvec3(0) << 6 << true;
+    QTest::newRow("tilted") << supine << glm::dvec3(0, 0.8, 0) << 6 << true;
+    QTest::newRow("uneven") << supine << glm::dvec3(0) << 6 << false;
+}
+
+void ExportSurfaceTest::everyGeometry()
+{
+    QFETCH(glm::dmat3, directions);
+    QFETCH(glm::dvec3, shear);
+    QFETCH(int, slices);
+    QFETCH(bool, even);
+    test::SmallSeries series;
+    series.size = {11, 7, slices};
+    series.rowDirection = directions[0];
+    series.columnDirection = directions[1];
+    series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
+    if (!even)
+        series.positions.back() += 3.0 * directions[2];
+    const Fixture on(series);
+    for (const auto& [format, name] : formats) {
+        const auto report = on.exported(format, name);
+        QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+        QCOMPARE(report->checked.size(), 2);
+        const auto mesh = readAs(format, on.file(name));
+        QVERIFY(mesh.has_value());
+        QCOMPARE(mesh->space, QStringLiteral("LPS"));
+        QCOMPARE(mesh->parts.size(), std::size_t(format == Format::Stl ? 1 : 2));
+        if (format == Format::Stl)
+            continue;
+        QCOMPARE(mesh->parts[0].name, QStringLiteral("Schädel"));
+        QCOMPARE(mesh->parts[1].name, QStringLiteral("Leber rechts"));
+        QCOMPARE(mesh->parts[1].rgb.value_or(0), 0x339a02U);
+    }
+}
+
+/// The same points, seen from the other axes.
+void ExportSurfaceTest::rasIsHalfATurn()
+{
+    const Fixture on;
+    for (const auto& [format, name] : formats) {
+        QVERIFY(on.exported(format, name));
+        const auto lps = readAs(format, on.file(name));
+        QVERIFY(on.exported(format, name, core::MeshSpace::Ras));
+        const auto ras = readAs(format, on.file(name));
+        QVERIFY(lps && ras);
+        QCOMPARE(ras->space, QStringLiteral("RAS"));
+        QVERIFY(!on.checked(format, name, core::MeshSpace::Lps));
+        QCOMPARE(ras->parts[0].triangles.size(), lps->parts[0].triangles.size());
+        for (std::size_t i = 0; i < lps->parts[0].vertices.size(); ++i)
+            QVERIFY(ras->parts[0].vertices[i] * glm::vec3(-1, -1, 1) == lps->parts[0].vertices[i]);
+    }
+}
+
+void ExportSurfaceTest::namesOfAnyKind()
+{
+    Fixture on;
+    on.segments[0].name = QStringLiteral("頭蓋 \"a\": b\n\tc \\ ");
+    on.segments[1].name.clear();
+    for (const auto& [format, name] : formats) {
+        const auto report = on.exported(format, name);
+        QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+        const auto mesh = readAs(format, on.file(name));
+        if (format == Format::Stl)
+            continue;
+        QCOMPARE(mesh->parts[0].name, QStringLiteral("頭蓋 \"a\": b c \\"));
+        QCOMPARE(mesh->parts[1].name, QStringLiteral("Segment"));
+    }
+}
+
+void ExportSurfaceTest::fullDiskLeavesNothing()
+{
+    const Fixture on;
+    const test::FileSizeLimit limit(5000);
+    for (const auto& [format, name] : formats) {
+        const auto report = on.exported(format, name);
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, core::ErrorCode::FileUnwritable);
+        QCOMPARE(report.error().arguments.value(0), on.file(name));
+    }
+    QVERIFY(QDir(on.folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+}
+
+void ExportSurfaceTest::faultInTheFileIsCaught_data()
+{
+    QTest::addColumn<int>("format");
+    QTest::addColumn<Alter>("change");
+    const auto row = [](const char* name, Format format, const Alter& change) {
+        QTest::newRow(name) << int(format) << change;
+    };
+    const auto word = [](const char* from, const char* to) {
+        return Alter([=](QByteArray& bytes) {
+            QVERIFY(bytes.contains(from));
+            bytes.replace(bytes.indexOf(from), qsizetype(qstrlen(from)), to);
+        });
+    };
+    row("STL: other axes", Format::Stl, word("SPACE=LPS", "SPACE=RAS"));
+    row("STL: a triangle turned", Format::Stl, [](QByteArray& bytes) {
+        const QByteArray first = bytes.mid(84 + 12, 12);
+        bytes.replace(84 + 12, 12, bytes.mid(84 + 24, 12));
+        bytes.replace(84 + 24, 12, first);
+    });
+    row("STL: a triangle less", Format::Stl, [](QByteArray& bytes) {
+        bytes.chop(50);
+        std::uint32_t count = 0;
+        std::memcpy(&count, bytes.constData() + 80, 4);
+        --count;
+        std::memcpy(bytes.data() + 80, &count, 4);
+    });
+    row("STL: everything inside out", Format::Stl, [](QByteArray& bytes) {
+        for (qsizetype at = 84; at < bytes.size(); at += 50) {
+            const QByteArray first = bytes.mid(at + 12, 12);
+            bytes.replace(at + 12, 12, bytes.mid(at + 24, 12));
+            bytes.replace(at + 24, 12, first);
+        }
+    });
+    row("STL: a column off", Format::Stl, [](QByteArray& bytes) {
+        for (qsizetype at = 84; at < bytes.size(); at += 50) {
+            for (qsizetype corner = 12; corner < 48; corner += 12) {
+                float x = 0.0F;
+                std::memcpy(&x, bytes.constData() + at + corner, 4);
+                x += 0.7F;
+                std::memcpy(bytes.data() + at + corner, &x, 4);
+            }
+        }
+    });
+    row("OBJ: another name", Format::Obj, word("o Leber", "o Niere"));
+    row("OBJ: one face less", Format::Obj, [](QByteArray& bytes) {
+        const qsizetype at = bytes.indexOf("\nf ");
+        bytes.remove(at, bytes.indexOf('\n', at + 1) - at);
+    });
+    row("OBJ: segments exchanged", Format::Obj, [](QByteArray& bytes) {
+        bytes.replace("o Leber rechts", "o X");
+        bytes.replace("o Sch\xc3\xa4"
+                      "del",
+            "o Leber rechts");
+        bytes.replace("o X",
+            "o Sch\xc3\xa4"
+            "del");
+    });
+    row("PLY: another label", Format::Ply, word("comment segment 1", "comment segment 2"));
+    row("PLY: another name", Format::Ply, word(": Leber", ": Niere"));
+    row("PLY: other axes", Format::Ply, word("SPACE=LPS", "SPACE=RAS"));
+    row("glTF: another name", Format::Gltf,
+        [](QByteArray& bytes) { bytes.replace("Leber rechts", "Niere rechts"); });
+    row("glTF: other axes", Format::Gltf, word("\"space\":\"LPS\"", "\"space\":\"RAS\""));
+    row("glTF: does not stand upright", Format::Gltf,
+        word("\"matrix\":[0.001", "\"matrix\":[0.002"));
+}
+
+void ExportSurfaceTest::faultInTheFileIsCaught()
+{
+    QFETCH(int, format);
+    QFETCH(Alter, change);
+    const Fixture on;
+    const auto as = Format(format);
+    const char* name = nullptr;
+    for (const auto& [known, file] : formats)
+        name = known == as ? file : name;
+    QVERIFY(on.exported(as, name));
+    QVERIFY(on.checked(as, name));
+    QFile opened(on.file(name));
+    QVERIFY(opened.open(QIODevice::ReadWrite));
+    QByteArray bytes = opened.readAll();
+    const QByteArray before = bytes;
+    change(bytes);
+    QVERIFY(bytes != before);
+    QVERIFY(opened.resize(0) && opened.seek(0) && opened.write(bytes) == bytes.size());
+    opened.close();
+    const auto checked = on.checked(as, name);
+    QVERIFY(!checked);
+    QCOMPARE(checked.error().arguments.value(0), on.file(name));
+}
+
+QTEST_GUILESS_MAIN(ExportSurfaceTest)
+#include "ExportSurfaceTest.moc"
