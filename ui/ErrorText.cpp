@@ -95,6 +95,29 @@ QString errorText(const core::Error& error)
                     ? QStringLiteral(", and its own images cannot be used (%1)")
                           .arg(error.arguments[2])
                     : QString());
+    case ErrorCode::NodeUnreachable:
+        return QStringLiteral("%1 cannot be reached%2").arg(first, reason);
+    case ErrorCode::NodeRejects:
+        return QStringLiteral("%1 does not talk to us%2").arg(first, reason);
+    case ErrorCode::NodeRefuses:
+        return QStringLiteral("%1 does not take part in: %2").arg(first, second);
+    case ErrorCode::NodeTimeout:
+        return QStringLiteral("%1 does not answer; %2 s without a sign of life").arg(first, second);
+    case ErrorCode::NodeLost:
+        return QStringLiteral("%1 ended the connection before all was done%2").arg(first, reason);
+    case ErrorCode::NodeNonsense:
+        return QStringLiteral("%1 does not speak DICOM%2").arg(first, reason);
+    case ErrorCode::NodeFailed:
+        return QStringLiteral("%1 could not carry out %2: %3")
+            .arg(first, second, error.arguments.value(2));
+    case ErrorCode::NodeHasNone:
+        return QStringLiteral("%1 holds no such %2").arg(first, second);
+    case ErrorCode::TransferIncomplete:
+        return QStringLiteral("%1: %2 images did not arrive%3; what is here is kept, the same "
+                              "command goes on from there")
+            .arg(first, second,
+                error.arguments.size() > 2 ? QStringLiteral(" (%1)").arg(error.arguments[2])
+                                           : QString());
     case ErrorCode::GraphicsUnavailable:
         return QStringLiteral("no OpenGL 4.5 available: %1").arg(first);
     case ErrorCode::OutOfMemory:

@@ -45,6 +45,16 @@ enum class ErrorCode {
     OutOfMemory,
     Cancelled,
     Internal,
+    // Other machines (PACS): argument 0 is the node, as PacsNode::name() has it.
+    NodeUnreachable, ///< argument 1: why
+    NodeRejects, ///< the association; argument 1: why
+    NodeRefuses, ///< argument 1: the service or kind of object that it does not take
+    NodeTimeout, ///< argument 1: after how many seconds without a sign of life
+    NodeLost, ///< the connection ended before the work did; argument 1 (optional): why
+    NodeNonsense, ///< what it says is not DICOM; argument 1: what
+    NodeFailed, ///< it says that it could not; argument 1: what it was asked; 2: its status
+    NodeHasNone, ///< argument 1: of what
+    TransferIncomplete, ///< argument 1: how many of how many are missing; 2 (optional): why
 };
 
 /// A failure that crosses layers as a value.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <QLockFile>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+
+namespace core {
+
+/// A folder of downloaded objects that comes into being only when it is whole.
+///
+/// Until then they gather in a hidden folder beside it, which a later download into the same target
+/// finds and goes on with. Nobody else uses it meanwhile.
+class DownloadFolder {
+public:
+    /// FileUnwritable, also where there is something at @p target, or another download goes there.
+    [[nodiscard]] static Result<DownloadFolder> open(const QString& target);
+    /// Whether @p target is a folder with all these objects, each of them sound.
+    [[nodiscard]] static bool isWhole(const QString& target, const QStringList& sopInstanceUids);
+
+    /// Where the object gathers. Letters of a node get no say in it.
+    [[nodiscard]] QString pathOf(const QString& sopInstanceUid) const;
+    /// Whether it is here, from an earlier download, and sound; a damaged one is removed.
+    [[nodiscard]] bool holds(const QString& sopInstanceUid) const;
+    [[nodiscard]] const QString& target() const { return m_target; }
+
+    /// Gives it its name. FileUnwritable.
+    [[nodiscard]] Result<void> finish();
+
+private:
+    DownloadFolder() = default;
+
+    QString m_target;
+    QString m_gathering;
+    std::unique_ptr<QLockFile> m_lock;
+};
+
+/// Whether a file is a DICOM object of that UID that Burin can read to its end: FileUnreadable,
+/// FileTruncated. Through the door that DicomFile is.
+[[nodiscard]] Result<void> checkObject(const QString& path, const QString& sopInstanceUid);
+
+} // namespace core

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/pacs/PacsRetrieve.h"
+
+#include "core/pacs/Association.h"
+#include "core/pacs/DownloadFolder.h"
+#include "core/pacs/MoveListener.h"
+#include "core/pacs/NodeStatus.h"
+#include "core/pacs/ObjectIntake.h"
+#include "core/pacs/PacsQuery.h"
+#include "core/pacs/StorageContexts.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmnet/dimse.h>
+
+#include <QSet>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace core {
+
+namespace {
+
+/// One series, and what of it is wanted.
+struct SeriesPlan {
+    QString seriesUid;
+    std::vector<InstanceHit> instances; ///< empty: the node does not tell
+    QStringList missing;
+
+    /// Everything, as far as anybody knows.
+    [[nodiscard]] bool asWhole() const { return std::size_t(missing.size()) == instances.size(); }
+};
+
+struct Plan {
+    QString studyUid;
+    std::vector<SeriesPlan> series;
+
+    [[nodiscard]] bool isKnown() const
+    {
+        return std::none_of(series.begin(), series.end(),
+            [](const SeriesPlan& one) { return one.instances.empty(); });
+    }
+    [[nodiscard]] QStringList instances() const
+    {
+        QStringList all;
+        for (const SeriesPlan& one : series) {
+            for (const InstanceHit& instance : one.instances)
+                all.append(instance.sopInstanceUid);
+        }
+        return all;
+    }
+    [[nodiscard]] QSet<QString> missing() const
+    {
+        QSet<QString> all;
+        for (const SeriesPlan& one : series)
+            all.unite(QSet<QString>(one.missing.begin(), one.missing.end()));
+        return all;
+    }
+    /// Empty where the node does not tell all of them.
+    [[nodiscard]] std::vector<QByteArray> classes() const
+    {
+        QSet<QByteArray> found;
+        for (const SeriesPlan& one : series) {
+            for (const InstanceHit& instance : one.instances)
+                found.insert(instance.sopClassUid.toLatin1());
+        }
+        if (!isKnown() || found.contains(QByteArray()))
+            return {};
+        return {found.begin(), found.end()};
+    }
+};
+
+Result<Plan> makePlan(const PacsNode& node, const RetrieveWish& wish, const Progress& progress)
+{
+    const Result<std::vector<SeriesHit>> series = findSeries(node, wish.studyUid, progress);
+    if (!series)
+        return tl::unexpected<Error>(series.error());
+    Plan plan{.studyUid = wish.studyUid, .series = {}};
+    for (const SeriesHit& hit : *series) {
+        if (hit.seriesUid.isEmpty()
+            || (!wish.seriesUid.isEmpty() && hit.seriesUid != wish.seriesUid))
+            continue;
+        Result<std::vector<InstanceHit>> instances =
+            findInstances(node, wish.studyUid, hit.seriesUid, progress);
+        if (!instances)
+            return tl::unexpected<Error>(instances.error());
+        plan.series.push_back(
+            {.seriesUid = hit.seriesUid, .instances = std::move(*instances), .missing = {}});
+    }
+    if (plan.series.empty()) {
+        return failure(ErrorCode::NodeHasNone, node.name(),
+            wish.seriesUid.isEmpty() || series->empty() ? QStringLiteral("study")
+                                                        : QStringLiteral("series"));
+    }
+    return plan;
+}
+
+/// The identifiers of the requests that fetch what is missing of a series.
+std::vector<std::unique_ptr<DcmDataset>> identifiers(const Plan& plan, const SeriesPlan& series)
+{
+    constexpr qsizetype mostUids = 200;
+    std::vector<std::unique_ptr<DcmDataset>> all;
+    const auto add = [&](const char* level) -> DcmDataset& {
+        auto set = std::make_unique<DcmDataset>();
+        set->putAndInsertString(DCM_QueryRetrieveLevel, level);
+        set->putAndInsertString(DCM_StudyInstanceUID, plan.studyUid.toLatin1().constData());
+        set->putAndInsertString(DCM_SeriesInstanceUID, series.seriesUid.toLatin1().constData());
+        all.push_back(std::move(set));
+        return *all.back();
+    };
+    if (series.asWhole()) {
+        add("SERIES");
+        return all;
+    }
+    for (qsizetype at = 0; at < series.missing.size(); at += mostUids) {
+        const QString uids = series.missing.mid(at, mostUids).join(QLatin1Char('\\'));
+        add("IMAGE").putAndInsertString(DCM_SOPInstanceUID, uids.toLatin1().constData());
+    }
+    return all;
+}
+
+/// How requests ended, beyond what did arrive.
+struct Conclusion {
+    std::uint16_t status = 0; ///< the first that is no success
+    int failed = 0; ///< objects, as the node counts them
+
+    template <class Response> void add(const Response& response, bool tellsFailed)
+    {
+        if (status == 0)
+            status = response.DimseStatus;
+        if (tellsFailed)
+            failed += response.NumberOfFailedSubOperations;
+    }
+};
+
+/// A request under way: takes what comes until the node has said its last word on it.
+Result<void> follow(Association& association, ObjectIntake* intake, Conclusion& conclusion)
+{
+    for (;;) {
+        std::uint8_t context = 0;
+        const Result<T_DIMSE_Message> message = association.receive(context);
+        if (!message)
+            return tl::unexpected<Error>(message.error());
+        if (message->CommandField == DIMSE_C_STORE_RQ && intake) {
+            Result<void> taken = intake->take(association, context, message->msg.CStoreRQ);
+            if (!taken)
+                return taken;
+            continue;
+        }
+        const bool isGet = message->CommandField == DIMSE_C_GET_RSP;
+        if (!isGet && message->CommandField != DIMSE_C_MOVE_RSP) {
+            return failure(
+                ErrorCode::NodeNonsense, association.node().name(), QStringLiteral("no answer"));
+        }
+        const T_DIMSE_C_GetRSP& get = message->msg.CGetRSP;
+        const T_DIMSE_C_MoveRSP& move = message->msg.CMoveRSP;
+        const auto hasData = isGet ? get.DataSetType : move.DataSetType;
+        if (hasData != DIMSE_DATASET_NULL) {
+            Result<void> ignored =
+                association.receiveData(context, [](const char*, std::size_t) {});
+            if (!ignored)
+                return ignored;
+        }
+        if (DICOM_PENDING_STATUS(isGet ? get.DimseStatus : move.DimseStatus))
+            continue;
+        if (isGet)
+            conclusion.add(get, (get.opts & O_GET_NUMBEROFFAILEDSUBOPERATIONS) != 0);
+        else
+            conclusion.add(move, (move.opts & O_MOVE_NUMBEROFFAILEDSUBOPERATIONS) != 0);
+        return {};
+    }
+}
+
+T_DIMSE_Message getRequest(std::uint16_t id, const QByteArray& model)
+{
+    T_DIMSE_Message request{};
+    request.CommandField = DIMSE_C_GET_RQ;
+    T_DIMSE_C_GetRQ& get = request.msg.CGetRQ;
+    get.MessageID = id;
+    std::strcpy(get.AffectedSOPClassUID, model.constData());
+    get.Priority = DIMSE_PRIORITY_MEDIUM;
+    get.DataSetType = DIMSE_DATASET_PRESENT;
+    return request;
+}
+
+T_DIMSE_Message moveRequest(std::uint16_t id, const QByteArray& model, const PacsNode& node)
+{
+    T_DIMSE_Message request{};
+    request.CommandField = DIMSE_C_MOVE_RQ;
+    T_DIMSE_C_MoveRQ& move = request.msg.CMoveRQ;
+    move.MessageID = id;
+    std::strcpy(move.AffectedSOPClassUID, model.constData());
+    move.Priority = DIMSE_PRIORITY_MEDIUM;
+    move.DataSetType = DIMSE_DATASET_PRESENT;
+    std::strcpy(move.MoveDestination, node.ownAeTitle.toLatin1().constData());
+    return request;
+}
+
+Result<Conclusion> fetch(const PacsNode& node, const Plan& plan, ObjectIntake& intake,
+    const RetrieveWay& way, const Progress& progress)
+{
+    const QByteArray model = way.movePort ? UID_MOVEStudyRootQueryRetrieveInformationModel
+                                          : UID_GETStudyRootQueryRetrieveInformationModel;
+    std::vector<ProposedContext> contexts{{model, plainSyntaxes()}};
+    if (!way.movePort) {
+        for (ProposedContext& context : retrieveContexts(plan.classes()))
+            contexts.push_back(std::move(context));
+    }
+    Result<Association> association = Association::request(node, contexts, progress);
+    if (!association)
+        return tl::unexpected<Error>(association.error());
+    const Result<std::uint8_t> context = association->context(model);
+    if (!context)
+        return tl::unexpected<Error>(context.error());
+    std::unique_ptr<MoveListener> listener;
+    if (way.movePort) {
+        Result<std::unique_ptr<MoveListener>> listening =
+            MoveListener::start(node, *way.movePort, intake);
+        if (!listening)
+            return tl::unexpected<Error>(listening.error());
+        listener = std::move(*listening);
+    }
+    Conclusion conclusion;
+    for (const SeriesPlan& series : plan.series) {
+        if (!series.instances.empty() && series.missing.isEmpty())
+            continue;
+        for (const std::unique_ptr<DcmDataset>& identifier : identifiers(plan, series)) {
+            const std::uint16_t id = association->nextMessageId();
+            T_DIMSE_Message request =
+                way.movePort ? moveRequest(id, model, node) : getRequest(id, model);
+            Result<void> done = association->send(*context, request, identifier.get());
+            if (done)
+                done = follow(*association, listener ? nullptr : &intake, conclusion);
+            if (!done)
+                return tl::unexpected<Error>(done.error());
+        }
+    }
+    association->release();
+    if (listener) {
+        if (const std::optional<Error> trouble = listener->stop())
+            return tl::unexpected<Error>(*trouble);
+    }
+    return conclusion;
+}
+
+/// @param told of objects that nobody could list before
+tl::unexpected<Error> incomplete(
+    const PacsNode& node, const ObjectIntake& intake, const Conclusion& conclusion, qsizetype total)
+{
+    const qsizetype missing = std::max(intake.missing().size(), qsizetype(conclusion.failed));
+    if (!intake.refusal() && conclusion.status != 0 && intake.received() == 0) {
+        return failure(ErrorCode::NodeFailed, node.name(), QStringLiteral("the download"),
+            statusText(conclusion.status));
+    }
+    Error error{ErrorCode::TransferIncomplete,
+        {node.name(),
+            total > 0 ? QStringLiteral("%1 of %2").arg(missing).arg(total)
+                      : QString::number(missing)}};
+    if (intake.refusal())
+        error.arguments.append(intake.refusal()->arguments.value(1));
+    else if (conclusion.status != 0)
+        error.arguments.append(statusText(conclusion.status));
+    return tl::unexpected<Error>(error);
+}
+
+} // namespace
+
+Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const QString& target,
+    const RetrieveWay& way, const Progress& progress)
+{
+    Result<Plan> plan = makePlan(node, wish, progress);
+    if (!plan)
+        return tl::unexpected<Error>(plan.error());
+    const QStringList instances = plan->instances();
+    if (plan->isKnown() && DownloadFolder::isWhole(target, instances))
+        return Retrieved{.received = 0, .kept = int(instances.size())};
+    Result<DownloadFolder> folder = DownloadFolder::open(target);
+    if (!folder)
+        return tl::unexpected<Error>(folder.error());
+    for (SeriesPlan& series : plan->series) {
+        for (const InstanceHit& instance : series.instances) {
+            if (!folder->holds(instance.sopInstanceUid))
+                series.missing.append(instance.sopInstanceUid);
+        }
+    }
+    // Where a node lists nothing for one series, nobody knows what to await.
+    const QSet<QString> missing = plan->isKnown() ? plan->missing() : QSet<QString>();
+    Retrieved result{.received = 0, .kept = int(instances.size() - plan->missing().size())};
+    if (plan->isKnown() && missing.isEmpty()) {
+        if (const Result<void> finished = folder->finish(); !finished)
+            return tl::unexpected<Error>(finished.error());
+        return result;
+    }
+    ObjectIntake intake(*folder, missing, int(missing.size()), progress);
+    const Result<Conclusion> conclusion = fetch(node, *plan, intake, way, progress);
+    if (!conclusion)
+        return tl::unexpected<Error>(conclusion.error());
+    if (!intake.missing().isEmpty() || conclusion->failed > 0 || intake.refusal()
+        || (intake.received() == 0 && conclusion->status != 0))
+        return incomplete(node, intake, *conclusion, instances.size());
+    if (const Result<void> finished = folder->finish(); !finished)
+        return tl::unexpected<Error>(finished.error());
+    result.received = intake.received();
+    return result;
+}
+
+} // namespace core

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/pacs/PacsNode.h"
+
+#include <QProcess>
+#include <QString>
+#include <QTemporaryDir>
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+namespace test {
+
+/// A port of this machine on which nobody listens at the moment.
+[[nodiscard]] int freePort();
+
+/// A real server of the field, on loopback, for as long as this lives. Empty when it starts.
+class PacsServer {
+public:
+    enum class Program {
+        Dcmqrscp, ///< DCMTK's; called QRDB
+        Orthanc, ///< called ORTHANC; answers HTTP and DICOMweb too, to tester:secret
+    };
+    explicit PacsServer(Program program);
+    PacsServer(const PacsServer&) = delete;
+    PacsServer& operator=(const PacsServer&) = delete;
+    ~PacsServer();
+
+    /// The program that is not installed; empty: it is. A reason to skip.
+    [[nodiscard]] const QString& absent() const { return m_absent; }
+    /// Why it does not run although it is installed. A reason to fail.
+    [[nodiscard]] const QString& problem() const { return m_problem; }
+    /// It knows us as BURIN, listening on movePort().
+    [[nodiscard]] const core::PacsNode& node() const { return m_node; }
+    [[nodiscard]] int movePort() const { return m_movePort; }
+    void stop();
+
+private:
+    [[nodiscard]] QStringList prepareDcmqrscp() const;
+    [[nodiscard]] QStringList prepareOrthanc() const;
+
+    QTemporaryDir m_folder;
+    QProcess m_process;
+    core::PacsNode m_node;
+    int m_movePort = 0;
+    QString m_absent;
+    QString m_problem;
+};
+
+/// A connection to a server that fails: hands on what client and server say until the server has
+/// said so many bytes, over all connections together.
+class FaultyWire {
+public:
+    enum class Fault {
+        Cut, ///< then the connection ends, and no other comes about
+        Stall, ///< then the server says nothing more
+        Garbage, ///< then the server talks nonsense
+    };
+    FaultyWire(int serverPort, Fault fault, std::int64_t afterBytes);
+    FaultyWire(const FaultyWire&) = delete;
+    FaultyWire& operator=(const FaultyWire&) = delete;
+    ~FaultyWire();
+
+    [[nodiscard]] int port() const { return m_port; }
+
+private:
+    void work();
+    void handOn(int client, int server);
+
+    int m_serverPort;
+    Fault m_fault;
+    std::int64_t m_left;
+    int m_port = 0;
+    int m_listener = -1; ///< which finds the port
+    std::atomic<bool> m_ending = false;
+    std::thread m_thread; ///< last: it uses all of the above
+};
+
+} // namespace test
