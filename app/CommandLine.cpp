@@ -2,12 +2,16 @@
 #include "app/CommandLine.h"
 
 #include "app/DemoCommand.h"
+#include "app/EchoCommand.h"
 #include "app/EditsCommand.h"
+#include "app/FindCommand.h"
+#include "app/GetCommand.h"
 #include "app/HistoryCommand.h"
 #include "app/InfoCommand.h"
 #include "app/OpenCommand.h"
 #include "app/ReplayCommand.h"
 #include "app/RunCommand.h"
+#include "app/SendCommand.h"
 #include "app/Version.h"
 
 #include <QApplication>
@@ -28,8 +32,25 @@ std::span<const Command> commands()
     static const std::vector<Command> table{
         {"demo", "DIR", "writes the demonstration study: a CT of a head, made by formulas", false,
             runDemo},
+        {"echo", "NODE [--own-title TITLE] [--timeout SECONDS] [--json]",
+            "whether a DICOM node answers; NODE is AETITLE@host:port, for this and find, get, send,"
+            " which all take --own-title (BURIN), --timeout (30), and for TLS --tls-authority FILE"
+            " [--tls-certificate FILE --tls-key FILE], all PEM",
+            false, runEcho},
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false,
             runEdits},
+        {"find",
+            "NODE [--patient-name NAME] [--patient-id ID] [--date FROM-TO] [--modality MODALITY]"
+            " [--accession NUMBER] [--description TEXT] [--most NUMBER] [--json] | NODE --study "
+            "UID",
+            "the studies at a DICOM node, or the series of one; * and ? stand for letters, dates"
+            " are YYYYMMDD",
+            false, runFind},
+        {"get", "NODE --study UID [--series UID] --to FOLDER [--move PORT] [--json]",
+            "downloads a study or series into a new folder, which is there only when it is whole;"
+            " a download that broke off goes on; --move: the node brings them to that port"
+            " (C-MOVE) instead of handing them over (C-GET)",
+            false, runGet},
         {"history", "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]]",
             "what was done in a session, branches included; as a recipe for burin run; as an audit"
             " report",
@@ -59,6 +80,8 @@ std::span<const Command> commands()
             "carries out a recipe without a window (burin edits: what it can hold); --with-images"
             " puts the study's images, and with them who the patient is, into the session",
             false, runRecipe},
+        {"send", "NODE PATH... [--json]", "stores DICOM files, or those of folders, at a node",
+            false, runSend},
     };
     return table;
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/SendCommand.h"
+
+#include "app/JsonLine.h"
+#include "app/NodeArguments.h"
+#include "core/pacs/PacsSend.h"
+#include "ui/ErrorText.h"
+
+#include <QDirIterator>
+#include <QFileInfo>
+#include <QJsonArray>
+
+#include <cstdio>
+
+namespace app {
+
+namespace {
+
+/// The files of folders too, in the order of their names.
+QStringList filesOf(const QStringList& paths)
+{
+    QStringList all;
+    for (const QString& path : paths) {
+        if (!QFileInfo(path).isDir()) {
+            all.append(path);
+            continue;
+        }
+        QStringList inside;
+        QDirIterator walk(path, QDir::Files, QDirIterator::Subdirectories);
+        while (walk.hasNext())
+            inside.append(walk.next());
+        inside.sort();
+        all += inside;
+    }
+    return all;
+}
+
+} // namespace
+
+int runSend(const QStringList& words)
+{
+    const Arguments arguments(words, nodeOptions({}), {QStringLiteral("json")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("send", arguments.problem());
+    const core::Result<core::PacsNode> node = nodeOf(arguments);
+    if (!node)
+        return tellUsage("send", ui::errorText(node.error()));
+    const QStringList files = filesOf(arguments.rest().mid(1));
+    if (files.isEmpty())
+        return tellUsage("send", QStringLiteral("no files to send"));
+    const core::Result<core::SentObjects> done = core::sendFiles(*node, files, core::Progress());
+    if (!done)
+        return tellFailure(done.error());
+    for (const QString& warning : done->warnings)
+        std::fprintf(stderr, "burin: %s\n", qUtf8Printable(warning));
+    if (arguments.has("json")) {
+        printJsonLine({{QStringLiteral("node"), node->name()}, {QStringLiteral("sent"), done->sent},
+            {QStringLiteral("warnings"), QJsonArray::fromStringList(done->warnings)}});
+    } else {
+        std::printf("%s took %d\n", qUtf8Printable(node->name()), done->sent);
+    }
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/BurinProgram.h"
+#include "tests/support/PacsServers.h"
+#include "tests/support/SyntheticSeries.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// `burin echo`, `find`, `get` and `send`: JSON that others build on, text, statuses, one line
+/// where they fail.
+class PacsCommandTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void fromSendToGet();
+    void failuresAreOneLine();
+    void wrongArguments_data();
+    void wrongArguments();
+};
+
+namespace {
+
+QString word(const char* text)
+{
+    return QLatin1String(text);
+}
+
+} // namespace
+
+void PacsCommandTest::fromSendToGet()
+{
+    const test::PacsServer server(test::PacsServer::Program::Dcmqrscp);
+    if (!server.absent().isEmpty())
+        QSKIP(qPrintable(server.absent()));
+    QVERIFY2(server.problem().isEmpty(), qPrintable(server.problem()));
+    const QString node = server.node().name();
+    const QTemporaryDir folder;
+    const test::SyntheticSeries series;
+    const QStringList files = test::writeSeries(series, folder.filePath(word("sent")));
+
+    const test::Outcome echo = test::burin({word("echo"), node});
+    QCOMPARE(echo.status, 0);
+    QCOMPARE(echo.output, node.toUtf8() + " answers\n");
+
+    const test::Outcome sent =
+        test::burin({word("send"), node, folder.filePath(word("sent")), word("--json")});
+    QVERIFY2(sent.status == 0, qPrintable(sent.complaint));
+    QCOMPARE(sent.lines.size(), 1);
+    QCOMPARE(sent.lines[0][word("sent")].toInt(), int(files.size()));
+
+    const test::Outcome found = test::burin({word("find"), node, word("--json")});
+    QCOMPARE(found.status, 0);
+    QCOMPARE(found.lines.size(), 1);
+    QCOMPARE(found.lines[0][word("studyUid")].toString(), series.studyUid);
+    QCOMPARE(found.lines[0][word("patientName")].toString(), word("Synthetic^Subject"));
+    const test::Outcome list =
+        test::burin({word("find"), node, word("--study"), series.studyUid, word("--json")});
+    QCOMPARE(list.status, 0);
+    QCOMPARE(list.lines.size(), 1);
+    QCOMPARE(list.lines[0][word("seriesUid")].toString(), series.seriesUid);
+    QVERIFY(test::burin({word("find"), node}).output.contains("Synthetic^Subject"));
+
+    const QString target = folder.filePath(word("got"));
+    const test::Outcome got = test::burin({word("get"), node, word("--study"), series.studyUid,
+        word("--to"), target, word("--json")});
+    QVERIFY2(got.status == 0, qPrintable(got.complaint));
+    QCOMPARE(got.lines.size(), 1);
+    QCOMPARE(got.lines[0][word("received")].toInt(), int(files.size()));
+    QCOMPARE(QDir(target).entryList(QDir::Files).size(), files.size());
+}
+
+void PacsCommandTest::failuresAreOneLine()
+{
+    const QString nobody = QStringLiteral("NOBODY@127.0.0.1:%1").arg(test::freePort());
+    const QTemporaryDir folder;
+    const QStringList file = test::writeSeries({.size = {8, 8, 1}}, folder.filePath(word("sent")));
+    const QString target = folder.filePath(word("got"));
+    for (const QStringList& arguments : {QStringList{word("echo"), nobody},
+             QStringList{word("find"), nobody}, QStringList{word("send"), nobody, file.front()},
+             QStringList{
+                 word("get"), nobody, word("--study"), word("2.25.1"), word("--to"), target}}) {
+        const test::Outcome outcome = test::burin(arguments);
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.output.isEmpty());
+        QCOMPARE(outcome.complaint,
+            QStringLiteral("burin: %1 cannot be reached: Connection refused\n").arg(nobody));
+    }
+    QVERIFY(!QDir(target).exists());
+}
+
+void PacsCommandTest::wrongArguments_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::newRow("no node") << word("echo");
+    QTest::newRow("no title") << word("echo localhost:104");
+    QTest::newRow("two nodes") << word("find A@b:104 C@d:104");
+    QTest::newRow("no limit") << word("find A@b:104 --most 0");
+    QTest::newRow("no study") << word("get A@b:104 --to /tmp/x");
+    QTest::newRow("no folder") << word("get A@b:104 --study 1.2");
+    QTest::newRow("no port") << word("get A@b:104 --study 1.2 --to /tmp/x --move x");
+    QTest::newRow("nothing to send") << word("send A@b:104");
+    QTest::newRow("no time") << word("echo A@b:104 --timeout 0");
+    QTest::newRow("half a certificate")
+        << word("echo A@b:104 --tls-authority a.pem --tls-certificate b.pem");
+}
+
+void PacsCommandTest::wrongArguments()
+{
+    QFETCH(QString, arguments);
+    const test::Outcome outcome = test::burin(arguments.split(u' '));
+    QCOMPARE(outcome.status, 2);
+    QCOMPARE(outcome.complaint.count(u'\n'), 1);
+}
+
+QTEST_GUILESS_MAIN(PacsCommandTest)
+#include "PacsCommandTest.moc"
