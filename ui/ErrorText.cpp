@@ -100,7 +100,7 @@ QString errorText(const core::Error& error)
     case ErrorCode::NodeRejects:
         return QStringLiteral("%1 does not talk to us%2").arg(first, reason);
     case ErrorCode::NodeRefuses:
-        return QStringLiteral("%1 does not take part in: %2").arg(first, second);
+        return QStringLiteral("%1 does not support %2").arg(first, second);
     case ErrorCode::NodeTimeout:
         return QStringLiteral("%1 does not answer; %2 s without a sign of life").arg(first, second);
     case ErrorCode::NodeLost:

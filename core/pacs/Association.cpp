@@ -288,6 +288,10 @@ Error Association::error(const OFCondition& condition) const
         state.timedOut || condition == DIMSE_NODATAAVAILABLE || condition == DUL_READTIMEOUT;
     if (state.connected && outOfTime)
         return {ErrorCode::NodeTimeout, {name, QString::number(node().timeoutSeconds)}};
+    if (!state.handshake.isEmpty()) {
+        return {ErrorCode::NodeUnreachable,
+            {name, QStringLiteral("no secure connection (%1)").arg(state.handshake)}};
+    }
     if (!state.trouble.isEmpty())
         return {ErrorCode::NodeLost, {name, state.trouble}};
     if (!state.connected)

@@ -74,6 +74,12 @@ Result<DownloadFolder> DownloadFolder::open(const QString& target)
     return folder;
 }
 
+DownloadFolder::~DownloadFolder()
+{
+    if (!m_gathering.isEmpty())
+        QDir().rmdir(m_gathering);
+}
+
 bool DownloadFolder::isWhole(const QString& target, const QStringList& sopInstanceUids)
 {
     const QDir folder(target);

@@ -22,6 +22,11 @@ public:
     /// Whether @p target is a folder with all these objects, each of them sound.
     [[nodiscard]] static bool isWhole(const QString& target, const QStringList& sopInstanceUids);
 
+    DownloadFolder(DownloadFolder&&) noexcept = default;
+    DownloadFolder& operator=(DownloadFolder&&) noexcept = default;
+    /// What has gathered stays; a folder without anything does not.
+    ~DownloadFolder();
+
     /// Where the object gathers. Letters of a node get no say in it.
     [[nodiscard]] QString pathOf(const QString& sopInstanceUid) const;
     /// Whether it is here, from an earlier download, and sound; a damaged one is removed.

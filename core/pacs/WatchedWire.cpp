@@ -34,7 +34,13 @@ public:
     }
 
     OFCondition serverSideHandshake() override { return m_inner->serverSideHandshake(); }
-    OFCondition clientSideHandshake() override { return m_inner->clientSideHandshake(); }
+    OFCondition clientSideHandshake() override
+    {
+        const OFCondition shaken = m_inner->clientSideHandshake();
+        if (shaken.bad())
+            m_state.handshake = QString::fromUtf8(shaken.text());
+        return shaken;
+    }
     OFCondition renegotiate(const char* suite) override { return m_inner->renegotiate(suite); }
     void close() override { m_inner->close(); }
     void closeTransportConnection() override { m_inner->closeTransportConnection(); }

@@ -22,6 +22,7 @@ struct WireState {
     bool closed = false; ///< by the other side
     bool cancelled = false;
     QString trouble; ///< what the system said
+    QString handshake; ///< why the connection could not be secured
 };
 
 /// The layer below an association: answers to cancelling within a tenth of a second, sends at once

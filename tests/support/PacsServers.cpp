@@ -85,7 +85,32 @@ int freePort()
     return port;
 }
 
-PacsServer::PacsServer(Program program)
+TlsFiles TlsFiles::make(const QString& folder)
+{
+    const QString openssl = QStandardPaths::findExecutable(QStringLiteral("openssl"));
+    if (openssl.isEmpty())
+        return {};
+    const auto pair = [&](const char* name) {
+        const QString stem = folder + u'/' + QLatin1String(name);
+        QProcess process;
+        process.start(openssl,
+            {QStringLiteral("req"), QStringLiteral("-x509"), QStringLiteral("-newkey"),
+                QStringLiteral("rsa:2048"), QStringLiteral("-nodes"), QStringLiteral("-days"),
+                QStringLiteral("2"), QStringLiteral("-subj"), QStringLiteral("/CN=localhost"),
+                QStringLiteral("-keyout"), stem + QStringLiteral(".key"), QStringLiteral("-out"),
+                stem + QStringLiteral(".crt")});
+        process.waitForFinished(60000);
+        return stem;
+    };
+    const QString server = pair("server");
+    const QString client = pair("client");
+    return {.serverCertificate = server + QStringLiteral(".crt"),
+        .serverKey = server + QStringLiteral(".key"),
+        .clientCertificate = client + QStringLiteral(".crt"),
+        .clientKey = client + QStringLiteral(".key")};
+}
+
+PacsServer::PacsServer(Program program, const TlsFiles& tls)
     : m_movePort(freePort())
 {
     const bool isOrthanc = program == Program::Orthanc;
@@ -108,7 +133,7 @@ PacsServer::PacsServer(Program program)
     m_process.setStandardOutputFile(m_folder.filePath(QStringLiteral("log")));
     m_process.setStandardErrorFile(m_folder.filePath(QStringLiteral("errors")));
     m_process.setChildProcessModifier([] { ::setpgid(0, 0); });
-    m_process.start(path, isOrthanc ? prepareOrthanc() : prepareDcmqrscp());
+    m_process.start(path, isOrthanc ? prepareOrthanc(tls) : prepareDcmqrscp());
     const QDeadlineTimer patience(30000);
     int socket = -1;
     while (socket < 0 && !patience.hasExpired() && m_process.state() != QProcess::NotRunning) {
@@ -163,7 +188,7 @@ QStringList PacsServer::prepareDcmqrscp() const
         QStringLiteral("warn")};
 }
 
-QStringList PacsServer::prepareOrthanc() const
+QStringList PacsServer::prepareOrthanc(const TlsFiles& tls) const
 {
     const auto key = [](const char* name) { return QLatin1String(name); };
     const QString store = m_folder.filePath(QStringLiteral("store"));
@@ -171,7 +196,7 @@ QStringList PacsServer::prepareOrthanc() const
         {key("Host"), QStringLiteral("127.0.0.1")}, {key("Port"), m_movePort},
         {key("AllowEcho"), true}, {key("AllowStore"), true}, {key("AllowFind"), true},
         {key("AllowGet"), true}, {key("AllowMove"), true}};
-    const QJsonObject configuration{{key("Name"), QStringLiteral("TEST")},
+    QJsonObject configuration{{key("Name"), QStringLiteral("TEST")},
         {key("StorageDirectory"), store}, {key("IndexDirectory"), store},
         {key("ConcurrentJobs"), 2}, {key("HttpServerEnabled"), false},
         {key("DicomAet"), m_node.aeTitle}, {key("DicomPort"), m_node.port},
@@ -179,6 +204,13 @@ QStringList PacsServer::prepareOrthanc() const
         {key("DicomAlwaysAllowStore"), false}, {key("DicomCheckModalityHost"), true},
         {key("DicomModalities"), QJsonObject{{key("burin"), burin}}},
         {key("DefaultEncoding"), QStringLiteral("Utf8")}};
+    if (!tls.serverKey.isEmpty()) {
+        configuration.insert(key("DicomTlsEnabled"), true);
+        configuration.insert(key("DicomTlsCertificate"), tls.serverCertificate);
+        configuration.insert(key("DicomTlsPrivateKey"), tls.serverKey);
+        configuration.insert(key("DicomTlsTrustedCertificates"), tls.clientCertificate);
+        configuration.insert(key("DicomTlsRemoteCertificateRequired"), true);
+    }
     const QString file = m_folder.filePath(QStringLiteral("orthanc.json"));
     if (!write(file, QJsonDocument(configuration).toJson()))
         return {};

@@ -16,6 +16,17 @@ namespace test {
 /// A port of this machine on which nobody listens at the moment.
 [[nodiscard]] int freePort();
 
+/// Certificates of a server and of a client that know each other: each is its own authority.
+struct TlsFiles {
+    /// Makes them with openssl, new ones each time. @return empty names: openssl is not installed
+    [[nodiscard]] static TlsFiles make(const QString& folder);
+
+    QString serverCertificate;
+    QString serverKey;
+    QString clientCertificate;
+    QString clientKey;
+};
+
 /// A real server of the field, on loopback, for as long as this lives. Empty when it starts.
 class PacsServer {
 public:
@@ -23,7 +34,8 @@ public:
         Dcmqrscp, ///< DCMTK's; called QRDB
         Orthanc, ///< called ORTHANC; answers HTTP and DICOMweb too, to tester:secret
     };
-    explicit PacsServer(Program program);
+    /// @param tls of Orthanc: it answers only to that client, and only so
+    explicit PacsServer(Program program, const TlsFiles& tls = {});
     PacsServer(const PacsServer&) = delete;
     PacsServer& operator=(const PacsServer&) = delete;
     ~PacsServer();
@@ -39,7 +51,7 @@ public:
 
 private:
     [[nodiscard]] QStringList prepareDcmqrscp() const;
-    [[nodiscard]] QStringList prepareOrthanc() const;
+    [[nodiscard]] QStringList prepareOrthanc(const TlsFiles& tls) const;
 
     QTemporaryDir m_folder;
     QProcess m_process;

@@ -55,6 +55,8 @@ private Q_SLOTS:
     void unknownSeries();
     void endsMidTransfer_data();
     void endsMidTransfer();
+    void sendingEnds_data();
+    void sendingEnds();
     void downloadGoesOn();
     void damagedFileIsFetchedAgain();
     void fullDisk();
@@ -201,8 +203,7 @@ void PacsFaultsTest::refusedKind()
     const QStringList files = test::writeSeries(odd, m_folder->path());
     const auto sent = core::sendFiles(m_server->node(), files, core::Progress());
     VERIFY_ERROR(sent, ErrorCode::NodeRefuses);
-    QVERIFY(
-        ui::errorText(sent.error()).endsWith(QLatin1String("does not take part in: 1.2.3.4.5")));
+    QVERIFY(ui::errorText(sent.error()).endsWith(QLatin1String("does not support 1.2.3.4.5")));
 }
 
 void PacsFaultsTest::unknownSeries()
@@ -245,6 +246,31 @@ void PacsFaultsTest::endsMidTransfer()
     QVERIFY(!QFileInfo::exists(target()));
 }
 
+void PacsFaultsTest::sendingEnds_data()
+{
+    QTest::addColumn<Fault>("fault");
+    QTest::addColumn<ErrorCode>("expected");
+    QTest::newRow("dies") << Fault::Cut << ErrorCode::NodeLost;
+    QTest::newRow("is silent") << Fault::Stall << ErrorCode::NodeTimeout;
+}
+
+void PacsFaultsTest::sendingEnds()
+{
+    NEED_SERVER;
+    QFETCH(Fault, fault);
+    QFETCH(ErrorCode, expected);
+    // It has accepted the association by then, and an object or two.
+    const test::FaultyWire wire(m_server->node().port, fault, 500);
+    core::PacsNode node = at(m_server->node(), wire.port());
+    node.timeoutSeconds = 2;
+    int sent = 0;
+    const core::Progress progress([&sent](const QString&, int done, int) { sent = done; });
+    const auto result = core::sendFiles(node, m_files, progress);
+    VERIFY_ERROR(result, expected);
+    QVERIFY(sent > 0);
+    QVERIFY(sent < int(m_files.size()));
+}
+
 void PacsFaultsTest::downloadGoesOn()
 {
     NEED_SERVER;
@@ -253,9 +279,15 @@ void PacsFaultsTest::downloadGoesOn()
         const test::FaultyWire wire(m_server->node().port, Fault::Cut, 70000);
         QVERIFY(!get(at(m_server->node(), wire.port()), target()).has_value());
     }
-    const auto got = get(m_server->node(), target());
+    QStringList told;
+    const core::Progress progress([&told](const QString&, int done, int total) {
+        told.append(QStringLiteral("%1/%2").arg(done).arg(total));
+    });
+    const auto got = get(m_server->node(), target(), progress);
     VERIFY_DONE(got);
     QVERIFY(got->kept > 0);
+    QCOMPARE(told.size(), got->received);
+    QCOMPARE(told.back(), QStringLiteral("%1/%1").arg(got->received));
     QCOMPARE(got->kept + got->received, int(m_files.size()));
     QCOMPARE(QDir(target()).entryList(QDir::Files | QDir::Hidden).size(), m_files.size());
 }
@@ -302,7 +334,10 @@ void PacsFaultsTest::fileThatCannotGrow()
     const test::FileSizeLimit limit(5000);
     const auto got = get(m_server->node(), target());
     VERIFY_ERROR(got, ErrorCode::FileUnwritable);
-    QVERIFY(!QFileInfo::exists(target()));
+    // Nothing came, nothing stays.
+    QVERIFY(QDir(m_folder->path())
+                .entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot)
+                .isEmpty());
 }
 
 void PacsFaultsTest::targetInUse()
