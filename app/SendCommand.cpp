@@ -3,6 +3,7 @@
 
 #include "app/JsonLine.h"
 #include "app/NodeArguments.h"
+#include "core/dicom/DicomFile.h"
 #include "core/pacs/PacsSend.h"
 #include "ui/ErrorText.h"
 
@@ -16,8 +17,9 @@ namespace app {
 
 namespace {
 
-/// The files of folders too, in the order of their names.
-QStringList filesOf(const QStringList& paths)
+/// The files of folders too, in the order of their names, but for those that are no DICOM.
+/// @param others how many those are
+QStringList filesOf(const QStringList& paths, int& others)
 {
     QStringList all;
     for (const QString& path : paths) {
@@ -30,6 +32,10 @@ QStringList filesOf(const QStringList& paths)
         while (walk.hasNext())
             inside.append(walk.next());
         inside.sort();
+        others += int(inside.removeIf([](const QString& file) {
+            const auto opened = core::DicomFile::open(file);
+            return !opened && opened.error().code == core::ErrorCode::UnsupportedFormat;
+        }));
         all += inside;
     }
     return all;
@@ -45,12 +51,15 @@ int runSend(const QStringList& words)
     const core::Result<core::PacsNode> node = nodeOf(arguments);
     if (!node)
         return tellUsage("send", ui::errorText(node.error()));
-    const QStringList files = filesOf(arguments.rest().mid(1));
+    int others = 0;
+    const QStringList files = filesOf(arguments.rest().mid(1), others);
     if (files.isEmpty())
         return tellUsage("send", QStringLiteral("no files to send"));
     const core::Result<core::SentObjects> done = core::sendFiles(*node, files, core::Progress());
     if (!done)
         return tellFailure(done.error());
+    if (others > 0)
+        std::fprintf(stderr, "burin: files that are no DICOM stayed here: %d\n", others);
     for (const QString& warning : done->warnings)
         std::fprintf(stderr, "burin: %s\n", qUtf8Printable(warning));
     if (arguments.has("json")) {

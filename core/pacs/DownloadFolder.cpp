@@ -17,6 +17,7 @@
 #include <cstring>
 
 #include <fcntl.h>
+#include <unistd.h>
 
 namespace core {
 
@@ -34,12 +35,49 @@ QString fileName(const QString& uid)
     return QString::fromLatin1(hash.toHex()) + QStringLiteral(".dcm");
 }
 
-/// Leaves of a download that ended in the middle of a file.
-void removeHalves(const QDir& folder)
+constexpr const char* partPrefix = ".part-";
+/// What can be believed of a gathering folder: of this start of the system everything, since it
+/// reads what it was told to write; of an earlier one what was brought to the disk.
+constexpr const char* noteName = ".download";
+constexpr const char* onDisk = "on disk";
+
+QByteArray thisStart()
 {
-    for (const QString& name :
-        folder.entryList({QStringLiteral(".burin-*")}, QDir::Files | QDir::Hidden))
-        QFile::remove(folder.filePath(name));
+    QFile file(QStringLiteral("/proc/sys/kernel/random/boot_id"));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed() : QByteArray();
+}
+
+QByteArray readNote(const QDir& folder)
+{
+    QFile file(folder.filePath(QLatin1String(noteName)));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool writeNote(const QDir& folder, const QByteArray& note)
+{
+    QFile file(folder.filePath(QLatin1String(noteName)));
+    return file.open(QIODevice::WriteOnly) && file.write(note) == note.size();
+}
+
+/// Everything of the folder's file system, which costs less than file by file.
+bool bringToDisk(const QString& folder)
+{
+    const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_CLOEXEC);
+    const bool done = descriptor >= 0 && ::syncfs(descriptor) == 0;
+    if (descriptor >= 0)
+        ::close(descriptor);
+    return done;
+}
+
+/// What an earlier download left and nobody can believe.
+void removeUnbelievable(const QDir& folder)
+{
+    const QByteArray note = readNote(folder);
+    const bool believed = note == onDisk || (!note.isEmpty() && note == thisStart());
+    for (const QString& name : folder.entryList(QDir::Files | QDir::Hidden)) {
+        if (!believed || name.startsWith(QLatin1String(partPrefix)))
+            QFile::remove(folder.filePath(name));
+    }
 }
 
 tl::unexpected<Error> taken(const QString& target)
@@ -70,14 +108,22 @@ Result<DownloadFolder> DownloadFolder::open(const QString& target)
         return failure(
             ErrorCode::FileUnwritable, target, QStringLiteral("another download goes there"));
     }
-    removeHalves(QDir(folder.m_gathering));
+    removeUnbelievable(QDir(folder.m_gathering));
+    writeNote(QDir(folder.m_gathering), thisStart());
     return folder;
 }
 
 DownloadFolder::~DownloadFolder()
 {
-    if (!m_gathering.isEmpty())
+    if (m_gathering.isEmpty())
+        return;
+    const QDir folder(m_gathering);
+    if (folder.entryList(QDir::Files).isEmpty()) {
+        QFile::remove(folder.filePath(QLatin1String(noteName)));
         QDir().rmdir(m_gathering);
+    } else if (bringToDisk(m_gathering)) {
+        writeNote(folder, onDisk);
+    }
 }
 
 bool DownloadFolder::isWhole(const QString& target, const QStringList& sopInstanceUids)
@@ -94,6 +140,11 @@ QString DownloadFolder::pathOf(const QString& sopInstanceUid) const
     return QDir(m_gathering).filePath(fileName(sopInstanceUid));
 }
 
+QString DownloadFolder::partPathOf(const QString& sopInstanceUid) const
+{
+    return QDir(m_gathering).filePath(QLatin1String(partPrefix) + fileName(sopInstanceUid));
+}
+
 bool DownloadFolder::holds(const QString& sopInstanceUid) const
 {
     const QString path = pathOf(sopInstanceUid);
@@ -107,6 +158,11 @@ bool DownloadFolder::holds(const QString& sopInstanceUid) const
 
 Result<void> DownloadFolder::finish()
 {
+    if (!bringToDisk(m_gathering)) {
+        return failure(
+            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(strerror(errno)));
+    }
+    QFile::remove(QDir(m_gathering).filePath(QLatin1String(noteName)));
     const QByteArray from = QFile::encodeName(m_gathering);
     const QByteArray to = QFile::encodeName(m_target);
     // Replaces an empty folder, nothing else.
@@ -116,6 +172,7 @@ Result<void> DownloadFolder::finish()
         return failure(
             ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(strerror(errno)));
     }
+    m_gathering.clear();
     return {};
 }
 

@@ -14,7 +14,8 @@ namespace core {
 /// A folder of downloaded objects that comes into being only when it is whole.
 ///
 /// Until then they gather in a hidden folder beside it, which a later download into the same target
-/// finds and goes on with. Nobody else uses it meanwhile.
+/// finds and goes on with. Nobody else uses it meanwhile. Files are brought to the disk all at once
+/// when it ends; after a power failure before that, none of them is believed.
 class DownloadFolder {
 public:
     /// FileUnwritable, also where there is something at @p target, or another download goes there.
@@ -29,6 +30,8 @@ public:
 
     /// Where the object gathers. Letters of a node get no say in it.
     [[nodiscard]] QString pathOf(const QString& sopInstanceUid) const;
+    /// A name under which its file is written; a later download removes it.
+    [[nodiscard]] QString partPathOf(const QString& sopInstanceUid) const;
     /// Whether it is here, from an earlier download, and sound; a damaged one is removed.
     [[nodiscard]] bool holds(const QString& sopInstanceUid) const;
     [[nodiscard]] const QString& target() const { return m_target; }

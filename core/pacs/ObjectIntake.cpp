@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/ObjectIntake.h"
 
-#include "core/base/StagedFile.h"
 #include "core/pacs/Association.h"
 
 #include <QFile>
@@ -10,6 +9,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/dimse.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 namespace core {
@@ -56,6 +57,12 @@ QByteArray metaInformation(const T_DIMSE_C_StoreRQ& request, const QByteArray& t
     append(meta, 0x0000, "UL", size);
     return meta + rest;
 }
+
+/// A file on its way; gone with this unless it got its name.
+struct Part {
+    QString path;
+    ~Part() { QFile::remove(path); }
+};
 
 /// @return what the system says against it, empty if nothing; a disk that fills up takes a part
 /// first
@@ -113,11 +120,8 @@ Result<std::uint16_t> ObjectIntake::write(
     }
     const QByteArray meta = metaInformation(request, association.transferSyntax(context));
     QString trouble;
-    Result<StagedFile> staged = StagedFile::create(m_folder.pathOf(uid), true);
-    if (!staged)
-        return failure(
-            ErrorCode::FileUnwritable, m_folder.target(), staged.error().arguments.value(1));
-    QFile file(staged->path());
+    const Part part{m_folder.partPathOf(uid)};
+    QFile file(part.path);
     if (file.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
         trouble = writeAll(file, meta.constData(), meta.size());
     else
@@ -133,14 +137,16 @@ Result<std::uint16_t> ObjectIntake::write(
     file.close();
     if (!trouble.isEmpty())
         return failure(ErrorCode::FileUnwritable, m_folder.target(), trouble);
-    if (const Result<void> sound = checkObject(staged->path(), uid); !sound) {
+    if (const Result<void> sound = checkObject(part.path, uid); !sound) {
         if (!m_refusal)
             m_refusal = sound.error();
         return STATUS_STORE_Error_CannotUnderstand;
     }
-    if (const Result<void> done = staged->commit(); !done)
-        return failure(
-            ErrorCode::FileUnwritable, m_folder.target(), done.error().arguments.value(1));
+    const QByteArray from = QFile::encodeName(part.path);
+    if (std::rename(from.constData(), QFile::encodeName(m_folder.pathOf(uid)).constData()) != 0) {
+        return failure(ErrorCode::FileUnwritable, m_folder.target(),
+            QString::fromLocal8Bit(std::strerror(errno)));
+    }
     m_missing.remove(uid);
     ++m_received;
     m_progress.report(QStringLiteral("Downloading"), m_received, m_total);

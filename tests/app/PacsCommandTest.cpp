@@ -4,6 +4,7 @@
 #include "tests/support/SyntheticSeries.h"
 
 #include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -43,9 +44,14 @@ void PacsCommandTest::fromSendToGet()
     QCOMPARE(echo.status, 0);
     QCOMPARE(echo.output, node.toUtf8() + " answers\n");
 
+    QFile notes(folder.filePath(word("sent/notes.txt")));
+    QVERIFY(notes.open(QIODevice::WriteOnly));
+    notes.write("not a DICOM file, however long it may be");
+    notes.close();
     const test::Outcome sent =
         test::burin({word("send"), node, folder.filePath(word("sent")), word("--json")});
     QVERIFY2(sent.status == 0, qPrintable(sent.complaint));
+    QCOMPARE(sent.complaint, word("burin: files that are no DICOM stayed here: 1\n"));
     QCOMPARE(sent.lines.size(), 1);
     QCOMPARE(sent.lines[0][word("sent")].toInt(), int(files.size()));
 

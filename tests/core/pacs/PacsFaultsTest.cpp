@@ -59,6 +59,7 @@ private Q_SLOTS:
     void sendingEnds();
     void downloadGoesOn();
     void damagedFileIsFetchedAgain();
+    void powerFailureIsNotBelieved();
     void fullDisk();
     void fileThatCannotGrow();
     void targetInUse();
@@ -301,12 +302,32 @@ void PacsFaultsTest::damagedFileIsFetchedAgain()
     }
     QDir gathering(m_folder->path());
     QVERIFY(gathering.cd(QStringLiteral(".got.burin-download")));
-    const QStringList here = gathering.entryList(QDir::Files | QDir::Hidden);
+    const QStringList here = gathering.entryList(QDir::Files);
     QVERIFY(here.size() > 1);
     QVERIFY(QFile::resize(gathering.filePath(here.front()), 9000));
     const auto got = get(m_server->node(), target());
     VERIFY_DONE(got);
     QCOMPARE(got->kept, int(here.size()) - 1);
+}
+
+void PacsFaultsTest::powerFailureIsNotBelieved()
+{
+    NEED_SERVER;
+    {
+        const test::FaultyWire wire(m_server->node().port, Fault::Cut, 70000);
+        QVERIFY(!get(at(m_server->node(), wire.port()), target()).has_value());
+    }
+    // As a download leaves it that the system's end took with it.
+    QFile note(m_folder->filePath(QStringLiteral(".got.burin-download/.download")));
+    QVERIFY(note.open(QIODevice::ReadWrite));
+    QCOMPARE(note.readAll(), QByteArray("on disk"));
+    QVERIFY(note.resize(0));
+    note.write("another start of the system");
+    note.close();
+    const auto got = get(m_server->node(), target());
+    VERIFY_DONE(got);
+    QCOMPARE(got->kept, 0);
+    QCOMPARE(got->received, int(m_files.size()));
 }
 
 void PacsFaultsTest::fullDisk()
