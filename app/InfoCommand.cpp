@@ -2,6 +2,7 @@
 #include "app/InfoCommand.h"
 
 #include "core/study/StudyLoader.h"
+#include "core/study/VolumeFacts.h"
 #include "gpu/GpuEngine.h"
 #include "gpu/MemoryFormula.h"
 #include "ui/ErrorText.h"
@@ -13,6 +14,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <vector>
 
 namespace app {
 
@@ -28,33 +30,41 @@ QJsonArray array(const glm::dvec3& vector)
     return {vector.x, vector.y, vector.z};
 }
 
-/// What is known of one volume: from its headers, and from its voxels where they could be read.
-struct VolumeFacts {
-    const core::SeriesEntry& entry;
-    core::Result<core::LoadedVolume> loaded;
-
-    [[nodiscard]] const core::VolumeGeometry& geometry() const
-    {
-        return loaded ? loaded->volume.geometry : entry.geometry;
-    }
-    [[nodiscard]] const std::vector<core::VolumeProblem>& listed() const
-    {
-        return loaded ? loaded->volume.problems : entry.problems;
-    }
-    [[nodiscard]] QStringList problems() const
-    {
-        QStringList texts;
-        for (const core::VolumeProblem& problem : listed())
-            texts.append(problem.text);
-        if (!loaded)
-            texts.append(ui::errorText(loaded.error()));
-        return texts;
-    }
-};
-
-QJsonObject json(const VolumeFacts& facts)
+const core::VolumeGeometry& geometryOf(const core::VolumeFacts& facts)
 {
-    const core::VolumeGeometry& geometry = facts.geometry();
+    return facts.loaded ? facts.loaded->volume.geometry : facts.entry.geometry;
+}
+
+const std::vector<core::VolumeProblem>& problemsOf(const core::VolumeFacts& facts)
+{
+    return facts.loaded ? facts.loaded->volume.problems : facts.entry.problems;
+}
+
+QStringList problemTexts(const core::VolumeFacts& facts)
+{
+    QStringList texts;
+    for (const core::VolumeProblem& problem : problemsOf(facts))
+        texts.append(problem.text);
+    if (!facts.loaded)
+        texts.append(ui::errorText(facts.loaded.error()));
+    return texts;
+}
+
+QJsonArray json(const std::vector<core::TimeFacts>& times)
+{
+    QJsonArray list;
+    for (const core::TimeFacts& time : times) {
+        list.append(QJsonObject{{QStringLiteral("seriesUid"), time.key},
+            {QStringLiteral("label"), time.label}, {QStringLiteral("min"), time.minimum},
+            {QStringLiteral("max"), time.maximum},
+            {QStringLiteral("voxelsSha256"), QString::fromLatin1(time.voxelsSha256)}});
+    }
+    return list;
+}
+
+QJsonObject json(const core::VolumeFacts& facts)
+{
+    const core::VolumeGeometry& geometry = geometryOf(facts);
     const glm::dmat3 axes = geometry.direction();
     QJsonArray direction;
     for (int row = 0; row < 3; ++row) {
@@ -68,29 +78,48 @@ QJsonObject json(const VolumeFacts& facts)
         {QStringLiteral("spacingMm"), array(geometry.spacingMm())},
         {QStringLiteral("originLps"), array(geometry.originLps())},
         {QStringLiteral("directionLps"), direction}, {QStringLiteral("unit"), facts.entry.unit},
-        {QStringLiteral("problems"), QJsonArray::fromStringList(facts.problems())}};
+        {QStringLiteral("problems"), QJsonArray::fromStringList(problemTexts(facts))}};
     if (facts.loaded) {
-        const core::Volume& volume = facts.loaded->volume;
-        object.insert(QStringLiteral("min"), volume.minimum);
-        object.insert(QStringLiteral("max"), volume.maximum);
-        object.insert(QStringLiteral("voxelsSha256"), QString::fromLatin1(volume.voxelsSha256));
+        object.insert(QStringLiteral("min"), facts.minimum);
+        object.insert(QStringLiteral("max"), facts.maximum);
+        if (!facts.voxelsSha256.isEmpty())
+            object.insert(QStringLiteral("voxelsSha256"), QString::fromLatin1(facts.voxelsSha256));
     }
+    if (!facts.times.empty())
+        object.insert(QStringLiteral("times"), json(facts.times));
     return object;
 }
 
 /// Loads volume after volume, one at a time in memory.
 bool forEachVolume(const core::Study& study,
-    const std::function<void(const core::StudyEntry&, const VolumeFacts&)>& visit)
+    const std::function<void(const core::StudyEntry&, const core::VolumeFacts&)>& visit)
 {
     bool sound = true;
     for (const core::StudyEntry& one : study.listing().studies) {
         for (const core::SeriesEntry& entry : one.series) {
-            const VolumeFacts facts{entry, study.load(entry.key)};
+            const core::VolumeFacts facts = core::volumeFacts(study, entry);
             sound = sound && facts.loaded.has_value();
             visit(one, facts);
         }
     }
     return sound;
+}
+
+/// What else lies there and why it is no volume, in words.
+QStringList refusals(const core::StudyListing& listing)
+{
+    QStringList lines;
+    for (const core::ForeignObject& object : listing.foreign) {
+        lines.append(QStringLiteral("%1 × %2%3  %4")
+                         .arg(object.files.size())
+                         .arg(object.kind,
+                             object.reason.isEmpty() ? QString()
+                                                     : QStringLiteral(" (%1)").arg(object.reason),
+                             QFileInfo(object.files.front()).fileName()));
+    }
+    for (const core::UnreadableFile& file : listing.unreadable)
+        lines.append(QStringLiteral("not read: %1").arg(ui::errorText(file.error)));
+    return lines;
 }
 
 int printJson(const core::Study& source)
@@ -106,22 +135,23 @@ int printJson(const core::Study& source)
         series = {};
     };
     const bool sound =
-        forEachVolume(source, [&](const core::StudyEntry& study, const VolumeFacts& facts) {
+        forEachVolume(source, [&](const core::StudyEntry& study, const core::VolumeFacts& facts) {
             if (&study != current)
                 close();
             current = &study;
             series.append(json(facts));
         });
     close();
-    const QJsonDocument document(QJsonObject{{QStringLiteral("studies"), studies}});
+    const QJsonDocument document(QJsonObject{{QStringLiteral("studies"), studies},
+        {QStringLiteral("problems"), QJsonArray::fromStringList(refusals(source.listing()))}});
     std::fputs(document.toJson(QJsonDocument::Indented).constData(), stdout);
     return sound ? 0 : 1;
 }
 
-void printVolume(const VolumeFacts& facts)
+void printVolume(const core::VolumeFacts& facts)
 {
     const core::StudyIdentity& identity = facts.entry.identity;
-    const core::VolumeGeometry& geometry = facts.geometry();
+    const core::VolumeGeometry& geometry = geometryOf(facts);
     const glm::dvec3 spacing = geometry.spacingMm();
     const QString part =
         facts.entry.part.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(facts.entry.part);
@@ -140,11 +170,21 @@ void printVolume(const VolumeFacts& facts)
         const core::Volume& volume = facts.loaded->volume;
         print(stdout,
             QStringLiteral("    values   %1 … %2 %3")
-                .arg(volume.minimum)
-                .arg(volume.maximum)
+                .arg(facts.minimum)
+                .arg(facts.maximum)
                 .arg(volume.unit));
     }
-    for (const core::VolumeProblem& problem : facts.listed()) {
+    if (!facts.times.empty())
+        print(stdout, QStringLiteral("    times    %1").arg(facts.times.size()));
+    for (const core::TimeFacts& time : facts.times) {
+        print(stdout,
+            QStringLiteral("             %1  %2 … %3  %4")
+                .arg(time.key)
+                .arg(time.minimum)
+                .arg(time.maximum)
+                .arg(time.label));
+    }
+    for (const core::VolumeProblem& problem : problemsOf(facts)) {
         print(stdout,
             QStringLiteral("    %1%2")
                 .arg(QLatin1String(problem.caution ? "caution  " : "note     "), problem.text));
@@ -157,7 +197,7 @@ int printText(const core::Study& source)
 {
     const core::StudyEntry* current = nullptr;
     const bool sound =
-        forEachVolume(source, [&](const core::StudyEntry& study, const VolumeFacts& facts) {
+        forEachVolume(source, [&](const core::StudyEntry& study, const core::VolumeFacts& facts) {
             if (&study != current) {
                 const core::StudyIdentity& of = facts.entry.identity;
                 print(stdout,
@@ -172,17 +212,8 @@ int printText(const core::Study& source)
             current = &study;
             printVolume(facts);
         });
-    for (const core::ForeignObject& object : source.listing().foreign) {
-        print(stdout,
-            QStringLiteral("%1 × %2%3  %4")
-                .arg(object.files.size())
-                .arg(object.kind,
-                    object.reason.isEmpty() ? QString()
-                                            : QStringLiteral(" (%1)").arg(object.reason),
-                    QFileInfo(object.files.front()).fileName()));
-    }
-    for (const core::UnreadableFile& file : source.listing().unreadable)
-        print(stdout, QStringLiteral("not read: %1").arg(ui::errorText(file.error)));
+    for (const QString& line : refusals(source.listing()))
+        print(stdout, line);
     return sound ? 0 : 1;
 }
 

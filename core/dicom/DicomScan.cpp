@@ -10,12 +10,13 @@
 #include "core/volume/VolumeEncoder.h"
 
 #include <QCryptographicHash>
-#include <QFileInfo>
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 
 namespace core {
 
@@ -73,6 +74,10 @@ ListedStack listed(SliceStack stack)
                            .problems = stack.problems},
         .seriesKey = seriesKey(first.identity),
         .studyKey = studyKey(first.identity)};
+    if (!stack.laterTimes.empty())
+        result.entry.times.append(stack.time);
+    for (const SliceStack& later : stack.laterTimes)
+        result.entry.times.append(later.time);
     for (const ImageHeader& image : stack.slices) {
         result.entry.files.append(image.file);
         // The volume has only what its slices have in common.
@@ -113,6 +118,38 @@ struct Decoding {
     std::vector<std::optional<Error>> errors;
 };
 
+/// The files that hold several of a stack's slices, each opened when its first slice is decoded and
+/// then used by all threads.
+class SharedFiles {
+public:
+    explicit SharedFiles(const std::vector<ImageHeader>& slices)
+    {
+        for (const ImageHeader& image : slices) {
+            if (image.frames > 1 && !m_files.contains(image.file))
+                m_files.emplace(image.file, std::make_unique<Slot>());
+        }
+    }
+
+    [[nodiscard]] Result<void> decode(const ImageHeader& image, std::span<std::uint16_t> stored)
+    {
+        const auto found = m_files.find(image.file);
+        if (found == m_files.end())
+            return decodeFrame(image, stored);
+        Slot& slot = *found->second;
+        std::call_once(slot.once, [&] { slot.file.emplace(FrameFile::open(image.file)); });
+        if (!*slot.file)
+            return tl::unexpected<Error>(slot.file->error());
+        return (*slot.file)->decode(image, stored);
+    }
+
+private:
+    struct Slot {
+        std::once_flag once;
+        std::optional<Result<FrameFile>> file;
+    };
+    std::map<QString, std::unique_ptr<Slot>> m_files; ///< does not change while threads look
+};
+
 Decoding decodeAll(const SliceStack& stack, const Progress& progress)
 {
     const std::size_t size =
@@ -120,13 +157,14 @@ Decoding decodeAll(const SliceStack& stack, const Progress& progress)
     Decoding decoding;
     decoding.stored.resize(stack.geometry.voxelCount());
     decoding.errors.resize(stack.slices.size());
+    SharedFiles files(stack.slices);
     StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
     parallelFor(int(stack.slices.size()), [&](int k) {
         if (progress.cancelled())
             return;
         const auto slot = std::size_t(k);
         const Result<void> decoded =
-            decodeFrame(stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
+            files.decode(stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
         if (!decoded)
             decoding.errors[slot] = decoded.error();
         counter.stepDone();
@@ -143,7 +181,7 @@ SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
     QStringList failed;
     for (std::size_t k = 0; k < stack.slices.size(); ++k) {
         if (decoding.errors[k]) {
-            failed.append(QFileInfo(stack.slices[k].file).fileName());
+            failed.append(imageName(stack.slices[k]));
             continue;
         }
         std::copy_n(decoding.stored.begin() + std::ptrdiff_t(k * size), size,
@@ -153,26 +191,58 @@ SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
     decoding.stored.resize(sound.size() * size);
     SliceStack rest = stackOf(std::move(sound));
     rest.part = stack.part;
+    rest.time = stack.time;
     rest.problems.push_back(damagedSlices(failed));
     return rest;
+}
+
+/// Lists what is no slice, or cannot be decoded. @return whether the file's images may be slices
+bool takeFile(const std::vector<ImageHeader>& images, DicomScan& scan)
+{
+    const ImageHeader& first = images.front();
+    if (const QString kind = kindWithoutSlices(first); !kind.isEmpty()) {
+        const auto same = std::find_if(
+            scan.foreign.begin(), scan.foreign.end(), [&](const ForeignObject& object) {
+                return object.kind == kind && object.identity.seriesUid == first.identity.seriesUid;
+            });
+        if (same != scan.foreign.end())
+            same->files.append(first.file);
+        else
+            scan.foreign.push_back(
+                {.kind = kind, .identity = first.identity, .files = {first.file}});
+        return false;
+    }
+    if (const QString reason = undecodableReason(first); !reason.isEmpty()) {
+        scan.unreadable.push_back(
+            {.file = first.file, .error = {ErrorCode::UnsupportedFormat, {first.file, reason}}});
+        return false;
+    }
+    const bool cut = std::any_of(
+        images.begin(), images.end(), [](const ImageHeader& image) { return image.pixelsCut; });
+    if (cut) {
+        scan.unreadable.push_back({.file = first.file,
+            .error = {ErrorCode::FileTruncated,
+                {first.file, QStringLiteral("its pixel data are incomplete")}}});
+    }
+    return true;
 }
 
 } // namespace
 
 DicomScan scanDicom(const QStringList& files, const Progress& progress)
 {
-    std::vector<std::optional<Result<ImageHeader>>> headers(std::size_t(files.size()));
+    std::vector<std::optional<Result<std::vector<ImageHeader>>>> headers(std::size_t(files.size()));
     StepCounter counter(progress, QStringLiteral("Reading headers"), int(files.size()));
     parallelFor(int(files.size()), [&](int index) {
         if (progress.cancelled())
             return;
-        headers[std::size_t(index)] = readImageHeader(files[index]);
+        headers[std::size_t(index)] = readImageHeaders(files[index]);
         counter.stepDone();
     });
 
     DicomScan scan;
     std::map<std::pair<QString, QString>, std::vector<ImageHeader>> series;
-    for (std::optional<Result<ImageHeader>>& header : headers) {
+    for (std::optional<Result<std::vector<ImageHeader>>>& header : headers) {
         if (!header)
             continue;
         if (!*header) {
@@ -180,32 +250,12 @@ DicomScan scanDicom(const QStringList& files, const Progress& progress)
             scan.unreadable.push_back({.file = error.arguments.value(0), .error = error});
             continue;
         }
-        ImageHeader& image = **header;
-        const QString kind = kindWithoutSlices(image);
-        if (!kind.isEmpty()) {
-            const auto same = std::find_if(
-                scan.foreign.begin(), scan.foreign.end(), [&](const ForeignObject& object) {
-                    return object.kind == kind
-                        && object.identity.seriesUid == image.identity.seriesUid;
-                });
-            if (same != scan.foreign.end())
-                same->files.append(image.file);
-            else
-                scan.foreign.push_back(
-                    {.kind = kind, .identity = image.identity, .files = {image.file}});
+        std::vector<ImageHeader>& images = **header;
+        if (!takeFile(images, scan))
             continue;
-        }
-        if (const QString reason = undecodableReason(image); !reason.isEmpty()) {
-            scan.unreadable.push_back({.file = image.file,
-                .error = {ErrorCode::UnsupportedFormat, {image.file, reason}}});
-            continue;
-        }
-        if (image.pixelsCut) {
-            scan.unreadable.push_back({.file = image.file,
-                .error = {ErrorCode::FileTruncated,
-                    {image.file, QStringLiteral("its pixel data are incomplete")}}});
-        }
-        series[{studyKey(image.identity), seriesKey(image.identity)}].push_back(std::move(image));
+        std::vector<ImageHeader>& own =
+            series[{studyKey(images.front().identity), seriesKey(images.front().identity)}];
+        std::move(images.begin(), images.end(), std::back_inserter(own));
     }
     for (auto& [keys, images] : series) {
         StackSorting sorting = sortIntoStacks(std::move(images));
@@ -216,15 +266,22 @@ DicomScan scanDicom(const QStringList& files, const Progress& progress)
     return scan;
 }
 
-Result<LoadedVolume> loadStack(const ListedStack& listed, const Progress& progress)
+Result<LoadedVolume> loadStack(const ListedStack& listed, int time, const Progress& progress)
 {
-    if (const Result<void> fits = checkMemory(listed.stack.geometry.voxelCount()); !fits)
+    const SliceStack& wanted =
+        time == 0 ? listed.stack : listed.stack.laterTimes.at(std::size_t(time - 1));
+    if (const Result<void> fits = checkMemory(wanted.geometry.voxelCount()); !fits)
         return tl::unexpected<Error>(fits.error());
-    Decoding decoding = decodeAll(listed.stack, progress);
+    Decoding decoding = decodeAll(wanted, progress);
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
 
-    SliceStack stack = listed.stack;
+    SliceStack stack{.slices = wanted.slices,
+        .geometry = wanted.geometry,
+        .problems = wanted.problems,
+        .part = wanted.part,
+        .time = wanted.time,
+        .laterTimes = {}};
     const auto failures = std::count_if(decoding.errors.begin(), decoding.errors.end(),
         [](const std::optional<Error>& error) { return error.has_value(); });
     if (failures == std::ptrdiff_t(stack.slices.size()))
@@ -251,6 +308,7 @@ Result<LoadedVolume> loadStack(const ListedStack& listed, const Progress& progre
         volume.sources.push_back({.file = image.file,
             .sopInstanceUid = image.sopInstanceUid,
             .sopClassUid = image.sopClassUid,
+            .frame = image.frame,
             .instanceNumber = image.instanceNumber});
     }
     loaded.codes = std::move(decoding.stored);

@@ -3,6 +3,7 @@
 
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"
+#include "core/dicom/EncodedFrame.h"
 #include "core/dicom/Jpeg2000.h"
 #include "core/dicom/JpegCheck.h"
 #include "core/dicom/Rle.h"
@@ -18,6 +19,7 @@
 
 #include <exception>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -30,29 +32,23 @@ Result<void> decodeNative(const DicomFile& file, const ImageHeader& header, std:
     std::span<std::uint16_t> stored)
 {
     const DicomFile::Bytes bytes = file.pixels();
-    if (bytes.size() < size) {
+    const std::size_t first = size * std::size_t(header.frame);
+    if (bytes.size() < first + size) {
         return failure(ErrorCode::FileTruncated, header.file,
-            QStringLiteral("%1 of %2 bytes of pixel data").arg(bytes.size()).arg(size));
+            QStringLiteral("%1 of %2 bytes of pixel data").arg(bytes.size()).arg(first + size));
     }
     // Big endian swaps the bytes of every word, also where a word holds two 8-bit pixels.
     if (!file.isBigEndian() || !file.pixelsAreWords()) {
-        extractStoredBits(bytes.first(size), header.layout, stored);
+        extractStoredBits(bytes.subspan(first, size), header.layout, stored);
         return {};
     }
-    Cells cells(bytes.begin(), bytes.end());
-    for (std::size_t byte = 0; byte + 1 < cells.size(); byte += 2)
-        std::swap(cells[byte], cells[byte + 1]);
-    extractStoredBits(std::span(cells).first(size), header.layout, stored);
+    Cells cells(size);
+    for (std::size_t byte = 0; byte < size; ++byte) {
+        const std::size_t other = (first + byte) ^ 1u;
+        cells[byte] = other < bytes.size() ? bytes[other] : bytes[first + byte];
+    }
+    extractStoredBits(cells, header.layout, stored);
     return {};
-}
-
-/// One frame in however many fragments: fragments are not frames (PS3.5 A.4).
-Cells joinFragments(const DicomFile& file)
-{
-    Cells joined;
-    for (const DicomFile::Bytes fragment : file.fragments())
-        joined.insert(joined.end(), fragment.begin(), fragment.end());
-    return joined;
 }
 
 /// Decodes JPEG and JPEG-LS by DCMTK's codecs. They get a data set of our own making that holds
@@ -103,10 +99,15 @@ QString decodeByDcmtk(const Cells& frame, const ImageHeader& header, Cells& cell
 
 QString decodeEncapsulated(const DicomFile& file, const ImageHeader& header, Cells& cells)
 {
-    const Cells frame = joinFragments(file);
+    const PixelCoding coding = transferSyntax(header.transferSyntaxUid).coding;
+    const std::optional<Cells> found =
+        encodedFrame(file.fragments(), header.frame, header.frames, coding);
+    if (!found)
+        return QStringLiteral("its pieces of pixel data cannot be told apart as frames");
+    const Cells& frame = *found;
     if (frame.empty())
         return QStringLiteral("it holds no pixel data");
-    switch (transferSyntax(header.transferSyntaxUid).coding) {
+    switch (coding) {
     case PixelCoding::Rle:
         return decodeRle(frame, header.layout.bitsAllocated / 8, cells)
             ? QString()
@@ -125,20 +126,18 @@ QString decodeEncapsulated(const DicomFile& file, const ImageHeader& header, Cel
     return QStringLiteral("transfer syntax %1").arg(header.transferSyntaxUid);
 }
 
-Result<void> decode(const ImageHeader& header, std::span<std::uint16_t> stored)
+Result<void> decodeFrom(
+    const DicomFile& file, const ImageHeader& header, std::span<std::uint16_t> stored)
 {
     if (const QString reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);
-    const Result<DicomFile> file = DicomFile::openWithPixels(header.file);
-    if (!file)
-        return tl::unexpected<Error>(file.error());
     const PixelLayout& layout = header.layout;
     const std::size_t size =
         std::size_t(layout.columns) * std::size_t(layout.rows) * (layout.bitsAllocated / 8u);
-    if (!file->isEncapsulated())
-        return decodeNative(*file, header, size, stored);
+    if (!file.isEncapsulated())
+        return decodeNative(file, header, size, stored);
     Cells cells(size);
-    const QString wrong = decodeEncapsulated(*file, header, cells);
+    const QString wrong = decodeEncapsulated(file, header, cells);
     if (!wrong.isEmpty())
         return failure(ErrorCode::FileUnreadable, header.file, wrong);
     extractStoredBits(cells, layout, stored);
@@ -171,14 +170,45 @@ QString undecodableReason(const ImageHeader& header)
     return {};
 }
 
-Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored)
+FrameFile::FrameFile(std::unique_ptr<const DicomFile> file)
+    : m_file(std::move(file))
+{
+}
+
+FrameFile::FrameFile(FrameFile&&) noexcept = default;
+FrameFile& FrameFile::operator=(FrameFile&&) noexcept = default;
+FrameFile::~FrameFile() = default;
+
+Result<FrameFile> FrameFile::open(const QString& path)
 {
     try {
-        return decode(header, stored);
+        Result<DicomFile> file = DicomFile::openWithPixels(path);
+        if (!file)
+            return tl::unexpected<Error>(file.error());
+        return FrameFile(std::make_unique<const DicomFile>(std::move(*file)));
+    } catch (const std::exception& exception) {
+        return failure(ErrorCode::FileUnreadable, path, QString::fromLatin1(exception.what()));
+    }
+}
+
+Result<void> FrameFile::decode(const ImageHeader& header, std::span<std::uint16_t> stored) const
+{
+    try {
+        return decodeFrom(*m_file, header, stored);
     } catch (const std::exception& exception) {
         return failure(
             ErrorCode::FileUnreadable, header.file, QString::fromLatin1(exception.what()));
     }
+}
+
+Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored)
+{
+    if (const QString reason = undecodableReason(header); !reason.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, header.file, reason);
+    const Result<FrameFile> file = FrameFile::open(header.file);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    return file->decode(header, stored);
 }
 
 } // namespace core

@@ -33,7 +33,8 @@ struct ImagePlane {
     [[nodiscard]] glm::dvec3 normal() const { return glm::cross(row, column); }
 };
 
-/// What Burin reads from the header of one single-frame DICOM file. Plain data.
+/// What Burin reads from the header of one image: of a single-frame DICOM file, or of one frame of
+/// a multi-frame one. Plain data.
 struct ImageHeader {
     QString file;
     StudyIdentity identity;
@@ -47,7 +48,11 @@ struct ImageHeader {
     bool isEnhanced = false; ///< geometry in functional groups
     bool hasModalityLut = false;
     bool isLossy = false;
-    int frames = 1;
+    int frames = 1; ///< in the file
+    int frame = 0; ///< which of them this is, 0-based
+    bool framesUnplaced = false; ///< several frames, and nothing says where each of them lies
+    /// How many frames the pixel data have room for; none where that cannot be told beforehand.
+    std::optional<int> framesPresent{};
     PixelLayout layout;
 
     std::optional<glm::dvec3> position; ///< centre of the first pixel, LPS mm
@@ -64,12 +69,10 @@ struct ImageHeader {
     std::optional<WindowLevel> window;
 
     int instanceNumber = 0;
+    QString stackId; ///< of a frame: which stack of its file it belongs to; may be empty
     /// Values that may tell images at one position apart, most telling first; empty where absent.
-    /// Same attributes in the same order for every file (phaseAttributeNames()).
+    /// Same attributes in the same order for every image (core/dicom/PhaseAttributes.h).
     std::vector<QString> phases;
 };
-
-/// Names for ImageHeader::phases, for people.
-[[nodiscard]] const std::vector<QString>& phaseAttributeNames();
 
 } // namespace core

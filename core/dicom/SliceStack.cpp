@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SliceStack.h"
 
-#include "core/dicom/DicomText.h"
+#include "core/dicom/ApartImage.h"
+#include "core/dicom/SeriesSplit.h"
 #include "core/dicom/StackGeometry.h"
+#include "core/dicom/TimePoints.h"
 
-#include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
-#include <set>
+#include <tuple>
 
 namespace core {
 
@@ -20,314 +17,146 @@ namespace {
 
 using Images = std::vector<ImageHeader>;
 
-/// Images of a stack at one position.
-struct Place {
-    double along = 0.0;
-    Images images{};
-};
-
-QString apartKind(const ImageHeader& image, QString& reason)
+void putApart(std::vector<ForeignObject>& foreign, const ImageHeader& image, const ApartImage& why)
 {
-    if (image.frames > 1 || image.isEnhanced) {
-        reason = image.frames == 1
-            ? QStringLiteral("a place given frame by frame is not read yet")
-            : QStringLiteral("%1 frames in one file are not read yet").arg(image.frames);
-        return QStringLiteral("multi-frame image");
+    const auto same =
+        std::find_if(foreign.begin(), foreign.end(), [&](const ForeignObject& object) {
+            return object.kind == why.kind && object.reason == why.reason;
+        });
+    if (same == foreign.end()) {
+        foreign.push_back({.kind = why.kind,
+            .reason = why.reason,
+            .identity = image.identity,
+            .files = {image.file}});
+    } else if (same->files.back() != image.file) {
+        same->files.append(image.file);
     }
-    const QString& photometric = image.layout.photometric;
-    if (image.layout.samplesPerPixel != 1
-        || !(photometric.isEmpty() || photometric.startsWith(QLatin1String("MONOCHROME")))) {
-        reason = photometric;
-        return QStringLiteral("colour image");
-    }
-    const QString type = image.imageType.join(QLatin1Char('\\'));
-    reason = type;
-    for (const char* word : {"LOCALIZER", "SCOUT", "TOPOGRAM", "SURVIEW", "SCANOSCOPE"}) {
-        if (type.contains(QLatin1String(word)))
-            return QStringLiteral("localizer");
-    }
-    if (type.contains(QLatin1String("MOSAIC"))) {
-        reason = QStringLiteral("many slices tiled in one image");
-        return QStringLiteral("mosaic");
-    }
-    if (!image.position || !image.plane) {
-        reason = QStringLiteral("no position or orientation in the patient");
-        return QStringLiteral("image without a place");
-    }
-    if (!image.spacing) {
-        reason = QStringLiteral("no pixel spacing");
-        return QStringLiteral("image without a scale");
-    }
-    reason.clear();
-    return {};
 }
 
-void putApart(std::vector<ForeignObject>& foreign, const ImageHeader& image, const QString& kind,
-    const QString& reason)
+/// Leaves out what ends before its pixels do. @return which that was, in words
+std::vector<VolumeProblem> dropCut(Images& images)
 {
-    for (ForeignObject& object : foreign) {
-        if (object.kind == kind && object.reason == reason) {
-            object.files.append(image.file);
-            return;
-        }
+    QStringList cut;
+    for (const ImageHeader& image : images) {
+        if (image.pixelsCut)
+            cut.append(imageName(image));
     }
-    foreign.push_back(
-        {.kind = kind, .reason = reason, .identity = image.identity, .files = {image.file}});
-}
-
-bool near(const glm::dvec3& a, const glm::dvec3& b)
-{
-    constexpr double tolerance = 1e-4;
-    return std::abs(a.x - b.x) < tolerance && std::abs(a.y - b.y) < tolerance
-        && std::abs(a.z - b.z) < tolerance;
-}
-
-bool near(double a, double b)
-{
-    return std::abs(a - b) <= 1e-4 * std::max(std::abs(a), std::abs(b));
-}
-
-bool sameStack(const ImageHeader& a, const ImageHeader& b)
-{
-    return a.layout.rows == b.layout.rows && a.layout.columns == b.layout.columns
-        && near(a.spacing->x, b.spacing->x) && near(a.spacing->y, b.spacing->y)
-        && near(a.plane->row, b.plane->row) && near(a.plane->column, b.plane->column);
-}
-
-std::vector<Images> splitByPlane(Images images)
-{
-    std::vector<Images> groups;
-    for (ImageHeader& image : images) {
-        const auto found = std::find_if(groups.begin(), groups.end(),
-            [&](const Images& group) { return sameStack(group.front(), image); });
-        if (found != groups.end())
-            found->push_back(std::move(image));
-        else
-            groups.emplace_back().push_back(std::move(image));
-    }
-    return groups;
-}
-
-/// Some de-identified series give every image a frame of reference of its own; that says nothing.
-bool framesAreMeaningless(const Images& group)
-{
-    std::set<QString> frames;
-    for (const ImageHeader& image : group)
-        frames.insert(image.identity.frameOfReferenceUid);
-    return frames.size() > 1 && frames.size() == group.size();
-}
-
-std::vector<Images> splitByFrameOfReference(Images group)
-{
-    std::vector<Images> groups;
-    if (framesAreMeaningless(group)) {
-        groups.push_back(std::move(group));
-        return groups;
-    }
-    std::map<QString, Images> byFrame;
-    for (ImageHeader& image : group)
-        byFrame[image.identity.frameOfReferenceUid].push_back(std::move(image));
-    for (auto& [uid, images] : byFrame)
-        groups.push_back(std::move(images));
-    return groups;
-}
-
-std::vector<Place> sortIntoPlaces(Images images)
-{
-    // Scanners round positions; slices of micro-CT may be closer than their rounding.
-    const glm::dvec2 pixel = *images.front().spacing;
-    const double samePlaceMm = std::min(0.01, 0.05 * std::min(pixel.x, pixel.y));
-    const glm::dvec3 normal = images.front().plane->normal();
-    const auto along = [&](const ImageHeader& image) { return glm::dot(*image.position, normal); };
-    std::stable_sort(images.begin(), images.end(),
-        [&](const ImageHeader& a, const ImageHeader& b) { return along(a) < along(b); });
-    std::vector<Place> places;
-    for (ImageHeader& image : images) {
-        const double here = along(image);
-        if (places.empty() || here - places.back().along > samePlaceMm)
-            places.push_back({.along = here});
-        places.back().images.push_back(std::move(image));
-    }
-    return places;
-}
-
-QByteArray fileHash(const QString& path)
-{
-    QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+    std::erase_if(images, [](const ImageHeader& image) { return image.pixelsCut; });
+    if (cut.isEmpty())
         return {};
-    return hash.result();
+    return {damagedSlices(cut)};
 }
 
-/// Drops images that are at the same place under the same UID, or byte for byte the same.
-void dropDuplicates(std::vector<Place>& places, std::vector<VolumeProblem>& problems)
+void putFirst(SliceStack& stack, const std::vector<VolumeProblem>& problems)
 {
-    int equal = 0;
-    QStringList contradicting;
-    for (Place& place : places) {
-        Images kept;
-        for (ImageHeader& image : place.images) {
-            const auto twin = std::find_if(kept.begin(), kept.end(), [&](const ImageHeader& other) {
-                if (image.sopInstanceUid != other.sopInstanceUid)
-                    return false;
-                return !image.sopInstanceUid.isEmpty()
-                    || fileHash(image.file) == fileHash(other.file);
-            });
-            if (twin == kept.end()) {
-                kept.push_back(std::move(image));
-                continue;
-            }
-            if (fileHash(image.file) == fileHash(twin->file))
-                ++equal;
-            else
-                contradicting.append(QFileInfo(image.file).fileName());
-        }
-        place.images = std::move(kept);
-    }
-    if (equal > 0) {
-        problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
-            .text = equal == 1 ? QStringLiteral("1 duplicate file was left out.")
-                               : QStringLiteral("%1 duplicate files were left out.").arg(equal)});
-    }
-    if (!contradicting.isEmpty()) {
-        problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
-            .text = QStringLiteral("Files with the identity of another but other content were left "
-                                   "out: %1.")
-                        .arg(contradicting.join(QLatin1String(", "))),
-            .caution = true});
-    }
+    stack.problems.insert(stack.problems.begin(), problems.begin(), problems.end());
 }
 
-/// Values of one phase attribute over all places, if it tells the images of each place apart.
-struct PhaseSplit {
-    QString attribute;
-    std::vector<QString> values; ///< in order
-    std::size_t index = 0;
-};
-
-bool lessValue(const QString& a, const QString& b)
+/// Every point is a volume of its own; together they are one in time.
+void stackTimes(TimeAxis axis, const std::vector<VolumeProblem>& problems, StackSorting& sorting)
 {
-    const QByteArray first = a.toLatin1();
-    const QByteArray second = b.toLatin1();
-    const std::optional<double> x = dicomNumber({first.constData(), std::size_t(first.size())});
-    const std::optional<double> y = dicomNumber({second.constData(), std::size_t(second.size())});
-    return x && y && *x != *y ? *x < *y : a < b;
+    const auto count = int(axis.points.size());
+    std::vector<SliceStack> times;
+    for (TimePoint& point : axis.points) {
+        SliceStack stack = stackOf(std::move(point.slices));
+        putFirst(stack, problems);
+        stack.time = point.label;
+        QString text =
+            QStringLiteral("%1 images lie at every position, one for each point in time; "
+                           "this is point %2%3.")
+                .arg(count)
+                .arg(times.size() + 1)
+                .arg(point.label.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(point.label));
+        if (!axis.certain)
+            text += QStringLiteral(" Nothing but their instance numbers tells them apart.");
+        stack.problems.push_back(
+            {.kind = VolumeProblem::Kind::MixedSlices, .text = text, .caution = !axis.certain});
+        times.push_back(std::move(stack));
+    }
+    SliceStack first = std::move(times.front());
+    first.laterTimes.assign(
+        std::make_move_iterator(times.begin() + 1), std::make_move_iterator(times.end()));
+    sorting.stacks.push_back(std::move(first));
 }
 
-std::optional<PhaseSplit> findPhases(const std::vector<Place>& places, std::size_t most)
+/// Where places hold different numbers of images each candidate is listed with a warning.
+void stackCandidates(
+    TimeAxis axis, const std::vector<VolumeProblem>& problems, StackSorting& sorting)
 {
-    const std::size_t attributes = phaseAttributeNames().size();
-    for (std::size_t index = 0; index < attributes; ++index) {
-        std::set<QString> all;
-        bool distinct = true;
-        for (const Place& place : places) {
-            std::set<QString> here;
-            for (const ImageHeader& image : place.images)
-                here.insert(image.phases.at(index));
-            distinct = distinct && here.size() == place.images.size() && !here.count(QString());
-            all.insert(here.begin(), here.end());
-        }
-        if (!distinct || all.size() != most)
-            continue;
-        PhaseSplit split{.attribute = phaseAttributeNames()[index],
-            .values = {all.begin(), all.end()},
-            .index = index};
-        std::sort(split.values.begin(), split.values.end(), lessValue);
-        return split;
-    }
-    return std::nullopt;
-}
-
-/// Images that share their places with others become one stack per phase.
-void splitPhases(std::vector<Place> places, const std::vector<VolumeProblem>& problems,
-    std::vector<SliceStack>& stacks)
-{
-    std::size_t most = 0;
-    std::size_t fewest = SIZE_MAX;
-    for (const Place& place : places) {
-        most = std::max(most, place.images.size());
-        fewest = std::min(fewest, place.images.size());
-    }
-    const std::optional<PhaseSplit> split = findPhases(places, most);
-    for (std::size_t phase = 0; phase < most; ++phase) {
-        Images images;
-        for (Place& place : places) {
-            if (split) {
-                const auto found = std::find_if(
-                    place.images.begin(), place.images.end(), [&](const ImageHeader& image) {
-                        return image.phases[split->index] == split->values[phase];
-                    });
-                if (found != place.images.end())
-                    images.push_back(*found);
-                continue;
-            }
-            if (phase == 0) {
-                std::stable_sort(place.images.begin(), place.images.end(),
-                    [](const ImageHeader& a, const ImageHeader& b) {
-                        return a.instanceNumber < b.instanceNumber;
-                    });
-            }
-            if (phase < place.images.size())
-                images.push_back(place.images[phase]);
-        }
-        SliceStack stack = stackOf(std::move(images));
-        const QString which = split
-            ? QStringLiteral("%1 %2").arg(split->attribute, split->values[phase])
-            : QStringLiteral("by instance number");
-        stack.part = QStringLiteral("%1 of %2 (%3)").arg(phase + 1).arg(most).arg(which);
-        stack.problems.insert(stack.problems.begin(), problems.begin(), problems.end());
-        const bool doubtful = !split || fewest != most;
+    const auto count = int(axis.points.size());
+    int number = 0;
+    for (TimePoint& point : axis.points) {
+        SliceStack stack = stackOf(std::move(point.slices));
+        putFirst(stack, problems);
+        stack.part =
+            QStringLiteral("%1 of %2 (%3)")
+                .arg(++number)
+                .arg(count)
+                .arg(point.label.isEmpty() ? QStringLiteral("by instance number") : point.label);
         stack.problems.push_back({.kind = VolumeProblem::Kind::MixedSlices,
-            .text = fewest == most
-                ? QStringLiteral("%1 images lie at every position; this is %2.")
-                      .arg(most)
-                      .arg(stack.part)
-                : QStringLiteral("%1 to %2 images lie at one position; this is %3.")
-                      .arg(fewest)
-                      .arg(most)
-                      .arg(stack.part),
-            .caution = doubtful});
-        stacks.push_back(std::move(stack));
+            .text = QStringLiteral("Up to %1 images lie at one position, not as many at every one; "
+                                   "this is %2.")
+                        .arg(count)
+                        .arg(stack.part),
+            .caution = true});
+        sorting.stacks.push_back(std::move(stack));
     }
 }
 
 void stackGroup(Images group, StackSorting& sorting)
 {
-    std::vector<VolumeProblem> problems;
-    QStringList cut;
-    Images sound;
-    for (ImageHeader& image : group) {
-        if (image.pixelsCut)
-            cut.append(QFileInfo(image.file).fileName());
-        else
-            sound.push_back(std::move(image));
-    }
-    if (!cut.isEmpty())
-        problems.push_back(damagedSlices(cut));
-    if (sound.empty())
+    std::vector<VolumeProblem> problems = dropCut(group);
+    if (group.empty())
         return;
-    if (framesAreMeaningless(sound)) {
+    if (framesOfReferenceAreMeaningless(group)) {
         problems.push_back({.kind = VolumeProblem::Kind::Other,
             .text =
                 QStringLiteral("Every slice names a frame of reference of its own; they are taken "
                                "as one.")});
     }
-    std::vector<Place> places = sortIntoPlaces(std::move(sound));
-    dropDuplicates(places, problems);
+    std::vector<SlicePlace> places = sortIntoPlaces(std::move(group));
+    const std::vector<VolumeProblem> duplicates = dropDuplicates(places);
+    problems.insert(problems.end(), duplicates.begin(), duplicates.end());
 
-    const bool single = std::all_of(
-        places.begin(), places.end(), [](const Place& place) { return place.images.size() == 1; });
+    const bool single = std::all_of(places.begin(), places.end(),
+        [](const SlicePlace& place) { return place.images.size() == 1; });
     if (!single) {
-        splitPhases(std::move(places), problems, sorting.stacks);
+        TimeAxis axis = findTimeAxis(std::move(places));
+        if (axis.complete)
+            stackTimes(std::move(axis), problems, sorting);
+        else
+            stackCandidates(std::move(axis), problems, sorting);
         return;
     }
     Images slices;
-    for (Place& place : places)
+    for (SlicePlace& place : places)
         slices.push_back(std::move(place.images.front()));
     SliceStack stack = stackOf(std::move(slices));
-    stack.problems.insert(stack.problems.begin(), problems.begin(), problems.end());
+    putFirst(stack, problems);
     sorting.stacks.push_back(std::move(stack));
+}
+
+/// Positions that wander sideways are no grid, whatever the affine says.
+void putCrookedApart(StackSorting& sorting)
+{
+    std::vector<SliceStack> straight;
+    for (SliceStack& stack : sorting.stacks) {
+        const double drift = sidewaysDriftMm(stack);
+        const double pixel = std::max(stack.slices[0].spacing->x, stack.slices[0].spacing->y);
+        if (drift <= pixel) {
+            straight.push_back(std::move(stack));
+            continue;
+        }
+        const ApartImage why{QStringLiteral("images that are no stack"),
+            QStringLiteral("their positions wander sideways by %1 mm").arg(drift, 0, 'f', 1)};
+        for (const ImageHeader& image : stack.slices)
+            putApart(sorting.foreign, image, why);
+        for (const SliceStack& later : stack.laterTimes) {
+            for (const ImageHeader& image : later.slices)
+                putApart(sorting.foreign, image, why);
+        }
+    }
+    sorting.stacks = std::move(straight);
 }
 
 } // namespace
@@ -349,37 +178,19 @@ SliceStack stackOf(std::vector<ImageHeader> slices)
 StackSorting sortIntoStacks(std::vector<ImageHeader> images)
 {
     StackSorting sorting;
-    std::sort(images.begin(), images.end(),
-        [](const ImageHeader& a, const ImageHeader& b) { return a.file < b.file; });
+    std::sort(images.begin(), images.end(), [](const ImageHeader& a, const ImageHeader& b) {
+        return std::tie(a.file, a.frame) < std::tie(b.file, b.frame);
+    });
     Images placed;
     for (ImageHeader& image : images) {
-        QString reason;
-        const QString kind = apartKind(image, reason);
-        if (kind.isEmpty())
-            placed.push_back(std::move(image));
+        if (const std::optional<ApartImage> why = whyApart(image))
+            putApart(sorting.foreign, image, *why);
         else
-            putApart(sorting.foreign, image, kind, reason);
+            placed.push_back(std::move(image));
     }
-    for (Images& plane : splitByPlane(std::move(placed))) {
-        for (Images& group : splitByFrameOfReference(std::move(plane)))
-            stackGroup(std::move(group), sorting);
-    }
-
-    // Positions that wander sideways are no grid, whatever the affine says.
-    std::vector<SliceStack> straight;
-    for (SliceStack& stack : sorting.stacks) {
-        const double drift = sidewaysDriftMm(stack);
-        const double pixel = std::max(stack.slices[0].spacing->x, stack.slices[0].spacing->y);
-        if (drift <= pixel) {
-            straight.push_back(std::move(stack));
-            continue;
-        }
-        for (const ImageHeader& image : stack.slices) {
-            putApart(sorting.foreign, image, QStringLiteral("images that are no stack"),
-                QStringLiteral("their positions wander sideways by %1 mm").arg(drift, 0, 'f', 1));
-        }
-    }
-    sorting.stacks = std::move(straight);
+    for (Images& group : splitSeries(std::move(placed)))
+        stackGroup(std::move(group), sorting);
+    putCrookedApart(sorting);
 
     if (sorting.stacks.size() > 1) {
         for (std::size_t index = 0; index < sorting.stacks.size(); ++index) {

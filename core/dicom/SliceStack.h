@@ -8,12 +8,14 @@
 
 namespace core {
 
-/// Images that lie behind each other: one volume.
+/// Images that lie behind each other: one volume, or the first point in time of one.
 struct SliceStack {
     std::vector<ImageHeader> slices; ///< along row × column direction
     VolumeGeometry geometry;
     std::vector<VolumeProblem> problems;
     QString part; ///< which part of a split series, in words; empty for a whole one
+    QString time; ///< of a series in time: which point this is, in words
+    std::vector<SliceStack> laterTimes; ///< the other points in order, each on the same grid
 };
 
 /// What became of the images of one series.
@@ -23,9 +25,9 @@ struct StackSorting {
 };
 
 /// Sorts the images of one series into stacks by what they show, never by file name, instance
-/// number or slice location (DICOM.md 1.2 to 1.4): localizers and images without a place apart,
-/// duplicates dropped with a note; split by frame of reference, size, plane and pixel spacing;
-/// images at one position told apart as phases; ordered by position along the normal.
+/// number or slice location (DICOM.md 1.2 to 1.4): whyApart() first, then splitSeries(),
+/// sortIntoPlaces(), dropDuplicates(), findTimeAxis(), placeSlices(). Frames of a multi-frame file
+/// are images like those of single files.
 [[nodiscard]] StackSorting sortIntoStacks(std::vector<ImageHeader> images);
 
 /// The stack of images already known to belong together, e.g. after some could not be decoded.

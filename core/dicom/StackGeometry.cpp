@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/StackGeometry.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -148,15 +150,21 @@ double sidewaysDriftMm(const SliceStack& stack)
     return worst;
 }
 
-VolumeProblem damagedSlices(const QStringList& fileNames)
+VolumeProblem damagedSlices(const QStringList& names)
 {
     return {.kind = VolumeProblem::Kind::DamagedSlice,
-        .text = fileNames.size() == 1
-            ? QStringLiteral("1 damaged slice was left out: %1.").arg(fileNames.front())
+        .text = names.size() == 1
+            ? QStringLiteral("1 damaged slice was left out: %1.").arg(names.front())
             : QStringLiteral("%1 damaged slices were left out: %2.")
-                  .arg(fileNames.size())
-                  .arg(fileNames.join(QLatin1String(", "))),
+                  .arg(names.size())
+                  .arg(names.join(QLatin1String(", "))),
         .caution = true};
+}
+
+QString imageName(const ImageHeader& image)
+{
+    const QString name = QFileInfo(image.file).fileName();
+    return image.frames > 1 ? QStringLiteral("%1 frame %2").arg(name).arg(image.frame + 1) : name;
 }
 
 } // namespace core

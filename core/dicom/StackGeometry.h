@@ -17,6 +17,10 @@ void placeSlices(SliceStack& stack);
 [[nodiscard]] double sidewaysDriftMm(const SliceStack& stack);
 
 /// The problem that names slices left out because their pixel data are damaged.
-[[nodiscard]] VolumeProblem damagedSlices(const QStringList& fileNames);
+/// @param names as imageName() has them
+[[nodiscard]] VolumeProblem damagedSlices(const QStringList& names);
+
+/// Name of the image's file, and of several frames which it is, for people.
+[[nodiscard]] QString imageName(const ImageHeader& image);
 
 } // namespace core

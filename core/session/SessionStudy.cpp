@@ -29,15 +29,21 @@ QString longestEndIn(const QDir& folder, const QString& path)
 /// The keys of what may be the session's volume, as far as headers tell.
 QStringList keysOf(const StudyListing& listing, const SessionSource& source, const QString& series)
 {
-    const QString wanted = series.isEmpty() ? source.seriesUid : series;
+    const SeriesChoice choice = listing.choice(series);
+    const QString wanted = series.isEmpty() ? source.seriesUid : choice.series;
     QStringList keys;
     for (const StudyEntry& study : listing.studies) {
         for (const SeriesEntry& entry : study.series) {
             // One UID may hold several volumes, of which only the first has it as its key.
             const bool named =
                 wanted.isEmpty() || entry.key == wanted || entry.identity.seriesUid == wanted;
-            if (named && entry.geometry.size == source.size)
-                keys += entry.key;
+            if (!named || entry.geometry.size != source.size)
+                continue;
+            // Of a series in time the session does not say which point it was made on.
+            for (int time = 0; time < std::max(1, int(entry.times.size())); ++time) {
+                if (series.isEmpty() || choice.series == series || time == choice.time)
+                    keys += entry.keyAtTime(time);
+            }
         }
     }
     return keys;

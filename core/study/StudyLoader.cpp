@@ -257,7 +257,8 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
 Result<LoadedVolume> Study::load(const QString& series, const Progress& progress) const
 {
     const StudyListing& listing = m_contents->listing;
-    const Result<const SeriesEntry*> entry = choose(listing, series);
+    const SeriesChoice wanted = listing.choice(series);
+    const Result<const SeriesEntry*> entry = choose(listing, wanted.series);
     if (!entry)
         return tl::unexpected<Error>(entry.error());
     const auto opened = [](Result<LoadedVolume> loaded, const QString& from) {
@@ -267,7 +268,7 @@ Result<LoadedVolume> Study::load(const QString& series, const Progress& progress
     };
     for (const ListedStack& listed : m_contents->stacks) {
         if (listed.entry.key == (*entry)->key)
-            return opened(loadStack(listed, progress), listing.path);
+            return opened(loadStack(listed, wanted.time, progress), listing.path);
     }
     for (const SingleFile& single : m_contents->singles) {
         if (single.entry.key == (*entry)->key)

@@ -32,8 +32,10 @@ public:
 
     /// Opens one volume with its voxels.
     ///
-    /// @param series key or SeriesInstanceUID; empty: the only volume there is. SeriesAmbiguous,
-    /// with one line per candidate, where more than one is left; SeriesNotFound where none is.
+    /// @param series key or SeriesInstanceUID, of a series in time with the point that is wanted
+    /// (SeriesEntry::keyAtTime()), else its first; empty: the only volume there is.
+    /// SeriesAmbiguous, with one line per candidate, where more than one is left; SeriesNotFound
+    /// where none is.
     /// Slices that cannot be decoded are left out and named in Volume::problems; an error is
     /// returned if none is left. Decodes on all cores; @p progress tells slices done and may
     /// cancel.

@@ -3,6 +3,11 @@
 
 namespace core {
 
+QString SeriesEntry::keyAtTime(int time) const
+{
+    return time == 0 ? key : QStringLiteral("%1@%2").arg(key).arg(time + 1);
+}
+
 QString SeriesEntry::line() const
 {
     QStringList words;
@@ -19,6 +24,8 @@ QString SeriesEntry::line() const
         words << part;
     words << (slices() == 1 ? QStringLiteral("1 slice")
                             : QStringLiteral("%1 slices").arg(slices()));
+    if (!times.isEmpty())
+        words << QStringLiteral("%1 points in time").arg(times.size());
     QString line = words.join(QLatin1String(", "));
     for (const VolumeProblem& problem : problems)
         line += QStringLiteral(" · ") + problem.text;
@@ -62,6 +69,21 @@ std::vector<const SeriesEntry*> StudyListing::matching(const QString& series) co
         }
     }
     return entries;
+}
+
+SeriesChoice StudyListing::choice(const QString& series) const
+{
+    const qsizetype mark = series.lastIndexOf(QLatin1Char('@'));
+    bool isNumber = false;
+    const int time = series.mid(mark + 1).toInt(&isNumber);
+    if (mark < 0 || !isNumber || find(series) != nullptr)
+        return {.series = series};
+    const QString key = series.left(mark);
+    for (const SeriesEntry* entry : matching(key)) {
+        if (time >= 1 && time <= entry->times.size())
+            return {.series = key, .time = time - 1};
+    }
+    return {.series = series};
 }
 
 } // namespace core

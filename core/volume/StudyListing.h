@@ -27,12 +27,24 @@ struct SeriesEntry {
     QString part; ///< which part of a split series, in words; empty for a whole one
     std::vector<VolumeProblem> problems; ///< those that headers show
     QStringList files{}; ///< per slice k; one for NIfTI
+    /// What tells the points of a series in time apart, in words, in order ("temporal position 3");
+    /// a word may be empty. Empty for a volume of one moment. The rest here is about the first.
+    QStringList times{};
 
     [[nodiscard]] int slices() const { return geometry.size.z; }
     /// False for a single image: it opens when asked for, or when there is nothing else.
     [[nodiscard]] bool isVolume() const { return slices() > 1; }
+    /// What `loadVolume` and `--series` take for a point in time, 0-based: "UID@3" is the third;
+    /// the key itself names the first.
+    [[nodiscard]] QString keyAtTime(int time) const;
     /// One line for a list: key, patient, date, description, slices, problems.
     [[nodiscard]] QString line() const;
+};
+
+/// What names a volume, and of a series in time which point (SeriesEntry::keyAtTime()).
+struct SeriesChoice {
+    QString series;
+    int time = 0; ///< 0-based
 };
 
 /// One study and its volumes, series in the order of their numbers.
@@ -69,6 +81,8 @@ struct StudyListing {
     [[nodiscard]] const SeriesEntry* find(const QString& key) const;
     /// Every entry whose key or SeriesInstanceUID is @p series: several where a UID was split.
     [[nodiscard]] std::vector<const SeriesEntry*> matching(const QString& series) const;
+    /// Takes "UID@3" apart where an entry has such a point in time; other names stay as they are.
+    [[nodiscard]] SeriesChoice choice(const QString& series) const;
 };
 
 } // namespace core

@@ -98,10 +98,9 @@ std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
     return values;
 }
 
-/// Checksum of values that follow from codes by table.
-QByteArray hashValues(const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
+void addValuesByTable(
+    QCryptographicHash& hash, const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
 {
-    QCryptographicHash hash(QCryptographicHash::Sha256);
     const std::size_t size = sliceSize(loaded.volume);
     std::vector<float> values(size);
     for (int k = 0; k < loaded.volume.geometry.size.z; ++k) {
@@ -110,6 +109,13 @@ QByteArray hashValues(const LoadedVolume& loaded, const std::vector<float>& valu
             values[voxel] = valueOfCode[code[voxel]];
         addFloats(hash, values);
     }
+}
+
+/// Checksum of values that follow from codes by table.
+QByteArray hashValues(const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    addValuesByTable(hash, loaded, valueOfCode);
     return hash.result().toHex();
 }
 
@@ -304,6 +310,11 @@ QByteArray sha256OfCodes(const LoadedVolume& loaded)
     hash.addData(QByteArrayView(reinterpret_cast<const char*>(loaded.codes.data()),
         qsizetype(loaded.codes.size() * sizeof(std::uint16_t))));
     return hash.result().toHex();
+}
+
+void addValues(QCryptographicHash& hash, const LoadedVolume& loaded)
+{
+    addValuesByTable(hash, loaded, valuesOfCodes(loaded.volume.encoding));
 }
 
 } // namespace core

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+class QCryptographicHash;
+
 namespace core {
 
 /// How the stored values of one slice become modality values: slope · stored + intercept, in double
@@ -39,5 +41,8 @@ void encodeValues(LoadedVolume& loaded,
 /// codes, as Volume::codesSha256 has it. Hex; one core, about a second for 512 × 512 × 600.
 [[nodiscard]] QByteArray sha256OfValues(const LoadedVolume& loaded);
 [[nodiscard]] QByteArray sha256OfCodes(const LoadedVolume& loaded);
+
+/// Adds the values that the codes stand for to a checksum over several volumes.
+void addValues(QCryptographicHash& hash, const LoadedVolume& loaded);
 
 } // namespace core

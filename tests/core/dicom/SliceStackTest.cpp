@@ -41,7 +41,7 @@ private Q_SLOTS:
     void duplicatesAreLeftOut();
     void contradictingDuplicateIsNamed();
     void singleImageSaysThatItsDepthIsAssumed();
-    void phasesStayApart();
+    void phasesAreTimes();
     void unevenPhasesAreDoubtful();
     void planesAreCandidates();
 
@@ -185,7 +185,7 @@ void SliceStackTest::singleImageSaysThatItsDepthIsAssumed()
     QVERIFY(loaded.volume.needsCaution());
 }
 
-void SliceStackTest::phasesStayApart()
+void SliceStackTest::phasesAreTimes()
 {
     SyntheticSeries first;
     first.adjust = [](DcmDataset& set, int) { set.putAndInsertString(DCM_TriggerTime, "80"); };
@@ -200,9 +200,11 @@ void SliceStackTest::phasesStayApart()
     test::writeSeries(second, path());
     const core::Result<core::StudyListing> listing = core::scanStudies(path());
     QVERIFY(listing);
-    QCOMPARE(listing->candidates().size(), std::size_t(2));
-    const core::LoadedVolume one = test::openVolume(path(), first.seriesUid + QStringLiteral("#1"));
-    const core::LoadedVolume two = test::openVolume(path(), first.seriesUid + QStringLiteral("#2"));
+    QCOMPARE(listing->candidates().size(), std::size_t(1));
+    QCOMPARE(listing->candidates().front()->times,
+        (QStringList{QStringLiteral("trigger time 80 ms"), QStringLiteral("trigger time 160 ms")}));
+    const core::LoadedVolume one = test::openVolume(path(), first.seriesUid);
+    const core::LoadedVolume two = test::openVolume(path(), first.seriesUid + QStringLiteral("@2"));
     QCOMPARE(test::worstError(one, first), 0.0);
     QCOMPARE(test::worstError(two, second), 0.0);
     const QString text = test::problemText(two.volume.problems, VolumeProblem::Kind::MixedSlices);

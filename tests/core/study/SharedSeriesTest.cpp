@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/ImageHeaderReader.h"
 #include "core/study/StudyLoader.h"
+#include "core/study/VolumeFacts.h"
 #include "tests/support/SharedData.h"
 
-#include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
+#include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -24,20 +27,25 @@ QStringList foldersWithFiles(const QString& root)
     return {folders.begin(), folders.end()};
 }
 
-std::vector<core::LoadedVolume> openAll(const QStringList& folders)
+/// A folder read as `burin info` reads it.
+struct Opened {
+    core::Study study;
+    std::vector<core::VolumeFacts> volumes{};
+};
+
+std::vector<Opened> openAll(const QStringList& folders)
 {
-    std::vector<core::LoadedVolume> all;
+    std::vector<Opened> all;
     for (const QString& folder : folders) {
-        const core::Result<core::StudyListing> listing = core::scanStudies(folder);
-        if (!listing)
+        core::Result<core::Study> study = core::Study::scan(folder);
+        if (!study)
             continue;
-        for (const core::StudyEntry& study : listing->studies) {
-            for (const core::SeriesEntry& entry : study.series) {
-                core::Result<core::LoadedVolume> loaded = core::loadVolume(folder, entry.key);
-                if (loaded)
-                    all.push_back(std::move(*loaded));
-                else
-                    qWarning() << loaded.error().arguments;
+        Opened& opened = all.emplace_back(Opened{std::move(*study)});
+        for (const core::StudyEntry& one : opened.study.listing().studies) {
+            for (const core::SeriesEntry& entry : one.series) {
+                opened.volumes.push_back(core::volumeFacts(opened.study, entry));
+                if (!opened.volumes.back().loaded)
+                    qWarning() << opened.volumes.back().loaded.error().arguments;
             }
         }
     }
@@ -72,15 +80,22 @@ bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance)
 }
 
 /// What a stack of expected.json and an opened volume disagree about; empty if about nothing.
-QStringList differences(const core::LoadedVolume& loaded, const QJsonObject& stack)
+QStringList differences(const core::VolumeFacts& facts, const QJsonObject& stack)
 {
     QStringList wrong;
+    const core::LoadedVolume& loaded = *facts.loaded;
     const core::Volume& volume = loaded.volume;
     const core::VolumeGeometry& geometry = volume.geometry;
     const auto check = [&](bool agrees, const char* what) {
         if (!agrees)
             wrong.append(QString::fromLatin1(what));
     };
+    const int times = stack[QStringLiteral("frames_per_position")].toInt();
+    check(int(facts.times.size()) == (times > 1 ? times : 0), "points in time");
+    check(geometry.size.x == stack[QStringLiteral("columns")].toInt()
+            && geometry.size.y == stack[QStringLiteral("rows")].toInt()
+            && geometry.size.z == stack[QStringLiteral("slices")].toInt(),
+        "size");
     const QJsonArray spacing = stack[QStringLiteral("pixel_spacing_row_col_mm")].toArray();
     const QJsonValue axes = stack[QStringLiteral("image_orientation_patient")];
     check(near(geometry.direction()[0], glm::normalize(vector(axes)), 1e-6), "row direction");
@@ -103,16 +118,63 @@ QStringList differences(const core::LoadedVolume& loaded, const QJsonObject& sta
             "evenness of spacing");
     }
     const QJsonObject rescaled = stack[QStringLiteral("rescaled")].toObject();
-    check(float(volume.minimum) == float(rescaled[QStringLiteral("min")].toDouble()), "minimum");
-    check(float(volume.maximum) == float(rescaled[QStringLiteral("max")].toDouble()), "maximum");
+    check(float(facts.minimum) == float(rescaled[QStringLiteral("min")].toDouble()), "minimum");
+    check(float(facts.maximum) == float(rescaled[QStringLiteral("max")].toDouble()), "maximum");
     for (const QJsonValue& value : stack[QStringLiteral("sample_voxels")].toArray()) {
         const QJsonArray at = value[QStringLiteral("t_k_j_i")].toArray();
         const glm::ivec3 index(at[3].toInt(), at[2].toInt(), at[1].toInt());
         check(near(positionAt(geometry, index), vector(value[QStringLiteral("lps_mm")]), 2e-4),
             "position of a voxel");
+        if (at[0].toInt() > 0)
+            continue; // the checksum over all points in time has it
         const double told = value[QStringLiteral("rescaled")].toDouble();
         const double tolerance = volume.encoding.maxError + 1e-5 * std::abs(told) + 1e-3;
         check(std::abs(valueAt(loaded, index) - told) <= tolerance, "value of a voxel");
+    }
+    return wrong;
+}
+
+/// Whether a stack of expected.json is none that a volume could be made of.
+bool isRefused(const QJsonObject& series, const QJsonObject& stack)
+{
+    const QString types =
+        series[QStringLiteral("image_types")].toObject().keys().join(QLatin1Char(' '));
+    return stack[QStringLiteral("samples_per_pixel")].toInt() != 1
+        || stack[QStringLiteral("image_orientation_patient")].isUndefined()
+        || types.contains(QLatin1String("LOCALIZER")) || types.contains(QLatin1String("SURVIEW"))
+        || types.contains(QLatin1String("MOSAIC"));
+}
+
+/// Why nothing of a series became a volume; empty where that is not said.
+QString refusal(const std::vector<Opened>& opened, const QString& seriesUid)
+{
+    for (const Opened& one : opened) {
+        for (const core::ForeignObject& object : one.study.listing().foreign) {
+            if (object.identity.seriesUid == seriesUid)
+                return object.kind + QLatin1Char(' ') + object.reason;
+        }
+    }
+    return {};
+}
+
+/// What the nearest of the opened volumes and a stack disagree about; empty if about nothing.
+QStringList differencesOfNearest(const std::vector<Opened>& opened, const QJsonObject& stack)
+{
+    const QByteArray hash = stack[QStringLiteral("rescaled")]
+                                .toObject()[QStringLiteral("sha256_f32le")]
+                                .toString()
+                                .toLatin1();
+    QStringList wrong{QStringLiteral("no volume with these voxels")};
+    bool found = false;
+    for (const Opened& one : opened) {
+        for (const core::VolumeFacts& facts : one.volumes) {
+            if (!facts.loaded || facts.voxelsSha256 != hash)
+                continue;
+            const QStringList here = differences(facts, stack);
+            if (!found || here.size() < wrong.size())
+                wrong = here;
+            found = true;
+        }
     }
     return wrong;
 }
@@ -126,7 +188,10 @@ class SharedSeriesTest : public QObject {
 private Q_SLOTS:
     void matchesExpectations_data();
     void matchesExpectations();
-    void timePointsStayApart();
+    void pointsInTimeOpenOneByOne();
+    void filesOfAnEnhancedSeriesAreOneVolume();
+    void singleFilesOpenOrSayWhy_data();
+    void singleFilesOpenOrSayWhy();
     void localizersStayApart();
     void namesInEveryScript_data();
     void namesInEveryScript();
@@ -135,102 +200,142 @@ private Q_SLOTS:
 void SharedSeriesTest::matchesExpectations_data()
 {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"ct_cranium_inv3", "ct_lidc0314_lower", "ct_abdomen_j2k_organs",
-             "mr_t1_sag_mprage", "mr_patient_position_hfs_hfp", "mr_multifragment_jpegll",
-             "ct_tilt_study_philips", "edge_geometry", "edge_transfer_syntaxes", "ct_mr_pet_sts001",
-             "ct_ibsi_lung_rtstruct", "pet_headneck_seg", "seg_dcmqi_liver",
-             "mr_prostate_localizer_missing", "edge_charsets"})
-        QTest::newRow(name) << QString::fromLatin1(name);
+    for (const QString& name :
+        QDir(test::sharedDataFolder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        const QDir folder(test::sharedDataFolder() + QLatin1Char('/') + name);
+        QFile expected(folder.filePath(QStringLiteral("expected.json")));
+        if (!expected.open(QIODevice::ReadOnly))
+            continue;
+        const QJsonObject facts = QJsonDocument::fromJson(expected.readAll()).object();
+        if (!facts[QStringLiteral("series")].toArray().isEmpty())
+            QTest::newRow(qPrintable(name)) << name;
+    }
+    if (test::sharedDataFolder().isEmpty())
+        QTest::newRow("no shared data") << QString();
 }
 
 void SharedSeriesTest::matchesExpectations()
 {
     QFETCH(QString, name);
-    const test::SharedCase data = test::sharedCase(name);
-    if (data.source.isEmpty())
+    if (name.isEmpty())
         QSKIP("the shared data are not there (BURIN_SHARED_DATA)");
-    QStringList folders = foldersWithFiles(data.source);
-    if (!data.unpacked.isEmpty())
-        folders = foldersWithFiles(data.unpacked);
+    const test::SharedCase data = test::sharedCase(name);
+    const QString root = data.unpacked.isEmpty() ? data.source : data.unpacked;
+    QStringList folders = foldersWithFiles(root);
     folders.removeIf(
         [](const QString& folder) { return folder.contains(QLatin1String("/one_slice")); });
     // Slices of one series may be spread over folders; cases that repeat UIDs are the exception.
-    const bool repeatsUids =
-        name != QLatin1String("edge_charsets") && name.startsWith(QLatin1String("edge_"));
-    const std::vector<core::LoadedVolume> opened = openAll(
-        repeatsUids ? folders : QStringList{data.unpacked.isEmpty() ? data.source : data.unpacked});
+    const bool repeatsUids = name == QLatin1String("edge_geometry")
+        || name == QLatin1String("edge_transfer_syntaxes")
+        || name == QLatin1String("edge_pixels_colour");
+    std::vector<Opened> opened = openAll(repeatsUids ? folders : QStringList{root});
+    // Files that share their UIDs, or are points in time of each other, are told about one by one.
+    for (const QJsonValue& series : data.expected[QStringLiteral("series")].toArray()) {
+        const QString file = series[QStringLiteral("file")].toString();
+        if (!file.isEmpty()) {
+            for (Opened& one : openAll({root + QLatin1Char('/') + file}))
+                opened.push_back(std::move(one));
+        }
+    }
 
     int compared = 0;
     for (const QJsonValue& series : data.expected[QStringLiteral("series")].toArray()) {
+        const QString uid = series[QStringLiteral("series_instance_uid")].toString();
         for (const QJsonValue& value : series[QStringLiteral("stacks")].toArray()) {
-            const QJsonObject stack = value.toObject();
-            const QByteArray hash = stack[QStringLiteral("rescaled")]
-                                        .toObject()[QStringLiteral("sha256_f32le")]
-                                        .toString()
-                                        .toLatin1();
-            if (hash.isEmpty() || stack[QStringLiteral("frames_per_position")].toInt() != 1)
-                continue;
-            // Localizers are listed apart.
-            const QString type =
-                series[QStringLiteral("image_types")].toObject().keys().join(QLatin1Char(' '));
-            if (type.contains(QLatin1String("LOCALIZER")))
-                continue;
             ++compared;
-            QStringList wrong{QStringLiteral("no volume with the voxels of %1")
-                                  .arg(series[QStringLiteral("series_instance_uid")].toString())};
-            for (const core::LoadedVolume& loaded : opened) {
-                if (loaded.volume.voxelsSha256 != hash)
-                    continue;
-                const QStringList here = differences(loaded, stack);
-                if (wrong.front().startsWith(QLatin1String("no volume"))
-                    || here.size() < wrong.size())
-                    wrong = here;
-                if (wrong.isEmpty())
-                    break;
+            const QJsonObject stack = value.toObject();
+            if (isRefused(series.toObject(), stack)) {
+                QVERIFY2(!refusal(opened, uid).isEmpty(), qPrintable(uid));
+                continue;
             }
-            QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1String(", "))));
+            const QStringList wrong = differencesOfNearest(opened, stack);
+            QVERIFY2(wrong.isEmpty(),
+                qPrintable(uid + QStringLiteral(": ") + wrong.join(QLatin1String(", "))));
         }
     }
     QVERIFY(compared > 0);
 }
 
-void SharedSeriesTest::timePointsStayApart()
+void SharedSeriesTest::pointsInTimeOpenOneByOne()
 {
     const test::SharedCase data = test::sharedCase(QStringLiteral("mr_4d_fmri_ge"));
     if (data.source.isEmpty())
         QSKIP("the shared data are not there (BURIN_SHARED_DATA)");
-    const core::Result<core::StudyListing> listing = core::scanStudies(data.unpacked);
-    QVERIFY(listing);
-    QCOMPARE(listing->candidates().size(), std::size_t(10));
-    for (const core::SeriesEntry* entry : listing->candidates()) {
-        QCOMPARE(entry->slices(), 15);
-        QVERIFY(std::any_of(
-            entry->problems.begin(), entry->problems.end(), [](const core::VolumeProblem& problem) {
-                return problem.kind == core::VolumeProblem::Kind::MixedSlices;
-            }));
+    const core::Result<core::Study> study = core::Study::scan(data.unpacked);
+    QVERIFY(study);
+    const core::StudyListing& listing = study->listing();
+    QCOMPARE(listing.candidates().size(), std::size_t(1));
+    const core::SeriesEntry& entry = *listing.candidates().front();
+    QCOMPARE(entry.slices(), 15);
+    QCOMPARE(entry.times.size(), 10);
+    const core::VolumeFacts facts = core::volumeFacts(*study, entry);
+    QCOMPARE(facts.times.size(), std::size_t(10));
+
+    const core::Result<core::LoadedVolume> first = core::loadVolume(data.unpacked);
+    QVERIFY(first);
+    QCOMPARE(first->volume.voxelsSha256, facts.times[0].voxelsSha256);
+    const core::Result<core::LoadedVolume> seventh =
+        core::loadVolume(data.unpacked, entry.key + QStringLiteral("@7"));
+    QVERIFY(seventh);
+    QCOMPARE(seventh->volume.voxelsSha256, facts.times[6].voxelsSha256);
+    QCOMPARE(seventh->volume.geometry.indexToWorld, first->volume.geometry.indexToWorld);
+    QVERIFY(std::any_of(seventh->volume.problems.begin(), seventh->volume.problems.end(),
+        [](const core::VolumeProblem& problem) {
+            return problem.kind == core::VolumeProblem::Kind::MixedSlices && !problem.caution
+                && problem.text.contains(QLatin1String("this is point 7"));
+        }));
+    for (const char* nowhere : {"@0", "@11", "@x", "@"}) {
+        const core::Result<core::LoadedVolume> none =
+            core::loadVolume(data.unpacked, entry.key + QLatin1String(nowhere));
+        QVERIFY(!none);
+        QCOMPARE(none.error().code, core::ErrorCode::SeriesNotFound);
     }
-    // One after the other the phases are the whole series.
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    for (const core::SeriesEntry* entry : listing->candidates()) {
-        const core::Result<core::LoadedVolume> loaded = core::loadVolume(data.unpacked, entry->key);
-        QVERIFY(loaded);
-        for (const std::uint16_t code : loaded->codes) {
-            const auto value = float(loaded->volume.encoding.value(code));
-            hash.addData(QByteArrayView(reinterpret_cast<const char*>(&value), sizeof(value)));
+}
+
+void SharedSeriesTest::filesOfAnEnhancedSeriesAreOneVolume()
+{
+    const test::SharedCase data = test::sharedCase(QStringLiteral("edge_multiframe"));
+    if (data.source.isEmpty())
+        QSKIP("the shared data are not there (BURIN_SHARED_DATA)");
+    const QTemporaryDir folder;
+    for (const char* name : {"siemens_xa10_6_1.dcm", "siemens_xa10_6_2.dcm"}) {
+        const QString file = QString::fromLatin1(name);
+        QVERIFY(
+            QFile::copy(data.unpacked + QStringLiteral("/dicom/") + file, folder.filePath(file)));
+    }
+    const core::Result<core::StudyListing> listing = core::scanStudies(folder.path());
+    QVERIFY(listing);
+    QCOMPARE(listing->candidates().size(), std::size_t(1));
+    const QStringList times = listing->candidates().front()->times;
+    QCOMPARE(times,
+        (QStringList{
+            QStringLiteral("temporal position 1"), QStringLiteral("temporal position 2")}));
+}
+
+void SharedSeriesTest::singleFilesOpenOrSayWhy_data()
+{
+    QTest::addColumn<QString>("file");
+    for (const char* name : {"edge_pixels_colour", "edge_transfer_syntaxes", "edge_broken"}) {
+        const test::SharedCase data = test::sharedCase(QString::fromLatin1(name));
+        for (const QJsonValue& file : data.expected[QStringLiteral("single_files")].toArray()) {
+            const QString path = file[QStringLiteral("file")].toString();
+            const QString packed = data.unpacked + QLatin1Char('/') + path;
+            QTest::newRow(qPrintable(path))
+                << (QFile::exists(packed) ? packed : data.source + QLatin1Char('/') + path);
         }
     }
-    const QJsonObject stack = data.expected[QStringLiteral("series")]
-                                  .toArray()[0]
-                                  .toObject()[QStringLiteral("stacks")]
-                                  .toArray()[0]
-                                  .toObject();
-    QCOMPARE(QString::fromLatin1(hash.result().toHex()),
-        stack[QStringLiteral("rescaled")].toObject()[QStringLiteral("sha256_f32le")].toString());
+    if (test::sharedDataFolder().isEmpty())
+        QTest::newRow("no shared data") << QString();
+}
 
-    const core::Result<core::LoadedVolume> guessed = core::loadVolume(data.unpacked);
-    QVERIFY(!guessed);
-    QCOMPARE(guessed.error().code, core::ErrorCode::SeriesAmbiguous);
-    QCOMPARE(guessed.error().arguments.size(), 11);
+void SharedSeriesTest::singleFilesOpenOrSayWhy()
+{
+    QFETCH(QString, file);
+    if (file.isEmpty())
+        QSKIP("the shared data are not there (BURIN_SHARED_DATA)");
+    const core::Result<core::LoadedVolume> loaded = core::loadVolume(file);
+    if (!loaded)
+        QVERIFY(!loaded.error().arguments.value(1).isEmpty());
 }
 
 void SharedSeriesTest::localizersStayApart()

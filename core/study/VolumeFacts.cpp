@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/study/VolumeFacts.h"
+
+#include "core/volume/VolumeEncoder.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+void add(VolumeFacts& facts, int time, const Volume& volume)
+{
+    facts.minimum = std::min(facts.minimum, volume.minimum);
+    facts.maximum = std::max(facts.maximum, volume.maximum);
+    facts.times.push_back({.key = facts.entry.keyAtTime(time),
+        .label = facts.entry.times[time],
+        .minimum = volume.minimum,
+        .maximum = volume.maximum,
+        .voxelsSha256 = volume.voxelsSha256});
+}
+
+} // namespace
+
+VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry)
+{
+    VolumeFacts facts{.entry = entry, .loaded = study.load(entry.key)};
+    if (!facts.loaded)
+        return facts;
+    const Volume& first = facts.loaded->volume;
+    facts.minimum = first.minimum;
+    facts.maximum = first.maximum;
+    facts.voxelsSha256 = first.voxelsSha256;
+    if (entry.times.isEmpty())
+        return facts;
+
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    bool follow = first.codesSha256.isEmpty();
+    if (follow)
+        addValues(hash, *facts.loaded);
+    add(facts, 0, first);
+    for (int time = 1; time < int(entry.times.size()); ++time) {
+        Result<LoadedVolume> later = study.load(entry.keyAtTime(time));
+        if (!later) {
+            facts.loaded = std::move(later);
+            return facts;
+        }
+        add(facts, time, later->volume);
+        follow = follow && later->volume.codesSha256.isEmpty();
+        if (follow)
+            addValues(hash, *later);
+    }
+    facts.voxelsSha256 = follow ? hash.result().toHex() : QByteArray();
+    return facts;
+}
+
+} // namespace core

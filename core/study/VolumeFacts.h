@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/study/StudyLoader.h"
+
+#include <QByteArray>
+
+#include <vector>
+
+namespace core {
+
+/// One point of a series in time.
+struct TimeFacts {
+    QString key; ///< SeriesEntry::keyAtTime()
+    QString label; ///< SeriesEntry::times
+    double minimum = 0.0;
+    double maximum = 0.0;
+    QByteArray voxelsSha256; ///< Volume::voxelsSha256
+};
+
+/// What is known of one volume: from its headers, and from its voxels where they could be read.
+struct VolumeFacts {
+    const SeriesEntry& entry;
+    Result<LoadedVolume> loaded; ///< of a series in time the first point, or the first that failed
+    std::vector<TimeFacts> times{};
+    double minimum = 0.0; ///< over all points in time
+    double maximum = 0.0;
+    /// Over all points in time, one behind the other; empty where codes do not tell the values.
+    QByteArray voxelsSha256{};
+};
+
+/// Loads a volume, of a series in time every point after the other: the first and one more are in
+/// memory at once.
+[[nodiscard]] VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry);
+
+} // namespace core
