@@ -97,7 +97,8 @@ public:
         ui::StudyOpener& opener = m_window.opener();
         // In place of the dialog.
         QObject::disconnect(&opener, &ui::StudyOpener::choiceNeeded, &m_window, nullptr);
-        connect(&opener, &ui::StudyOpener::choiceNeeded, this, &Screenshot::refuseToGuess);
+        connect(&opener, &ui::StudyOpener::choiceNeeded, this, &Screenshot::refuseToGuess,
+            Qt::QueuedConnection);
         QObject::disconnect(&opener, &ui::StudyOpener::sessionStudyNeeded, &m_window, nullptr);
         connect(&opener, &ui::StudyOpener::sessionStudyNeeded, this,
             [](const QString&, const QString&, const core::Error& why) {
@@ -113,9 +114,14 @@ public:
     void saveSoon() { QTimer::singleShot(200, this, &Screenshot::save); }
 
 private:
-    static void refuseToGuess(const std::shared_ptr<const core::Study>& study)
+    void refuseToGuess(const std::shared_ptr<const core::Study>& study)
     {
         const core::StudyListing& listing = study->listing();
+        // A series in time is one volume, shown at its first point.
+        if (const auto candidates = listing.candidates(); candidates.size() == 1) {
+            m_window.opener().open(study, candidates.front()->key);
+            return;
+        }
         core::Error error{core::ErrorCode::SeriesAmbiguous, {listing.path}};
         for (const core::SeriesEntry* entry : listing.candidates())
             error.arguments += entry->line();

@@ -32,7 +32,10 @@ Found find(const QString& path, const QString& series, const core::Progress& pro
     auto study = core::Study::scan(path, progress);
     if (!study)
         return {tl::unexpected(study.error()), nullptr};
-    if (series.isEmpty() && study->listing().candidates().size() > 1)
+    const auto candidates = study->listing().candidates();
+    const bool choice =
+        candidates.size() > 1 || (candidates.size() == 1 && !candidates.front()->times.isEmpty());
+    if (series.isEmpty() && choice)
         return {nullptr, std::make_shared<const core::Study>(std::move(*study))};
     return {load(*study, series, progress), nullptr};
 }

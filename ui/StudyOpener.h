@@ -19,7 +19,7 @@ struct SessionContents;
 namespace ui {
 
 /// Finds and loads volumes beside the GUI thread, one job at a time. Opens nothing by guess: where
-/// a path holds several volumes it asks, and where a session's study is gone.
+/// a path holds several volumes or points in time it asks, and where a session's study is gone.
 class StudyOpener : public QObject {
     Q_OBJECT
 

@@ -8,6 +8,7 @@
 #include "ui/views/ViewGrid.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -26,6 +27,7 @@ private Q_SLOTS:
     void digitsAreWindowPresets();
     void closingShowsTheStartPage();
     void listOfVolumesChoosesNothing();
+    void pointsInTimeAreChosen();
     void openingTellsWhyNot();
     void toolsFitALowWindow();
 };
@@ -155,8 +157,30 @@ void MainWindowUiTest::listOfVolumesChoosesNothing()
     QVERIFY(dialog.chosenKey().isEmpty());
     auto* list = dialog.findChild<QTreeWidget*>();
     QCOMPARE(list->topLevelItemCount(), 2);
+    QVERIFY(!dialog.findChild<QComboBox*>()->isVisible());
     list->topLevelItem(1)->setSelected(true);
     QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.4"));
+}
+
+void MainWindowUiTest::pointsInTimeAreChosen()
+{
+    core::StudyListing listing;
+    listing.path = QStringLiteral("folder");
+    core::SeriesEntry entry;
+    entry.geometry.size = {4, 4, 4};
+    entry.key = QStringLiteral("1.2.3");
+    entry.times = QStringList{QStringLiteral("trigger time 0 ms"), QString()};
+    listing.studies.push_back({QStringLiteral("1.2"), {entry}});
+    ui::OpenStudyDialog dialog(listing);
+    dialog.show();
+    auto* time = dialog.findChild<QComboBox*>();
+    QVERIFY(time->isVisible());
+    QCOMPARE(time->count(), 2);
+    QCOMPARE(time->itemText(0), QStringLiteral("1 of 2: trigger time 0 ms"));
+    QCOMPARE(time->itemText(1), QStringLiteral("2 of 2"));
+    QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.3"));
+    time->setCurrentIndex(1);
+    QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.3@2"));
 }
 
 void MainWindowUiTest::openingTellsWhyNot()

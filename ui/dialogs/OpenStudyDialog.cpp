@@ -6,13 +6,17 @@
 #include "ui/Theme.h"
 #include "ui/dialogs/ThumbnailLoader.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMap>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -38,11 +42,25 @@ QString sizeOf(const core::SeriesEntry& entry)
 {
     const glm::ivec3 size = entry.geometry.size;
     const glm::dvec3 spacing = entry.geometry.spacingMm();
-    return QStringLiteral("%1\n%2 × %3, every %4 mm")
+    const QString times = entry.times.isEmpty()
+        ? QString()
+        : QStringLiteral(", %1 points in time").arg(entry.times.size());
+    return QStringLiteral("%1%2\n%3 × %4, every %5 mm")
         .arg(size.z)
+        .arg(times)
         .arg(size.x)
         .arg(size.y)
         .arg(spacing.z, 0, 'g', 3);
+}
+
+QString question(const QString& path, const std::vector<const core::SeriesEntry*>& candidates)
+{
+    if (candidates.size() == 1) {
+        return QStringLiteral("%1 holds a series of %2 points in time. Which one?")
+            .arg(path)
+            .arg(candidates.front()->times.size());
+    }
+    return QStringLiteral("%1 holds %2 volumes. Which one?").arg(path).arg(candidates.size());
 }
 
 QString problemsOf(const core::SeriesEntry& entry)
@@ -76,6 +94,8 @@ QString othersIn(const core::StudyListing& listing)
 OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* parent)
     : QDialog(parent)
     , m_list(new QTreeWidget(this))
+    , m_timeRow(new QWidget(this))
+    , m_time(new QComboBox(m_timeRow))
     , m_open(nullptr)
 {
     setWindowTitle(QStringLiteral("Choose a volume"));
@@ -84,9 +104,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
     const auto candidates = listing.candidates();
-    auto* heading = new QLabel(
-        QStringLiteral("%1 holds %2 volumes. Which one?").arg(listing.path).arg(candidates.size()),
-        this);
+    auto* heading = new QLabel(question(listing.path, candidates), this);
     heading->setTextFormat(Qt::PlainText);
     heading->setWordWrap(true);
     layout->addWidget(heading);
@@ -112,6 +130,17 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     m_list->header()->setStretchLastSection(true);
     layout->addWidget(m_list, 1);
 
+    auto* time = new QHBoxLayout(m_timeRow);
+    time->setContentsMargins(0, 0, 0, 0);
+    time->setSpacing(8);
+    auto* timeLabel = new QLabel(QStringLiteral("Point in &time:"), m_timeRow);
+    timeLabel->setBuddy(m_time);
+    time->addWidget(timeLabel);
+    time->addWidget(m_time);
+    time->addStretch(1);
+    layout->addWidget(m_timeRow);
+    m_timeRow->setVisible(false);
+
     if (const QString others = othersIn(listing); !others.isEmpty()) {
         auto* label = new QLabel(others, this);
         label->setProperty("role", QStringLiteral("secondary"));
@@ -127,12 +156,16 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_list, &QTreeWidget::itemSelectionChanged, this,
-        [this] { m_open->setEnabled(!chosenKey().isEmpty()); });
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, [this] {
+        offerTimes();
+        m_open->setEnabled(!chosenKey().isEmpty());
+    });
     connect(m_list, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
 
     m_pictures = std::make_unique<ThumbnailLoader>(files, pictureSize);
     connect(m_pictures.get(), &ThumbnailLoader::ready, this, &OpenStudyDialog::showPicture);
+    if (candidates.size() == 1)
+        m_list->topLevelItem(0)->setSelected(true);
 }
 
 OpenStudyDialog::~OpenStudyDialog() = default;
@@ -140,7 +173,8 @@ OpenStudyDialog::~OpenStudyDialog() = default;
 void OpenStudyDialog::addRow(const core::SeriesEntry& entry)
 {
     auto* row = new QTreeWidgetItem(m_list);
-    row->setData(0, Qt::UserRole, entry.key);
+    row->setData(0, Qt::UserRole, int(m_entries.size()));
+    m_entries.push_back(entry);
     row->setSizeHint(Picture, QSize(pictureSize + 16, pictureSize + 12));
     QStringList lines = patientLines(entry.identity);
     row->setText(Patient, lines.join(QStringLiteral("\n")));
@@ -160,10 +194,31 @@ void OpenStudyDialog::showPicture(int row, const QImage& picture)
         item->setIcon(Picture, QIcon(QPixmap::fromImage(picture)));
 }
 
+/// The points in time of the chosen row.
+void OpenStudyDialog::offerTimes()
+{
+    m_time->clear();
+    const auto chosen = m_list->selectedItems();
+    if (!chosen.isEmpty()) {
+        const core::SeriesEntry& entry =
+            m_entries.at(std::size_t(chosen.front()->data(0, Qt::UserRole).toInt()));
+        for (qsizetype time = 0; time < entry.times.size(); ++time) {
+            const QString number = QStringLiteral("%1 of %2").arg(time + 1).arg(entry.times.size());
+            m_time->addItem(entry.times[time].isEmpty()
+                    ? number
+                    : QStringLiteral("%1: %2").arg(number, entry.times[time]));
+        }
+    }
+    m_timeRow->setVisible(m_time->count() > 0);
+}
+
 QString OpenStudyDialog::chosenKey() const
 {
     const auto chosen = m_list->selectedItems();
-    return chosen.isEmpty() ? QString() : chosen.front()->data(0, Qt::UserRole).toString();
+    if (chosen.isEmpty())
+        return {};
+    return m_entries.at(std::size_t(chosen.front()->data(0, Qt::UserRole).toInt()))
+        .keyAtTime(std::max(0, m_time->currentIndex()));
 }
 
 } // namespace ui
