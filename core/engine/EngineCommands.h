@@ -126,11 +126,11 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
 // a brush's frame, what is hidden, a list of labels, a growth or groups of seeds that are not sound
-// (isSound());
-// bounds that are not (areSound()); a layer folded into itself; a table of opacities of another
-// length than 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two
-// labels; TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of
-// a label without seeds; ForeseeCut while a transaction is open, or of a cut that could not begin.
+// (isSound()); bounds that are not (areSound()); a layer folded into itself; a table of opacities
+// of another length than 256; growing from seeds that is not sound (isSound()) or with seeds of
+// fewer than two labels; TraceTolerance while a transaction is open, by a rule that is not sound
+// (isSound()) or of a label without seeds; ForeseeCut while a transaction is open, or of a cut that
+// could not begin.
 // ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and
 // DropForesight are served while a transaction is open too.
 
