@@ -301,8 +301,11 @@ void VoxelOperation::submitWaiting(SessionState& state)
 {
     if (!m_begun || m_refused || m_ended)
         return;
-    for (; !m_waiting.empty(); m_waiting.pop_front())
-        state.engine.submit(ExtendEdit{std::move(m_waiting.front())});
+    for (; !m_waiting.empty(); m_waiting.pop_front()) {
+        ExtendEdit next;
+        next.extension = std::move(m_waiting.front());
+        state.engine.submit(std::move(next));
+    }
     if (m_ending)
         m_ended = state.engine.submit(EndEdit{m_failed ? Ending::Rollback : *m_ending});
 }
