@@ -7,13 +7,13 @@ namespace core {
 
 Ticket submitWhole(EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions)
 {
-    engine.submit(BeginEdit {std::move(edit)});
+    engine.submit(BeginEdit{std::move(edit)});
     for (EngineExtension& extension : extensions) {
         ExtendEdit next;
         next.extension = std::move(extension);
         engine.submit(std::move(next));
     }
-    return engine.submit(EndEdit {Ending::Commit});
+    return engine.submit(EndEdit{Ending::Commit});
 }
 
 } // namespace core
