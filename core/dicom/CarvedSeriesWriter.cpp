@@ -186,6 +186,10 @@ Result<QStringList> writeCarvedSeries(
         const Result<ImageHeader> image = readImageHeader(file);
         if (!image)
             return tl::unexpected(image.error());
+        if (image->frames > 1 || image->isEnhanced || image->modalityLut)
+            return failure(ErrorCode::UnsupportedFormat, file,
+                QStringLiteral("it is no single image with a slope and an intercept; a carved "
+                               "series cannot be made of it, but NIfTI can"));
         const std::optional<int> fillStored = storedFor(series.fill, *image);
         if (!fillStored)
             return failure(ErrorCode::UnsupportedFormat, file,

@@ -17,6 +17,8 @@ constexpr std::uint32_t item = 0xfffee000u;
 constexpr std::uint32_t itemEnd = 0xfffee00du;
 constexpr std::uint32_t sequenceEnd = 0xfffee0ddu;
 constexpr std::uint32_t pixelData = 0x7fe00010u;
+constexpr std::uint32_t floatPixelData = 0x7fe00008u;
+constexpr std::uint32_t doublePixelData = 0x7fe00009u;
 } // namespace dicom_tag
 
 constexpr std::uint32_t undefinedLength = 0xffffffffu;

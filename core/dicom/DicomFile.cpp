@@ -215,6 +215,10 @@ Result<void> DicomFile::readInto(DcmDataset& set) const
         syntax = EXS_LittleEndianExplicit;
     // The syntax is the one that was checked, whatever DCMTK would make of the file by itself.
     constexpr Uint32 longestValue = 1024;
+    // What stands behind the pixel data was not checked.
+    DcmTagKey end = DCM_PixelData;
+    if (m_facts.floatBits != 0)
+        end = m_facts.floatBits == 32 ? DCM_FloatPixelData : DCM_DoubleFloatPixelData;
     DcmInputFileStream stream(QFile::encodeName(m_path).constData());
     OFCondition read = stream.status();
     if (read.good() && !m_dataSet.empty()) {
@@ -222,7 +226,7 @@ Result<void> DicomFile::readInto(DcmDataset& set) const
         // count.
         stream.skip(offile_off_t(m_dataSetAt));
         set.transferInit();
-        read = set.readUntilTag(stream, syntax, EGL_noChange, longestValue, DCM_PixelData);
+        read = set.readUntilTag(stream, syntax, EGL_noChange, longestValue, end);
         set.transferEnd();
     }
     if (read.bad())

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] const PromisedImage& image() const { return m_facts.image; }
 
     [[nodiscard]] bool hasPixels() const { return m_facts.hasPixels; }
+    /// 32 or 64 where pixels are floating-point numbers, else 0.
+    [[nodiscard]] int floatBits() const { return m_facts.floatBits; }
     /// The file ends before the pixel data do.
     [[nodiscard]] bool pixelsCut() const { return m_facts.pixelsCut; }
     [[nodiscard]] bool isEncapsulated() const { return m_facts.pixelsEncapsulated; }

@@ -29,10 +29,4 @@ struct DicomScan {
 /// Stopped early, incomplete, if @p progress is cancelled.
 [[nodiscard]] DicomScan scanDicom(const QStringList& files, const Progress& progress);
 
-/// Decodes a stack, or of one in time the point @p time (0: the first). Slices that fail are left
-/// out and named in the problems; FileTruncated or the first failure if none is left, OutOfMemory,
-/// Cancelled.
-[[nodiscard]] Result<LoadedVolume> loadStack(
-    const ListedStack& listed, int time, const Progress& progress);
-
 } // namespace core

@@ -17,6 +17,8 @@
 #include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <bit>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -131,6 +133,9 @@ Result<void> decodeFrom(
 {
     if (const QString reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);
+    if (header.layout.floatBits != 0)
+        return failure(ErrorCode::UnsupportedFormat, header.file,
+            QStringLiteral("floating-point pixels where stored ones are wanted"));
     const PixelLayout& layout = header.layout;
     const std::size_t size =
         std::size_t(layout.columns) * std::size_t(layout.rows) * (layout.bitsAllocated / 8u);
@@ -142,6 +147,25 @@ Result<void> decodeFrom(
         return failure(ErrorCode::FileUnreadable, header.file, wrong);
     extractStoredBits(cells, layout, stored);
     return {};
+}
+
+template <typename Number> void readNumbers(DicomBytes bytes, std::span<double> values)
+{
+    static_assert(std::endian::native == std::endian::little);
+    for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
+        Number number = 0;
+        std::memcpy(&number, bytes.data() + pixel * sizeof(Number), sizeof(Number));
+        values[pixel] = double(number);
+    }
+}
+
+QString unreadableFloats(const PixelLayout& layout, PixelCoding coding, bool bigEndian)
+{
+    if (coding != PixelCoding::Native || bigEndian)
+        return QStringLiteral("floating-point pixels that are compressed or big endian");
+    return layout.bitsAllocated == layout.floatBits
+        ? QString()
+        : QStringLiteral("floating-point pixels of %1 bits").arg(layout.bitsAllocated);
 }
 
 } // namespace
@@ -158,6 +182,10 @@ QString undecodableReason(const ImageHeader& header)
             .arg(layout.columns)
             .arg(layout.rows);
     }
+    if (layout.floatBits != 0) {
+        const TransferSyntax& syntax = transferSyntax(header.transferSyntaxUid);
+        return unreadableFloats(layout, syntax.coding, syntax.bigEndian);
+    }
     const bool sensible = (layout.bitsAllocated == 8 || layout.bitsAllocated == 16)
         && layout.bitsStored >= 1 && layout.bitsStored <= layout.bitsAllocated
         && layout.highBit >= layout.bitsStored - 1 && layout.highBit < layout.bitsAllocated;
@@ -167,6 +195,24 @@ QString undecodableReason(const ImageHeader& header)
             .arg(layout.bitsStored)
             .arg(layout.highBit);
     }
+    return {};
+}
+
+Result<void> FrameFile::decodeFloats(const ImageHeader& header, std::span<double> values) const
+{
+    if (const QString reason = undecodableReason(header); !reason.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, header.file, reason);
+    const DicomBytes bytes = m_file->pixels();
+    const std::size_t size = values.size() * std::size_t(header.layout.floatBits / 8);
+    const std::size_t first = size * std::size_t(header.frame);
+    if (m_file->floatBits() != header.layout.floatBits || bytes.size() < first + size) {
+        return failure(ErrorCode::FileTruncated, header.file,
+            QStringLiteral("%1 of %2 bytes of pixel data").arg(bytes.size()).arg(first + size));
+    }
+    if (header.layout.floatBits == 32)
+        readNumbers<float>(bytes.subspan(first, size), values);
+    else
+        readNumbers<double>(bytes.subspan(first, size), values);
     return {};
 }
 

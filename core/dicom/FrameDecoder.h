@@ -30,6 +30,10 @@ public:
     [[nodiscard]] Result<void> decode(
         const ImageHeader& header, std::span<std::uint16_t> stored) const;
 
+    /// The same for pixels that are floating-point numbers (PixelLayout::floatBits).
+    [[nodiscard]] Result<void> decodeFloats(
+        const ImageHeader& header, std::span<double> values) const;
+
 private:
     explicit FrameFile(std::unique_ptr<const DicomFile> file);
 

@@ -2,16 +2,20 @@
 #pragma once
 
 #include "core/volume/Volume.h"
+#include "core/volume/VolumeEncoder.h"
 
 #include <QString>
 #include <QStringList>
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace core {
+
+struct ModalityLut;
 
 /// How a file stores its pixels (DICOM PS3.5 section 8).
 struct PixelLayout {
@@ -22,6 +26,7 @@ struct PixelLayout {
     int bitsStored = 0;
     int highBit = 0;
     bool isSigned = false;
+    int floatBits = 0; ///< 32 or 64: pixels are floating-point numbers, bits say nothing
     QString photometric;
 };
 
@@ -47,6 +52,7 @@ struct ImageHeader {
     bool pixelsCut = false; ///< the file ends before its pixel data do
     bool isEnhanced = false; ///< geometry in functional groups
     bool hasModalityLut = false;
+    std::shared_ptr<const ModalityLut> modalityLut{}; ///< null: none, or none that can be used
     bool isLossy = false;
     int frames = 1; ///< in the file
     int frame = 0; ///< which of them this is, 0-based
@@ -67,6 +73,8 @@ struct ImageHeader {
     QString rescaleType;
     QString units; ///< (0054,1001), PET
     std::optional<WindowLevel> window;
+    bool inverted = false; ///< shown dark where values are high; the values are what they are
+    std::optional<StoredRange> padding{}; ///< stored values of pixels outside what was scanned
 
     int instanceNumber = 0;
     QString stackId; ///< of a frame: which stack of its file it belongs to; may be empty

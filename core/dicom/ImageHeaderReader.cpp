@@ -4,6 +4,7 @@
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/DicomText.h"
 #include "core/dicom/ImageMacros.h"
+#include "core/dicom/ModalityLut.h"
 #include "core/dicom/MultiframeHeader.h"
 #include "core/dicom/PhaseAttributes.h"
 #include "core/dicom/TransferSyntax.h"
@@ -51,6 +52,44 @@ PixelLayout readLayout(const HeaderAttributes& from)
     return layout;
 }
 
+void takeModalityLut(DcmDataset& set, ImageHeader& header)
+{
+    header.modalityLut = readModalityLut(set, header.layout.isSigned);
+    if (!header.modalityLut)
+        return;
+    // The table takes the place of slope and intercept (PS3.3 C.11.1.1).
+    header.slope = 1.0;
+    header.intercept = 0.0;
+    header.hasRescale = true;
+    DcmItem* item = nullptr;
+    OFString type;
+    if (set.findAndGetSequenceItem(DCM_ModalityLUTSequence, item).good()
+        && item->findAndGetOFString(DCM_ModalityLUTType, type).good())
+        header.rescaleType = QString::fromLatin1(type.c_str());
+}
+
+/// A number of sixteen bits that is signed if pixels are, whatever its VR says.
+std::optional<int> storedNumber(DcmDataset& set, const DcmTagKey& key, bool isSigned)
+{
+    Uint16 bits = 0;
+    Sint16 withSign = 0;
+    if (set.findAndGetUint16(key, bits).bad()) {
+        if (set.findAndGetSint16(key, withSign).bad())
+            return std::nullopt;
+        bits = Uint16(withSign);
+    }
+    return isSigned ? int(std::int16_t(bits)) : int(bits);
+}
+
+std::optional<StoredRange> readPadding(DcmDataset& set, bool isSigned)
+{
+    const std::optional<int> value = storedNumber(set, DCM_PixelPaddingValue, isSigned);
+    if (!value)
+        return std::nullopt;
+    const int limit = storedNumber(set, DCM_PixelPaddingRangeLimit, isSigned).value_or(*value);
+    return StoredRange{.lowest = std::min(*value, limit), .highest = std::max(*value, limit)};
+}
+
 /// Native pixel data show how many of the frames are there.
 void countFrames(std::size_t bytes, ImageHeader& header)
 {
@@ -89,6 +128,7 @@ Result<std::vector<ImageHeader>> read(const QString& path)
         || transferSyntax(header.transferSyntaxUid).lossy;
     header.frames = int(std::clamp(from.number(DCM_NumberOfFrames).value_or(1.0), 1.0, 1e6));
     header.layout = readLayout(from);
+    header.layout.floatBits = file->floatBits();
     if (file->hasPixels() && !file->isEncapsulated())
         countFrames(file->pixelBytes(), header);
     readPosition(from, header);
@@ -98,6 +138,11 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     readWindow(from, header);
     header.units = from.text(DCM_Units);
     header.hasModalityLut = from.has(DCM_ModalityLUTSequence);
+    if (header.hasModalityLut)
+        takeModalityLut(set, header);
+    header.padding = readPadding(set, header.layout.isSigned);
+    header.inverted = header.layout.photometric == QLatin1String("MONOCHROME1")
+        || from.text(DCM_PresentationLUTShape) == QLatin1String("INVERSE");
     header.instanceNumber =
         int(std::clamp(from.number(DCM_InstanceNumber).value_or(0.0), -2e9, 2e9));
     header.phases = readPhases(from);

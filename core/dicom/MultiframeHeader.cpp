@@ -65,7 +65,8 @@ std::vector<ImageHeader> framesOf(
         readPosition(about(DCM_PlanePositionSequence, frame), header);
         readOrientation(about(DCM_PlaneOrientationSequence, frame), header);
         readMeasures(about(DCM_PixelMeasuresSequence, frame), header);
-        readRescale(about(DCM_PixelValueTransformationSequence, frame), header);
+        if (!whole.modalityLut)
+            readRescale(about(DCM_PixelValueTransformationSequence, frame), header);
         readWindow(about(DCM_FrameVOILUTSequence, frame), header);
         header.stackId = about(DCM_FrameContentSequence, frame).text(DCM_StackID);
         header.phases = readFramePhases(groups, frame, characterSet, whole.phases, slices);

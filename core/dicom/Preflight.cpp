@@ -52,7 +52,7 @@ public:
             DicomElement element;
             if (!readElement(m_bytes, m_at, m_levels.back().form, element))
                 return cut(element.tag);
-            if (isOutermost() && element.tag == dicom_tag::pixelData)
+            if (isOutermost() && isPixelData(element.tag))
                 return withPixels(element);
             if (isOutermost() && element.tag == 0)
                 return padded();
@@ -75,6 +75,12 @@ private:
     [[nodiscard]] tl::unexpected<Error> damaged(const QString& why) const
     {
         return failure(ErrorCode::FileUnreadable, m_path, why);
+    }
+
+    [[nodiscard]] static bool isPixelData(std::uint32_t tag)
+    {
+        return tag == dicom_tag::pixelData || tag == dicom_tag::floatPixelData
+            || tag == dicom_tag::doublePixelData;
     }
 
     void leaveFullLevels()
@@ -256,6 +262,8 @@ private:
                                .arg(image.frames));
         }
         m_facts.hasPixels = true;
+        if (element.tag != dicom_tag::pixelData)
+            m_facts.floatBits = element.tag == dicom_tag::floatPixelData ? 32 : 64;
         m_facts.pixelsAreWords = element.vr != "OB";
         m_facts.pixelsEncapsulated = element.length == undefinedLength;
         m_at = element.value;

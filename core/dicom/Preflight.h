@@ -38,6 +38,7 @@ struct PreflightFacts {
     bool hasPixels = false;
     bool pixelsEncapsulated = false;
     bool pixelsAreWords = true; ///< VR OW, which matters for big endian
+    int floatBits = 0; ///< 32 or 64 where pixels are floating-point numbers
     bool pixelsCut = false; ///< the bytes end before the pixel data do
     ByteRange pixels; ///< of pixel data that are not encapsulated: as long as they claim to be
     std::vector<ByteRange>

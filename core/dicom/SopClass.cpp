@@ -12,6 +12,8 @@ struct Kind {
     const char* name;
 };
 
+constexpr const char* parametricMap = "1.2.840.10008.5.1.4.1.1.30";
+
 // PS3.4 annex B.5 and PS3.3 annex F.
 constexpr Kind kinds[] = {
     {"1.2.840.10008.1.3.10", "DICOMDIR"},
@@ -27,7 +29,7 @@ constexpr Kind kinds[] = {
     {"1.2.840.10008.5.1.4.1.1.88", "structured report"},
     {"1.2.840.10008.5.1.4.1.1.11", "presentation state"},
     {"1.2.840.10008.5.1.4.1.1.104", "encapsulated document"},
-    {"1.2.840.10008.5.1.4.1.1.30", "parametric map"},
+    {parametricMap, "parametric map of whole numbers"},
     {"1.2.840.10008.5.1.4.1.1.9", "waveform"},
 };
 
@@ -40,13 +42,15 @@ QString kindWithoutSlices(const ImageHeader& header)
         if (header.sopClassUid == uid
             || (header.sopClassUid.startsWith(uid)
                 && header.sopClassUid.at(uid.size()) == QLatin1Char('.'))) {
-            return QString::fromLatin1(kind.name);
+            // A map of floating-point numbers is a volume like others.
+            if (header.layout.floatBits == 0 || uid != QLatin1String(parametricMap))
+                return QString::fromLatin1(kind.name);
         }
     }
     if (!header.hasPixels)
         return QStringLiteral("object without an image");
-    if (header.hasModalityLut)
-        return QStringLiteral("image with a modality lookup table");
+    if (header.hasModalityLut && !header.modalityLut)
+        return QStringLiteral("image with a damaged modality lookup table");
     return {};
 }
 

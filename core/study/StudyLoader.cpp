@@ -2,6 +2,7 @@
 #include "core/study/StudyLoader.h"
 
 #include "core/dicom/DicomScan.h"
+#include "core/dicom/StackLoader.h"
 #include "core/study/FileFormats.h"
 
 #include <QDir>

@@ -12,6 +12,7 @@
 #include <future>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace core {
 
@@ -55,21 +56,35 @@ int percentileCode(const CodeCounts& counts, std::uint64_t total, double share)
     return codeCount - 1;
 }
 
+/// From the least to the greatest value that is counted.
+std::pair<double, double> countedRange(const Volume& volume, const CodeCounts& counts)
+{
+    const auto isCounted = [](std::uint64_t count) { return count > 0; };
+    const auto first = std::find_if(counts.begin(), counts.end(), isCounted);
+    const auto last = std::find_if(counts.rbegin(), counts.rend(), isCounted);
+    // What codes hold inexactly keeps its exact ends.
+    const auto lowest = int(first - counts.begin());
+    const auto highest = int(counts.rend() - last) - 1;
+    const double least = volume.encoding.value(lowest);
+    const double greatest = volume.encoding.value(highest);
+    return {std::max(least, volume.minimum), std::min(greatest, volume.maximum)};
+}
+
 void describe(Volume& volume, const CodeCounts& counts, bool hasWindow)
 {
     constexpr int bins = 256;
     const VoxelEncoding& encoding = volume.encoding;
-    volume.histogram = {.minimum = volume.minimum,
-        .maximum = volume.maximum,
-        .counts = std::vector<std::uint32_t>(bins, 0)};
-    const double range = volume.maximum - volume.minimum;
+    const auto [minimum, maximum] = countedRange(volume, counts);
+    volume.histogram = {
+        .minimum = minimum, .maximum = maximum, .counts = std::vector<std::uint32_t>(bins, 0)};
+    const double range = maximum - minimum;
     std::uint64_t total = 0;
     for (int code = 0; code < codeCount; ++code) {
         const std::uint64_t count = counts[std::size_t(code)];
         if (count == 0)
             continue;
         total += count;
-        const double share = range > 0.0 ? (encoding.value(code) - volume.minimum) / range : 0.0;
+        const double share = range > 0.0 ? (encoding.value(code) - minimum) / range : 0.0;
         const int bin = std::clamp(int(share * bins), 0, bins - 1);
         std::uint32_t& sum = volume.histogram.counts[std::size_t(bin)];
         sum = std::uint32_t(std::min<std::uint64_t>(sum + count, UINT32_MAX));
@@ -119,15 +134,31 @@ QByteArray hashValues(const LoadedVolume& loaded, const std::vector<float>& valu
     return hash.result().toHex();
 }
 
+struct CodeRange {
+    int lowest = 0;
+    int highest = 0;
+};
+
+/// Codes that do not count, unless there are no others.
+void forget(CodeCounts& counts, const CodeRange& range)
+{
+    CodeCounts rest = counts;
+    const int lowest = std::max(range.lowest, 0);
+    for (int code = lowest; code <= std::min(range.highest, codeCount - 1); ++code)
+        rest[std::size_t(code)] = 0;
+    if (std::any_of(rest.begin(), rest.end(), [](std::uint64_t count) { return count > 0; }))
+        counts = std::move(rest);
+}
+
 /// Codes are exact: minimum, maximum and checksum follow from them.
-void describeExact(LoadedVolume& loaded, bool hasWindow)
+void describeExact(LoadedVolume& loaded, const std::optional<CodeRange>& padding, bool hasWindow)
 {
     Volume& volume = loaded.volume;
     const std::vector<float> valueOfCode = valuesOfCodes(volume.encoding);
     // The checksum is a chain and takes one core; the rest is done beside it.
     std::future<QByteArray> checksum =
         std::async(std::launch::async, [&] { return hashValues(loaded, valueOfCode); });
-    const CodeCounts counts = countCodes(loaded);
+    CodeCounts counts = countCodes(loaded);
     int lowest = codeCount - 1;
     int highest = 0;
     for (int code = 0; code < codeCount; ++code) {
@@ -140,6 +171,8 @@ void describeExact(LoadedVolume& loaded, bool hasWindow)
     volume.minimum = volume.encoding.value(lowest);
     volume.maximum = volume.encoding.value(highest);
     volume.voxelsSha256 = hash;
+    if (padding)
+        forget(counts, *padding);
     describe(volume, counts, hasWindow);
 }
 
@@ -196,7 +229,16 @@ void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slic
             code[voxel] = std::uint16_t(falling ? greatest - value : value - least);
         }
     });
-    describeExact(loaded, hasWindow);
+    // Slices that do not agree on what is padding have none.
+    std::optional<CodeRange> padding;
+    const bool agreed = std::all_of(slices.begin(), slices.end(),
+        [&](const SliceRescale& slice) { return slice.padding == slices[0].padding; });
+    if (slices[0].padding && agreed) {
+        const StoredRange& stored = *slices[0].padding;
+        padding = falling ? CodeRange{greatest - stored.highest, greatest - stored.lowest}
+                          : CodeRange{stored.lowest - least, stored.highest - least};
+    }
+    describeExact(loaded, padding, hasWindow);
 }
 
 void encodeValues(LoadedVolume& loaded,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,12 +13,22 @@ class QCryptographicHash;
 
 namespace core {
 
+/// Stored values, both ends included.
+struct StoredRange {
+    int lowest = 0;
+    int highest = 0;
+    bool operator==(const StoredRange&) const = default;
+};
+
 /// How the stored values of one slice become modality values: slope · stored + intercept, in double
 /// (DICOM PS3.3 C.11.1).
 struct SliceRescale {
     double slope = 1.0;
     double intercept = 0.0;
     bool isSigned = false; ///< stored values are two's complement
+    /// Stored values of voxels outside what was scanned (PS3.3 C.7.5.1.1.2): they stay what they
+    /// are but do not count in the histogram and the window made from it.
+    std::optional<StoredRange> padding{};
     bool operator==(const SliceRescale&) const = default;
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+
+#include <QString>
+
+#include <mutex>
+
+namespace core {
+
+/// Counts steps done on several threads; the listener hears them one at a time and in order.
+class StepCounter {
+public:
+    StepCounter(const Progress& progress, const QString& step, int total)
+        : m_progress(progress)
+        , m_step(step)
+        , m_total(total)
+    {
+    }
+
+    void stepDone()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_progress.report(m_step, ++m_done, m_total);
+    }
+
+private:
+    const Progress& m_progress;
+    const QString m_step;
+    const int m_total;
+    std::mutex m_mutex;
+    int m_done = 0;
+};
+
+} // namespace core

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/StackLoader.h"
+
+#include "core/base/ParallelFor.h"
+#include "core/base/StepCounter.h"
+#include "core/dicom/FrameDecoder.h"
+#include "core/dicom/ModalityLut.h"
+#include "core/dicom/StackGeometry.h"
+#include "core/volume/MemoryLimit.h"
+#include "core/volume/VolumeEncoder.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+
+namespace core {
+
+namespace {
+
+/// Exact values of a stack of floating-point numbers. Fails with the first slice that does.
+Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress& progress)
+{
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    // Four times what the codes take, for as long as they are made.
+    if (const Result<void> fits = checkMemory(5 * stack.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    std::vector<double> values(stack.geometry.voxelCount());
+    int done = 0;
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        const ImageHeader& image = stack.slices[k];
+        const Result<FrameFile> file = FrameFile::open(image.file);
+        if (!file)
+            return tl::unexpected<Error>(file.error());
+        const std::span<double> slice = std::span(values).subspan(k * size, size);
+        if (const Result<void> read = file->decodeFloats(image, slice); !read)
+            return tl::unexpected<Error>(read.error());
+        for (double& value : slice)
+            value = image.slope * value + image.intercept;
+        progress.report(QStringLiteral("Reading slices"), ++done, int(stack.slices.size()));
+    }
+    return values;
+}
+
+/// Slots of what is decoded, and what went wrong.
+struct Decoding {
+    std::vector<std::uint16_t> stored;
+    std::vector<std::optional<Error>> errors;
+};
+
+/// The files that hold several of a stack's slices, each opened when its first slice is decoded and
+/// then used by all threads.
+class SharedFiles {
+public:
+    explicit SharedFiles(const std::vector<ImageHeader>& slices)
+    {
+        for (const ImageHeader& image : slices) {
+            if (image.frames > 1 && !m_files.contains(image.file))
+                m_files.emplace(image.file, std::make_unique<Slot>());
+        }
+    }
+
+    /// What is stored, through its lookup table where there is one.
+    [[nodiscard]] Result<void> decode(const ImageHeader& image, std::span<std::uint16_t> stored)
+    {
+        Result<void> decoded = decodeStored(image, stored);
+        if (decoded && image.modalityLut)
+            image.modalityLut->apply(stored, image.layout.isSigned);
+        return decoded;
+    }
+
+private:
+    [[nodiscard]] Result<void> decodeStored(
+        const ImageHeader& image, std::span<std::uint16_t> stored)
+    {
+        const auto found = m_files.find(image.file);
+        if (found == m_files.end())
+            return decodeFrame(image, stored);
+        Slot& slot = *found->second;
+        std::call_once(slot.once, [&] { slot.file.emplace(FrameFile::open(image.file)); });
+        if (!*slot.file)
+            return tl::unexpected<Error>(slot.file->error());
+        return (*slot.file)->decode(image, stored);
+    }
+
+    struct Slot {
+        std::once_flag once;
+        std::optional<Result<FrameFile>> file;
+    };
+    std::map<QString, std::unique_ptr<Slot>> m_files; ///< does not change while threads look
+};
+
+Decoding decodeAll(const SliceStack& stack, const Progress& progress)
+{
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    Decoding decoding;
+    decoding.stored.resize(stack.geometry.voxelCount());
+    decoding.errors.resize(stack.slices.size());
+    SharedFiles files(stack.slices);
+    StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
+    parallelFor(int(stack.slices.size()), [&](int k) {
+        if (progress.cancelled())
+            return;
+        const auto slot = std::size_t(k);
+        const Result<void> decoded =
+            files.decode(stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
+        if (!decoded)
+            decoding.errors[slot] = decoded.error();
+        counter.stepDone();
+    });
+    return decoding;
+}
+
+/// Leaves out the slices that failed; the rest is placed anew.
+SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
+{
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    std::vector<ImageHeader> sound;
+    QStringList failed;
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (decoding.errors[k]) {
+            failed.append(imageName(stack.slices[k]));
+            continue;
+        }
+        std::copy_n(decoding.stored.begin() + std::ptrdiff_t(k * size), size,
+            decoding.stored.begin() + std::ptrdiff_t(sound.size() * size));
+        sound.push_back(stack.slices[k]);
+    }
+    decoding.stored.resize(sound.size() * size);
+    SliceStack rest = stackOf(std::move(sound));
+    rest.part = stack.part;
+    rest.time = stack.time;
+    rest.problems.push_back(damagedSlices(failed));
+    return rest;
+}
+
+const ImageHeader& middleOf(const SliceStack& stack)
+{
+    return stack.slices[stack.slices.size() / 2];
+}
+
+/// All but the voxels and what follows from them.
+Volume describe(const ListedStack& listed, const SliceStack& stack)
+{
+    Volume volume;
+    volume.identity = listed.entry.identity;
+    volume.geometry = stack.geometry;
+    volume.unit = listed.entry.unit;
+    volume.sourceFormat = QStringLiteral("DICOM");
+    volume.problems = stack.problems;
+    const ImageHeader& middle = middleOf(stack);
+    volume.displayInverted = middle.inverted;
+    if (middle.window)
+        volume.defaultWindow = *middle.window;
+    for (const ImageHeader& image : stack.slices) {
+        volume.sources.push_back({.file = image.file,
+            .sopInstanceUid = image.sopInstanceUid,
+            .sopClassUid = image.sopClassUid,
+            .frame = image.frame,
+            .instanceNumber = image.instanceNumber});
+    }
+    return volume;
+}
+
+Result<LoadedVolume> loadStored(
+    const ListedStack& listed, const SliceStack& wanted, const Progress& progress)
+{
+    if (const Result<void> fits = checkMemory(wanted.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    Decoding decoding = decodeAll(wanted, progress);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+
+    SliceStack stack{.slices = wanted.slices,
+        .geometry = wanted.geometry,
+        .problems = wanted.problems,
+        .part = wanted.part,
+        .time = wanted.time,
+        .laterTimes = {}};
+    const auto failures = std::count_if(decoding.errors.begin(), decoding.errors.end(),
+        [](const std::optional<Error>& error) { return error.has_value(); });
+    if (failures == std::ptrdiff_t(stack.slices.size()))
+        return tl::unexpected<Error>(*decoding.errors.front());
+    if (failures > 0)
+        stack = withoutFailed(stack, decoding);
+
+    LoadedVolume loaded{.volume = describe(listed, stack)};
+    std::vector<SliceRescale> rescales;
+    for (const ImageHeader& image : stack.slices) {
+        rescales.push_back({.slope = image.slope,
+            .intercept = image.intercept,
+            .isSigned = image.layout.isSigned && !image.modalityLut,
+            .padding = image.modalityLut ? std::nullopt : image.padding});
+    }
+    loaded.codes = std::move(decoding.stored);
+    encodeStoredValues(loaded, rescales, middleOf(stack).window.has_value());
+    return loaded;
+}
+
+Result<LoadedVolume> loadFloats(
+    const ListedStack& listed, const SliceStack& stack, const Progress& progress)
+{
+    const Result<std::vector<double>> values = decodeFloats(stack, progress);
+    if (!values)
+        return tl::unexpected<Error>(values.error());
+    LoadedVolume loaded{.volume = describe(listed, stack)};
+    const auto writeSlice = [&](int k, std::span<double> slice) {
+        const auto first = values->begin() + std::ptrdiff_t(std::size_t(k) * slice.size());
+        std::copy_n(first, slice.size(), slice.begin());
+    };
+    encodeValues(loaded, writeSlice, middleOf(stack).window.has_value());
+    return loaded;
+}
+
+} // namespace
+
+Result<LoadedVolume> loadStack(const ListedStack& listed, int time, const Progress& progress)
+{
+    const SliceStack& wanted =
+        time == 0 ? listed.stack : listed.stack.laterTimes.at(std::size_t(time - 1));
+    return wanted.slices.front().layout.floatBits != 0 ? loadFloats(listed, wanted, progress)
+                                                       : loadStored(listed, wanted, progress);
+}
+
+} // namespace core
