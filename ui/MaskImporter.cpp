@@ -30,6 +30,12 @@ MaskImporter::MaskImporter(Workspace& workspace, QWidget* window)
     , m_workspace(workspace)
     , m_window(window)
 {
+    // What is read for one study is nothing to the next.
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_session = nullptr;
+        if (m_progress)
+            m_progress->cancel();
+    });
 }
 
 MaskImporter::~MaskImporter()

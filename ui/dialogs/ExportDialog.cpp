@@ -192,13 +192,13 @@ void ExportDialog::build()
     m_close->setAutoDefault(false);
     m_browse->setAutoDefault(false);
 
-    auto* format = new QHBoxLayout;
-    format->addWidget(new QLabel(tr("Format"), this));
-    format->addWidget(m_format);
-    format->addSpacing(theme::padding);
-    format->addWidget(m_spaceName);
-    format->addWidget(m_space);
-    format->addStretch(1);
+    auto* formats = new QHBoxLayout;
+    formats->addWidget(new QLabel(tr("Format"), this));
+    formats->addWidget(m_format);
+    formats->addSpacing(theme::padding);
+    formats->addWidget(m_spaceName);
+    formats->addWidget(m_space);
+    formats->addStretch(1);
     auto* target = new QHBoxLayout;
     target->addWidget(new QLabel(tr("File"), this));
     target->addWidget(m_file, 1);
@@ -212,7 +212,7 @@ void ExportDialog::build()
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(identityBlock());
     layout->addWidget(m_segments, 1);
-    layout->addLayout(format);
+    layout->addLayout(formats);
     layout->addWidget(m_formatSays);
     layout->addWidget(m_obstacle);
     layout->addLayout(target);
