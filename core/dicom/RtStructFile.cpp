@@ -32,19 +32,30 @@ void forEachItem(
     }
 }
 
-/// @return whether the text is triples of numbers
-bool readPoints(DcmItem& item, std::vector<glm::dvec3>& points)
+/// The text of a long value, also where a writer gave it no type since its length fits none.
+QByteArray longText(DcmItem& item, const DcmTagKey& tag)
 {
     DcmElement* element = nullptr;
-    char* text = nullptr;
-    Uint32 length = 0;
-    if (item.findAndGetElement(DCM_ContourData, element).bad())
-        return false;
-    auto* string = dynamic_cast<DcmByteString*>(element);
-    if (string == nullptr || string->getString(text, length).bad() || text == nullptr)
-        return false;
-    const char* at = text;
-    const char* end = text + length;
+    if (item.findAndGetElement(tag, element).bad() || element == nullptr)
+        return {};
+    if (auto* string = dynamic_cast<DcmByteString*>(element)) {
+        char* text = nullptr;
+        Uint32 length = 0;
+        if (string->getString(text, length).bad() || text == nullptr)
+            return {};
+        return {text, qsizetype(length)};
+    }
+    Uint8* bytes = nullptr;
+    if (element->getUint8Array(bytes).bad() || bytes == nullptr)
+        return {};
+    return {reinterpret_cast<const char*>(bytes), qsizetype(element->getLength())};
+}
+
+/// None: a number is none, or there are not three a point.
+std::optional<std::vector<glm::dvec3>> pointsIn(const QByteArray& text)
+{
+    const char* at = text.constData();
+    const char* end = at + text.size();
     std::vector<double> numbers;
     while (at < end) {
         while (at < end && (*at == ' ' || *at == '+'))
@@ -52,19 +63,20 @@ bool readPoints(DcmItem& item, std::vector<glm::dvec3>& points)
         double value = 0.0;
         const auto parsed = std::from_chars(at, end, value);
         if (parsed.ec != std::errc() || !std::isfinite(value))
-            return false;
+            return std::nullopt;
         numbers.push_back(value);
         at = parsed.ptr;
         while (at < end && (*at == ' ' || *at == '\0'))
             ++at;
         if (at < end && *at++ != '\\')
-            return false;
+            return std::nullopt;
     }
     if (numbers.empty() || numbers.size() % 3 != 0)
-        return false;
+        return std::nullopt;
+    std::vector<glm::dvec3> points;
     for (std::size_t i = 0; i < numbers.size(); i += 3)
         points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    return true;
+    return points;
 }
 
 std::optional<std::uint32_t> colourIn(const ItemReader& item)
@@ -75,24 +87,24 @@ std::optional<std::uint32_t> colourIn(const ItemReader& item)
         const double part = (*parts)[std::size_t(i)];
         if (!(part >= 0.0 && part <= 255.0))
             return std::nullopt;
-        rgb = (rgb << 8U) | std::uint32_t(part);
+        rgb = (rgb << 8U) | std::uint32_t(std::lround(part));
     }
     return parts ? std::optional(rgb) : std::nullopt;
 }
 
-/// @return what is wrong; empty if nothing
-QString readContour(DcmItem& item, RtContour& contour)
+/// @return whether its numbers are points
+bool readContour(DcmItem& item, RtContour& contour)
 {
     const ItemReader reader(&item);
     contour.geometricType = reader.text(DCM_ContourGeometricType);
     const ItemReader image = reader.item(DCM_ContourImageSequence);
     contour.referencedSopUid = image.text(DCM_ReferencedSOPInstanceUID);
     contour.referencedFrame = image.integer(DCM_ReferencedFrameNumber).value_or(1) - 1;
-    if (!readPoints(item, contour.points))
-        return QStringLiteral("the points of a contour are not triples of numbers");
-    if (reader.integer(DCM_NumberOfContourPoints) != int(contour.points.size()))
-        return QStringLiteral("a contour has not as many points as it says");
-    return {};
+    contour.saidPoints = reader.integer(DCM_NumberOfContourPoints);
+    auto points = pointsIn(longText(item, DCM_ContourData));
+    if (points)
+        contour.points = *std::move(points);
+    return points.has_value();
 }
 
 } // namespace
@@ -109,7 +121,8 @@ Result<RtStructFile> readRtStruct(const QString& path)
         return tl::unexpected<Error>(parsed.error());
     const ItemReader reader(&set);
     if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_RTStructureSetStorage))
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not an RTSTRUCT"));
+        return failure(
+            ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM RT Structure Set"));
 
     RtStructFile read;
     read.patient = readHeaderPatient(set);
@@ -136,23 +149,36 @@ Result<RtStructFile> readRtStruct(const QString& path)
         roiOf.insert(made.number, read.rois.size());
         read.rois.push_back(std::move(made));
     });
+    const auto named = [&](const ItemReader& item) -> RtRoi* {
+        const auto roi = roiOf.constFind(item.integer(DCM_ReferencedROINumber).value_or(-1));
+        return roi == roiOf.constEnd() ? nullptr : &read.rois[*roi];
+    };
     QString wrong;
     forEachItem(set, DCM_ROIContourSequence, [&](DcmItem& item) {
-        const ItemReader contours(&item);
-        const auto roi = roiOf.constFind(contours.integer(DCM_ReferencedROINumber).value_or(-1));
-        if (roi == roiOf.constEnd()) {
-            wrong = QStringLiteral("contours of a region that is not named");
+        RtRoi* roi = named(ItemReader(&item));
+        if (roi == nullptr) {
+            ++read.contoursOfNone;
             return;
         }
-        read.rois[*roi].rgb = colourIn(contours);
+        roi->rgb = colourIn(ItemReader(&item));
         forEachItem(item, DCM_ContourSequence, [&](DcmItem& contour) {
-            read.rois[*roi].contours.emplace_back();
-            if (wrong.isEmpty())
-                wrong = readContour(contour, read.rois[*roi].contours.back());
+            if (!wrong.isEmpty())
+                return;
+            if (!readContour(contour, roi->contours.emplace_back()))
+                wrong = QStringLiteral("a contour of '%1' has numbers that are no points")
+                            .arg(roi->name);
         });
     });
     if (!wrong.isEmpty())
         return failure(ErrorCode::FileUnreadable, path, wrong);
+    forEachItem(set, DCM_RTROIObservationsSequence, [&](DcmItem& item) {
+        RtRoi* roi = named(ItemReader(&item));
+        const ItemReader code = ItemReader(&item).item(DCM_RTROIIdentificationCodeSequence);
+        if (roi != nullptr && code.valid())
+            roi->code = {.scheme = code.text(DCM_CodingSchemeDesignator),
+                .value = code.text(DCM_CodeValue),
+                .meaning = code.text(DCM_CodeMeaning)};
+    });
     return read;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/dicom/SourceHeader.h"
+#include "core/document/Document.h"
 
 #include <QString>
 #include <QStringList>
@@ -18,15 +19,18 @@ struct RtContour {
     QString geometricType; ///< CLOSED_PLANAR …
     QString referencedSopUid; ///< the source image; empty if none is named
     int referencedFrame = 0; ///< 0-based
-    std::vector<glm::dvec3> points; ///< LPS mm
+    std::optional<int> saidPoints; ///< how many it says it has
+    std::vector<glm::dvec3> points; ///< LPS mm, as they stand there
 };
 
-/// A region of interest: what StructureSetROISequence and ROIContourSequence say of one number.
+/// A region of interest: what StructureSetROISequence, ROIContourSequence and
+/// RTROIObservationsSequence say of one number.
 struct RtRoi {
     int number = 0;
     QString name;
     QString frameOfReferenceUid;
     std::optional<std::uint32_t> rgb; ///< 0xRRGGBB
+    CodedConcept code;
     std::vector<RtContour> contours;
 };
 
@@ -37,11 +41,12 @@ struct RtStructFile {
     QString frameOfReferenceUid; ///< of the first item of ReferencedFrameOfReferenceSequence
     QStringList referencedSopUids; ///< of all series in there
     std::vector<RtRoi> rois; ///< in the order of StructureSetROISequence
+    int contoursOfNone = 0; ///< items of ROIContourSequence whose number no region has
 };
 
 /// Reads an RTSTRUCT. Cost: the file once. Any thread.
-/// Errors: FileNotFound, FileUnreadable (also: points that are no numbers or not as many as said),
-/// UnsupportedFormat (no RTSTRUCT).
-Result<RtStructFile> readRtStruct(const QString& path);
+/// Errors: those of DicomFile::open(), FileNotFound, FileUnreadable (also: numbers that are no
+/// points), UnsupportedFormat (no RTSTRUCT).
+[[nodiscard]] Result<RtStructFile> readRtStruct(const QString& path);
 
 } // namespace core

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/SopClass.h"
 
+#include "core/dicom/DicomFile.h"
+#include "core/dicom/ItemReader.h"
+
 #include <QLatin1String>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
 
 namespace core {
 
@@ -52,6 +58,19 @@ QString kindWithoutSlices(const ImageHeader& header)
     if (header.hasModalityLut && !header.modalityLut)
         return QStringLiteral("image with a damaged modality lookup table");
     return {};
+}
+
+Result<QString> sopClassOf(const QString& path)
+{
+    const Result<DicomFile> file = DicomFile::open(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    if (!file->mediaSopClassUid().isEmpty())
+        return file->mediaSopClassUid();
+    DcmDataset dataset;
+    if (const Result<void> parsed = file->readInto(dataset); !parsed)
+        return tl::unexpected<Error>(parsed.error());
+    return ItemReader(&dataset).text(DCM_SOPClassUID);
 }
 
 } // namespace core

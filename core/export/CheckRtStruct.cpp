@@ -162,6 +162,8 @@ struct Check {
                 QStringLiteral("%1/%2").arg(contour.referencedSopUid).arg(contour.referencedFrame);
             if (!sliceOfInstance.contains(key))
                 return inRoi(QStringLiteral("the image of a contour is none of the volume's"));
+            if (contour.saidPoints != int(contour.points.size()))
+                return inRoi(QStringLiteral("a contour has not as many points as it says"));
             if (contour.geometricType != QLatin1String("CLOSED_PLANAR"))
                 return inRoi(QStringLiteral("a contour is not closed and planar"));
             ofSlice[sliceOfInstance.value(key)].push_back(&contour);
@@ -227,6 +229,8 @@ Result<QStringList> checkRtStructExport(
     Check check{file, expected, *set, *headers, {}};
     if (set->rois.size() != expected.segments.size())
         return check.mismatch(QStringLiteral("the number of segments"));
+    if (set->contoursOfNone != 0)
+        return check.mismatch(QStringLiteral("contours of a region that is not named"));
     if (const auto same = check.sources(); !same)
         return tl::unexpected(same.error());
     std::size_t contours = 0;

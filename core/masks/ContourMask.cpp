@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/RtStructReader.h"
+#include "core/dicom/RtStructFile.h"
 #include "core/masks/MaskParts.h"
 #include "core/masks/PolygonFill.h"
 
@@ -158,14 +158,42 @@ VoxelRuns voxelsOf(const Planes& planes, const Slices& slices, double reachMm)
     return voxels;
 }
 
+bool isClosed(const RtContour& contour)
+{
+    return contour.geometricType == QLatin1String("CLOSED_PLANAR")
+        || contour.geometricType == QLatin1String("CLOSEDPLANAR_XOR");
+}
+
+/// Keeps the contours that surround something, without the first point once more at the end.
+/// @return whether there were others
+bool keepClosed(RtRoi& roi)
+{
+    for (RtContour& contour : roi.contours) {
+        std::vector<glm::dvec3>& points = contour.points;
+        while (points.size() > 1 && points.front() == points.back())
+            points.pop_back();
+    }
+    return std::erase_if(roi.contours, [](const RtContour& contour) {
+        return !isClosed(contour) || contour.points.size() < 3;
+    }) != 0;
+}
+
 } // namespace
 
 Result<MaskOnVolume> readContourMask(
     const QString& path, const Volume& volume, const Progress& progress)
 {
-    const Result<RtStructFile> set = readRtStruct(path);
+    Result<RtStructFile> set = readRtStruct(path);
     if (!set)
         return tl::unexpected(set.error());
+    std::set<int> withOthers; // regions, by their numbers
+    QString frameOfReference;
+    for (RtRoi& roi : set->rois) {
+        if (keepClosed(roi))
+            withOthers.insert(roi.number);
+        if (frameOfReference.isEmpty())
+            frameOfReference = roi.frameOfReferenceUid;
+    }
     const Slices slices(volume.geometry);
     bool anyContour = false;
     for (const RtRoi& roi : set->rois) {
@@ -181,7 +209,7 @@ Result<MaskOnVolume> readContourMask(
         return failure(
             ErrorCode::UnsupportedFormat, path, QStringLiteral("it has no closed contour"));
     MaskOnVolume mask;
-    mask.notes = notesOnOrigin(set->patient.id, set->frameOfReferenceUid, volume);
+    mask.notes = notesOnOrigin(set->patient.id, frameOfReference, volume);
     const Reach reach = reachOf(*set, slices);
     if (!reach.onSlices)
         mask.notes += QStringLiteral("Its contours lie between the study's slices: each slice has "
@@ -199,7 +227,7 @@ Result<MaskOnVolume> readContourMask(
             without += name;
             continue;
         }
-        if (roi.others != 0)
+        if (withOthers.contains(roi.number))
             mask.notes += QStringLiteral("Points and open curves of '%1' are left out.").arg(name);
         mask.segments.push_back(
             {.name = name, .rgb = roi.rgb, .code = roi.code, .voxels = std::move(voxels)});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskOnVolume.h"
 
-#include "core/dicom/RtStructReader.h"
+#include "core/dicom/SopClass.h"
 #include "core/masks/MaskParts.h"
 #include "core/metaimage/MetaImageReader.h"
 #include "core/nifti/NiftiReader.h"
