@@ -57,7 +57,7 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
     if (const auto* seen = std::get_if<SegmentSeen>(&edit))
         return discardValue(labelSeen(*seen, document));
     if (const auto* mask = std::get_if<ImportMask>(&edit))
-        return discardValue(importTargets(*mask, document));
+        return discardValue(labelListed(*mask, document));
     if (const auto* cover = std::get_if<SegmentToLayer>(&edit)) {
         if (const Result<void> checked = checkLayer("segmentToLayer.layer", cover->layer, document);
             !checked)

@@ -82,14 +82,14 @@ namespace core {
 /// Errors: those of labelTarget(), InvalidField (lower > upper).
 [[nodiscard]] Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document);
 
-/// Where the segments of a mask go. Errors: InvalidField (no voxels read, another grid, no room for
-/// so many segments), UnknownSegment, SegmentLocked.
+/// Where the segments of a mask go, in whatever volume. Errors: InvalidField (no voxels read, no
+/// room for so many segments), UnknownSegment, SegmentLocked.
 struct ImportTargets {
     std::vector<LabelTarget> targets; ///< one a segment
     bool isNew = true; ///< they are made: one by one, or with "as" one
 };
 [[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
-/// Errors: those of importTargets(), InvalidField (voxels that are none).
+/// Errors: those of importTargets(), InvalidField (voxels that are none, or of another grid).
 [[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
 
 /// Errors: UnknownSegment.

@@ -33,6 +33,21 @@ tl::unexpected<Error> wrong(const char* field, const QString& reason)
     return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
 
+Result<void> isOfVolume(const ImportMask& edit, const Document& document)
+{
+    const glm::ivec3 size = document.volumes.front().geometry.size;
+    if (*edit.size == size)
+        return {};
+    return wrong("importMask.size",
+        QStringLiteral("its voxels are of a volume of %1 × %2 × %3, this one has %4 × %5 × %6")
+            .arg(edit.size->x)
+            .arg(edit.size->y)
+            .arg(edit.size->z)
+            .arg(size.x)
+            .arg(size.y)
+            .arg(size.z));
+}
+
 /// Puts labels where runs are and nothing is yet.
 class BrickList {
 public:
@@ -91,16 +106,6 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
 {
     if (!edit.segments || !edit.size)
         return wrong("importMask.segments", QStringLiteral("its file has not been read"));
-    const glm::ivec3 size = document.volumes.front().geometry.size;
-    if (*edit.size != size)
-        return wrong("importMask.size",
-            QStringLiteral("its voxels are of a volume of %1 × %2 × %3, this one has %4 × %5 × %6")
-                .arg(edit.size->x)
-                .arg(edit.size->y)
-                .arg(edit.size->z)
-                .arg(size.x)
-                .arg(size.y)
-                .arg(size.z));
     const Result<std::optional<int>> meant = segmentMeant(edit, document);
     if (!meant)
         return tl::unexpected(meant.error());
@@ -130,6 +135,8 @@ Result<LabelListed> labelListed(const ImportMask& edit, const Document& document
     if (!where)
         return tl::unexpected(where.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
+    if (const Result<void> same = isOfVolume(edit, document); !same)
+        return tl::unexpected(same.error());
     BrickList bricks(geometry.size);
     for (std::size_t i = 0; i < edit.segments->size(); ++i) {
         const std::optional<VoxelRuns> voxels =
