@@ -41,6 +41,12 @@ public:
             core::writeNifti(path(name), {.geometry = geometry, .voxels = labels}, false);
         return written ? path(name) : QString();
     }
+    /// Until the file that is being read has become a step, or has not.
+    void finish()
+    {
+        QTRY_VERIFY(!window.importer().busy());
+        QVERIFY(session().settle());
+    }
     void drop(const QString& file)
     {
         QMimeData data;
@@ -66,8 +72,8 @@ private Q_SLOTS:
         QSignalSpy imported(&fixture.window.importer(), &ui::MaskImporter::imported);
         fixture.window.importer().import(fixture.mask("some.nii"));
         QVERIFY(fixture.window.importer().busy());
-        QTRY_COMPARE(imported.count(), 1);
-        QVERIFY(!fixture.window.importer().busy());
+        fixture.finish();
+        QCOMPARE(imported.count(), 1);
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         const auto& segments = fixture.session().document().segments;
         QCOMPARE(segments.size(), std::size_t(2));
@@ -89,7 +95,8 @@ private Q_SLOTS:
     {
         ImportFixture fixture;
         fixture.drop(fixture.mask("some-seg.nii"));
-        QTRY_COMPARE(fixture.session().history().rows().size(), std::size_t(1));
+        fixture.finish();
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
     }
 
@@ -98,7 +105,8 @@ private Q_SLOTS:
         ImportFixture fixture;
         QSignalSpy imported(&fixture.window.importer(), &ui::MaskImporter::imported);
         fixture.window.importer().import(fixture.mask("moved.nii", {0.7, 0.0, 0.0}));
-        QTRY_COMPARE(imported.count(), 1);
+        fixture.finish();
+        QCOMPARE(imported.count(), 1);
         QVERIFY(!imported[0][1].toStringList().isEmpty());
         QVERIFY(
             fixture.window.messages().sentence().contains(imported[0][1].toStringList().first()));
@@ -123,8 +131,8 @@ private Q_SLOTS:
         }
         QSignalSpy failed(&fixture.window.importer(), &ui::MaskImporter::failed);
         fixture.window.importer().import(file);
-        QTRY_COMPARE(failed.count(), 1);
-        QVERIFY(fixture.session().settle());
+        fixture.finish();
+        QCOMPARE(failed.count(), 1);
         QVERIFY(fixture.session().history().rows().empty());
         const QString sentence = fixture.window.messages().sentence();
         QVERIFY2(

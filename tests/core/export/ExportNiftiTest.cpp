@@ -226,7 +226,7 @@ void ExportNiftiTest::nameIsChecked()
     QCOMPARE(refused.error().code, core::ErrorCode::UnsupportedFormat);
     QVERIFY(core::exportFormatNamed(QStringLiteral("nifti")) == core::ExportFormat::Nifti);
     QVERIFY(core::exportFormatNamed(QStringLiteral("dicom-seg")) == core::ExportFormat::DicomSeg);
-    QVERIFY(!core::exportFormatNamed(QStringLiteral("stl")));
+    QVERIFY(!core::exportFormatNamed(QStringLiteral("3mf")));
 }
 
 void ExportNiftiTest::choices()
