@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/Application.h"
 #include "core/edits/EditJson.h"
+#include "core/export/ExportFormats.h"
 #include "tests/support/Pen.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
@@ -178,7 +179,7 @@ void chooseSkullInTheDialogThatOpens()
     });
 }
 
-void exportTo(User& user, const char* format, const QString& file)
+void exportTo(User& user, core::ExportFormat format, const QString& file)
 {
     user.key(Qt::Key_E, Qt::ControlModifier);
     auto* dialog = user.window().findChild<ui::ExportDialog*>();
@@ -196,14 +197,17 @@ void exportTo(User& user, const char* format, const QString& file)
         User::wait([&user] { return user.session().document().segments.front().code.isSet(); },
             "the code is not taken");
     }
-    QTest::mouseClick(
-        dialog->findChild<QAbstractButton*>(text(format)), Qt::LeftButton, {}, QPoint(8, 8));
+    auto* formats = dialog->findChild<QComboBox*>(text("exportFormat"));
+    QTest::keyClick(formats, Qt::Key_Home);
+    for (int step = 0; step < formats->count() && formats->currentData() != int(format); ++step)
+        QTest::keyClick(formats, Qt::Key_Down);
     dialog->findChild<QLineEdit*>(text("exportFile"))->setText(file);
     QSignalSpy exported(dialog, &ui::ExportDialog::exported);
     QTest::mouseClick(dialog->findChild<QAbstractButton*>(text("exportStart")), Qt::LeftButton);
     User::wait([&exported] { return exported.count() == 1; }, "the export does not come");
     if (const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS"); !folder.isEmpty())
-        dialog->grab().save(QDir(folder).filePath(text(format) + text(".png")));
+        dialog->grab().save(
+            QDir(folder).filePath(QStringLiteral("export-%1.png").arg(int(format))));
     delete dialog;
 }
 
@@ -335,9 +339,9 @@ private Q_SLOTS:
             }
             QCOMPARE(user.hash(), grown);
 
-            exportTo(user, "exportSeg", base + text(".dcm"));
+            exportTo(user, core::ExportFormat::DicomSeg, base + text(".dcm"));
             QVERIFY(QFile::exists(base + text(".dcm")));
-            exportTo(user, "exportNifti", base + text(".nii.gz"));
+            exportTo(user, core::ExportFormat::Nifti, base + text(".nii.gz"));
             QVERIFY(QFile::exists(base + text(".nii.gz")));
 
             finalHash = user.hash();
