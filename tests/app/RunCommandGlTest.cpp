@@ -257,7 +257,7 @@ private Q_SLOTS:
         row("no edits", "{}", "edits");
         row("unknown part", "{'edits':[],'exports':[]}", "exports");
         row("no JSON", "{'edits':[\n}", "line 2");
-        row("another format", "{'edits':[],'export':[{'format':'stl','file':'OUT/a.stl'}]}", "stl");
+        row("another format", "{'edits':[],'export':[{'format':'3mf','file':'OUT/a.3mf'}]}", "3mf");
         row("coverage of what", "{'edits':[],'export':[{'format':'coverage','file':'OUT/a.nii'}]}",
             "layer");
         row("coverage of no layer",
