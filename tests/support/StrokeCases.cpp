@@ -843,7 +843,10 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"import a mask around what has grown", volume, {first, seeds, some}, mask});
     cases.push_back({"import a mask into a segment", volume, {first, seeds, all, second}, joined});
     cases.push_back({"growth after a mask", volume, {first, seeds, some, joinedFirst(mask)}, all});
-    cases.push_back({"import a mask twice", volume, {mask}, mask});
+    core::ImportMask taking = mask;
+    taking.overwriteUnlocked = true;
+    cases.push_back({"import a mask twice", volume, {mask}, taking});
+    cases.push_back({"a mask that is held already", volume, {mask}, mask});
     cases.push_back(
         {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});

@@ -36,7 +36,8 @@ void StrokeHashTest::agrees()
         || stroke.name == "shrinking of nothing" || stroke.name == "empty segment to layer"
         || stroke.name == "nothing is seen" || stroke.name == "growth after a shut cut"
         || stroke.name == "plugging where nothing is narrow"
-        || stroke.name == "seeds that have grown are not taken away";
+        || stroke.name == "seeds that have grown are not taken away"
+        || stroke.name == "a mask that is held already";
     if (!stroke.name.startsWith("random"))
         QCOMPARE(direct.finished == direct.before, changesNothing);
 
