@@ -666,11 +666,22 @@ QString HistoryTruth::difference(
     if (found != truth.bricks) {
         for (const auto& [key, bytes] : truth.bricks) {
             const auto same = found.find(key);
-            if (same == found.end() || same->second != bytes)
-                return QStringLiteral("brick %1 of field %2, plane %3 is another")
+            if (same == found.end())
+                return QStringLiteral("brick %1 of field %2, plane %3 is missing")
                     .arg(key.brick)
                     .arg(int(key.field))
                     .arg(key.plane);
+            const auto [was, is] =
+                std::mismatch(bytes.begin(), bytes.end(), same->second.begin(), same->second.end());
+            if (was != bytes.end())
+                return QStringLiteral("brick %1 of field %2, plane %3 is another: at byte %4 it "
+                                      "is %5 instead of %6")
+                    .arg(key.brick)
+                    .arg(int(key.field))
+                    .arg(key.plane)
+                    .arg(was - bytes.begin())
+                    .arg(*is)
+                    .arg(*was);
         }
         return QStringLiteral("there are voxels that must be empty");
     }

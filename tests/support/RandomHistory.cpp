@@ -7,6 +7,7 @@
 #include "tests/support/HistoryTruth.h"
 #include "tests/support/SmallStudy.h"
 
+#include <QJsonDocument>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -47,17 +48,26 @@ public:
             const QString difference =
                 m_truth.difference(row, m_engine, m_session->document(), hash);
             if (!difference.isEmpty())
-                m_result.failure = QStringLiteral("step %1 (%2), row %3: %4")
+                m_result.failure = QStringLiteral("step %1 (%2), row %3, %4: %5")
                                        .arg(step)
                                        .arg(what)
                                        .arg(row)
-                                       .arg(difference);
+                                       .arg(editText(row), difference);
         }
         m_session.reset();
         return std::move(m_result);
     }
 
 private:
+    /// Of a row, as a recipe has it.
+    [[nodiscard]] QString editText(RowId row) const
+    {
+        if (row == 0)
+            return QStringLiteral("the beginning");
+        return QString::fromUtf8(QJsonDocument(editToJson(m_session->history().row(row).edit))
+                                     .toJson(QJsonDocument::Compact));
+    }
+
     /// How the name of a row ends that only has criteria for later growths.
     static constexpr QLatin1String noVoxel{", no voxel"};
 
