@@ -2,6 +2,7 @@
 #include "core/session/RevertOperation.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/growth/SeedWord.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/ProtectedVoxels.h"
 
@@ -14,6 +15,24 @@
 namespace core {
 
 namespace {
+
+/// Of the members that these changes leave.
+std::uint32_t greatestGeneration(const std::vector<BrickChange>& changes)
+{
+    std::uint32_t greatest = 0;
+    for (const BrickChange& change : changes) {
+        if (change.key.field != Field::SeedWords)
+            continue;
+        const std::vector<std::uint8_t>& bytes = change.after;
+        for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
+                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
+            if (seedWord::isMember(word))
+                greatest = std::max(greatest, seedWord::generation(word));
+        }
+    }
+    return greatest;
+}
 
 tl::unexpected<Error> refused(const QString& reason)
 {
@@ -364,10 +383,14 @@ void RevertOperation::takeResult(SessionState& state, EngineResult&& result)
 void RevertOperation::finish(SessionState& state, EngineResult&& result)
 {
     m_done = true;
-    if (m_again != 0)
+    if (m_again != 0) {
         state.complete(m_again, std::move(result.changes));
-    else if (!result.changes.empty())
-        state.commit(m_edit, std::move(result.changes), result.statistics, std::nullopt);
+    } else if (!result.changes.empty()) {
+        // A shrinking that is undone brings members of later generations back.
+        const std::uint32_t counter =
+            std::max(state.document.growths.front().generation, greatestGeneration(result.changes));
+        state.commit(m_edit, std::move(result.changes), result.statistics, counter);
+    }
     state.tell(DocumentChange::What::Growth);
 }
 

@@ -91,6 +91,21 @@ bool isOf(const BrickKey& key, bool coverage)
     return (key.field == Field::Coverage) == coverage;
 }
 
+/// Of a member.
+std::uint32_t greatestGeneration(const std::map<BrickKey, std::vector<std::uint8_t>>& bricks)
+{
+    std::uint32_t greatest = 0;
+    for (const auto& [key, bytes] : bricks) {
+        for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
+            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
+                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
+            if (seedWord::isMember(word))
+                greatest = std::max(greatest, seedWord::generation(word));
+        }
+    }
+    return greatest;
+}
+
 } // namespace
 
 HistoryTruth::HistoryTruth(LoadedVolume study)
@@ -188,6 +203,8 @@ void HistoryTruth::add(const HistoryRow& row)
             const Bricks again = regrown(row.id);
             std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, false); });
             next.bricks.insert(again.begin(), again.end());
+            std::uint32_t& counter = next.document.growths.front().generation;
+            counter = std::max(counter, greatestGeneration(again));
         }
         std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, true); });
         next.bricks.insert(carved.begin(), carved.end());

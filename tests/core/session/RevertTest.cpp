@@ -114,6 +114,27 @@ private Q_SLOTS:
 
     /// A step and what took it back cancel each other: the one before is free again. But what comes
     /// back must find what it read.
+    /// Its members are of the generations that they were, and the next growth goes on after them.
+    void aShrinkingThatIsUndone()
+    {
+        const std::vector<Edit> grown{
+            test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(4)};
+        std::vector<Edit> edits = grown;
+        edits.emplace_back(ShrinkSteps{.steps = 2});
+        Bench bench(test::smallStudy(), edits);
+        const auto counter = [](const Bench& of) {
+            return of.session->document().growths.front().generation;
+        };
+        const std::uint32_t shrunk = counter(bench);
+        bench.run(RevertRows{{4}});
+        QCOMPARE(counter(bench), shrunk + 2);
+        QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), grown));
+        bench.run(test::growBrain());
+        std::vector<Edit> further = grown;
+        further.emplace_back(test::growBrain());
+        QCOMPARE(bench.session->stateHash(), hashOf(test::smallStudy(), further));
+    }
+
     void oneAfterTheOther()
     {
         const std::vector<Edit> edits{test::addSegment("Brain"), test::seedInBrain(1),
