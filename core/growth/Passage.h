@@ -20,23 +20,24 @@ namespace core {
 /// room(label, q): the least |q − c|² of all centres c whose B(c) holds q; `nowhere`, which is more
 ///   than any other, if there is none.
 /// entry(label, q): likewise of those centres whose ball holds a seed of the label: a pending one,
-/// a
-///   member that is a seed, or a member of generation 0, after the opening has taken back what had
-///   to leave.
+///   a member that is a seed, or a member of generation 0, after the opening has taken back what
+///   had to leave.
 ///
 /// passes(label, p, q), asked of a voxel q that is not a seed, p being the parent: room(q) is not
 ///   nowhere, and one of these holds:
 ///     room(p) = room(q) = 0       the ball rolls on from centre to centre;
 ///     room(p) < room(q)           it fills, outwards only, what it covers;
-///     entry(q) < entry(p) ≠ nowhere   from a seed at its rim to its centre.
+///     entry(q) < entry(p) ≠ nowhere   from a seed at its rim to its centre; at a centre (room(q) =
+///                                 0) only if it is one of those (entry(q) = 0).
 ///
 /// So what is grown is what balls cover that can be rolled to from one that holds a seed; only
 /// where balls that can not be rolled to meet those, in a hole say, each voxel goes by the centre
-/// that is nearest. What a ball fills it cannot leave again: asking only for a ball that holds both
-/// p and q would lead through every hole in a thin wall, since balls on both sides of it meet in
-/// the hole. A seed that no ball holds stays alone. All of it depends on what stands at the opening
-/// and on nothing that grows, so the result is that of a flood, whatever its order. A ball of which
-/// only the centre is left asks nothing.
+/// that is nearest. No centre is ever reached but by rolling from one whose ball holds a seed: into
+/// room 0 lead just the first line and the last. What a ball fills it cannot leave again: asking
+/// only for a ball that holds both p and q would lead through every hole in a thin wall, since
+/// balls on both sides of it meet in the hole. A seed that no ball holds stays alone. All of it
+/// depends on what stands at the opening and on nothing that grows, so the result is that of a
+/// flood, whatever its order. A ball of which only the centre is left asks nothing.
 struct Passage {
     glm::ivec3 spacing{0}; ///< of voxels, in units of which squares fit
     int reach = 0; ///< squared half width; 0: growth goes through everything

@@ -23,6 +23,8 @@ bool passes(uint from, uint to)
     if (room == nowhere)
         return false;
     uint before = from & 0xFFFFu;
-    uint entry = from >> 16;
-    return before < room || (before | room) == 0u || (entry != nowhere && to >> 16 < entry);
+    uint entryBefore = from >> 16;
+    uint entry = to >> 16;
+    return before < room || (before | room) == 0u
+        || (entryBefore != nowhere && entry < entryBefore && (room != 0u || entry == 0u));
 }

@@ -110,8 +110,9 @@ bool Passage::passes(std::uint32_t label, const glm::ivec3& parent, const glm::i
         return false;
     if ((from == 0 && to == 0) || from < to)
         return true;
-    const int entry = rooms.entry.at(parent);
-    return entry != nowhere && rooms.entry.at(voxel) < entry;
+    const int before = rooms.entry.at(parent);
+    const int after = rooms.entry.at(voxel);
+    return before != nowhere && after < before && (to != 0 || after == 0);
 }
 
 } // namespace reference

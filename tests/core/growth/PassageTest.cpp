@@ -230,6 +230,16 @@ private Q_SLOTS:
         QVERIFY(isInSecondRoom(codes, grown(codes, inFirstRoom, rolling(0.0))));
     }
 
+    /// Where the first ball has filled the neck's far end, what holds the seed is nearer to a
+    /// centre beyond; that is none that a ball rolled to.
+    void aSeedsRimIsNoWayThrough()
+    {
+        const Codes codes = dumbbell(1, [](int y, int z) { return y * y + z * z <= 17; });
+        for (const int connectivity : {6, 18, 26})
+            QVERIFY(!isInSecondRoom(
+                codes, grown(codes, inFirstRoom, rolling(std::sqrt(18.0), connectivity))));
+    }
+
     void spacingCounts()
     {
         // A gap of three slices that lie 2.5 times as far apart as voxels: 5 mm between centres.
