@@ -48,6 +48,7 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
     });
     connect(&workspace, &Workspace::sessionChanged, this, &SpreadBar::stop);
     connect(&workspace, &Workspace::documentChanged, this, &SpreadBar::showState);
+    connect(&workspace.seeds(), &PendingSeeds::changed, this, &SpreadBar::showState);
     connect(&workspace, &Workspace::failed, this, [this] {
         // A preview that was refused would be refused again.
         const core::EditSession* session = m_workspace.session();

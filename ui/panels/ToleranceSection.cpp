@@ -71,6 +71,7 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
             if (change.what != What::Disk && change.what != What::Measurements)
                 follow();
         });
+    connect(&workspace.seeds(), &PendingSeeds::changed, this, &ToleranceSection::showText);
     reset();
 }
 

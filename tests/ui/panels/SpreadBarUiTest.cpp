@@ -32,6 +32,11 @@ public:
     {
         apply(middleSeed(1));
         apply(core::SeedStroke{2, {{-19.0, -19.0, -28.0}}});
+        // The engine is asked which of them wait.
+        (void)QTest::qWaitFor([this] {
+            session().poll();
+            return enabled("spreadPreview");
+        });
     }
     void click(const char* name)
     {
