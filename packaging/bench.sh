@@ -15,8 +15,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --grow | --history | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--grow] [--history] [--sculpt]" ;;
+        --json | --grow | --history | --load | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--grow] [--history] [--load] [--sculpt]" ;;
     esac
 done
 

@@ -4,6 +4,7 @@
 #include "tests/benchmarks/FrameBenchmark.h"
 #include "tests/benchmarks/GrowBenchmark.h"
 #include "tests/benchmarks/HistoryBenchmark.h"
+#include "tests/benchmarks/LoadBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/benchmarks/SculptBenchmark.h"
 #include "tests/benchmarks/SteeringBenchmark.h"
@@ -43,10 +44,12 @@ int main(int argc, char** argv)
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool json = arguments.removeAll(QStringLiteral("--json")) > 0;
     const bool historyOnly = arguments.removeAll(QStringLiteral("--history")) > 0;
+    const bool loadOnly = arguments.removeAll(QStringLiteral("--load")) > 0;
     const bool sculptOnly = arguments.removeAll(QStringLiteral("--sculpt")) > 0;
     const bool growOnly = arguments.removeAll(QStringLiteral("--grow")) > 0;
     if (!arguments.isEmpty()) {
-        std::fprintf(stderr, "usage: burin_bench [--json] [--grow] [--history] [--sculpt]\n");
+        std::fprintf(
+            stderr, "usage: burin_bench [--json] [--grow] [--history] [--load] [--sculpt]\n");
         return 2;
     }
     std::array<char, 12> program{"burin_bench"};
@@ -58,13 +61,15 @@ int main(int argc, char** argv)
 
     bench::PeerReport report;
     QString why;
-    const bool all = !historyOnly && !sculptOnly && !growOnly;
+    const bool all = !historyOnly && !sculptOnly && !growOnly && !loadOnly;
     if (all)
         why = measurePeers(report);
     if (why.isEmpty() && (all || growOnly))
         why = bench::measureGrowth(report);
     if (why.isEmpty() && (all || growOnly))
         why = bench::measureSteering(report);
+    if (why.isEmpty() && (all || loadOnly))
+        why = bench::measureLoading(report);
     if (why.isEmpty() && (all || sculptOnly))
         why = bench::measureSculpting(report);
     if (why.isEmpty() && (all || historyOnly))

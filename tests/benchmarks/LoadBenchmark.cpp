@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/LoadBenchmark.h"
+
+#include "core/dicom/CtSeriesWriter.h"
+#include "core/study/StudyLoader.h"
+#include "tests/benchmarks/TorsoVolume.h"
+#include "tests/peers/ItkSeries.h"
+#include "ui/ErrorText.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fcntl.h>
+#include <functional>
+#include <map>
+#include <memory>
+#include <unistd.h>
+
+namespace bench {
+
+namespace {
+
+constexpr int sliceCount = 450;
+constexpr int repetitions = 5;
+constexpr int coldRepetitions = 3;
+
+using Values = std::vector<std::int16_t>;
+
+core::Volume described(const core::Volume& torso)
+{
+    core::Volume volume = torso;
+    volume.geometry.size.z = sliceCount;
+    volume.identity.patientName = QStringLiteral("Torso^Made");
+    volume.identity.patientId = QStringLiteral("T1");
+    volume.identity.modality = QStringLiteral("CT");
+    volume.identity.studyUid = QStringLiteral("2.25.1001");
+    volume.identity.seriesUid = QStringLiteral("2.25.1002");
+    volume.identity.frameOfReferenceUid = QStringLiteral("2.25.1003");
+    return volume;
+}
+
+/// Hounsfield units of the torso's first slices, in the range that 12 bits hold.
+Values torsoValues(const core::LoadedVolume& torso)
+{
+    Values values(std::size_t(512) * 512 * sliceCount);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] =
+            std::int16_t(std::clamp(torso.volume.encoding.value(torso.codes[i]), -1024.0, 3071.0));
+    return values;
+}
+
+/// The files of a folder in JPEG lossless, two at a time.
+QString compress(const QString& from, const QString& to)
+{
+    const QStringList names = QDir(from).entryList(QDir::Files);
+    std::vector<std::unique_ptr<QProcess>> running;
+    const auto finish = [&running]() -> bool {
+        const bool well = running.front()->waitForFinished(60'000)
+            && running.front()->exitStatus() == QProcess::NormalExit
+            && running.front()->exitCode() == 0;
+        running.erase(running.begin());
+        return well;
+    };
+    for (const QString& name : names) {
+        if (running.size() == 2 && !finish())
+            return QStringLiteral("dcmcjpeg failed");
+        running.push_back(std::make_unique<QProcess>());
+        running.back()->start(QStringLiteral("dcmcjpeg"),
+            {QStringLiteral("+e1"), QDir(from).filePath(name), QDir(to).filePath(name)});
+    }
+    while (!running.empty()) {
+        if (!finish())
+            return QStringLiteral("dcmcjpeg failed");
+    }
+    return {};
+}
+
+/// Takes the files of a folder out of the system's cache.
+void forget(const QString& folder)
+{
+    for (const QString& name : QDir(folder).entryList(QDir::Files)) {
+        const int file = open(QFile::encodeName(QDir(folder).filePath(name)).constData(), O_RDONLY);
+        if (file < 0)
+            continue;
+        (void)fdatasync(file);
+        (void)posix_fadvise(file, 0, 0, POSIX_FADV_DONTNEED);
+        (void)close(file);
+    }
+}
+
+/// What somebody read, and how long it took; values in the order of slices along +z.
+struct Read {
+    QString why; ///< not empty: all else is void
+    Values values;
+    double milliseconds = 0.0;
+};
+
+Values valuesOf(const core::LoadedVolume& loaded)
+{
+    Values values(loaded.codes.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = std::int16_t(loaded.volume.encoding.value(loaded.codes[i]));
+    return values;
+}
+
+Read readByBurin(const QString& folder)
+{
+    QElapsedTimer timer;
+    timer.start();
+    const auto loaded = core::loadVolume(folder);
+    const double spent = double(timer.nsecsElapsed()) / 1e6;
+    if (!loaded)
+        return {.why = ui::errorText(loaded.error()), .values = {}};
+    return {.why = {}, .values = valuesOf(*loaded), .milliseconds = spent};
+}
+
+Read readByItk(const QString& folder)
+{
+    peer::ItkSeries series = peer::readItkSeries(folder.toStdString());
+    if (!series.error.empty())
+        return {.why = QString::fromStdString(series.error), .values = {}};
+    return {.why = {}, .values = std::move(series.values), .milliseconds = series.milliseconds};
+}
+
+Read readByDcm2niix(const QString& folder)
+{
+    const QTemporaryDir out;
+    QElapsedTimer timer;
+    timer.start();
+    QProcess process;
+    process.setStandardOutputFile(QProcess::nullDevice());
+    process.start(QStringLiteral("dcm2niix"),
+        {QStringLiteral("-b"), QStringLiteral("n"), QStringLiteral("-z"), QStringLiteral("n"),
+            QStringLiteral("-f"), QStringLiteral("made"), QStringLiteral("-o"), out.path(),
+            folder});
+    if (!process.waitForFinished(600'000) || process.exitCode() != 0)
+        return {.why = QStringLiteral("dcm2niix failed"), .values = {}};
+    const double spent = double(timer.nsecsElapsed()) / 1e6;
+    const auto loaded = core::loadVolume(out.filePath(QStringLiteral("made.nii")));
+    if (!loaded)
+        return {.why = ui::errorText(loaded.error()), .values = {}};
+    return {.why = {}, .values = valuesOf(*loaded), .milliseconds = spent};
+}
+
+/// dcm2niix stores rows upside down, as is usual in NIfTI.
+Values rowsReversed(const Values& values)
+{
+    Values reversed(values.size());
+    for (std::size_t row = 0; row < values.size() / 512; ++row) {
+        const std::size_t other = row / 512 * 512 + 511 - row % 512;
+        std::copy_n(values.begin() + std::ptrdiff_t(row * 512), 512,
+            reversed.begin() + std::ptrdiff_t(other * 512));
+    }
+    return reversed;
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+struct Reader {
+    const char* name;
+    Read (*read)(const QString& folder);
+    bool upsideDown = false;
+};
+
+constexpr std::array<Reader, 3> readers{
+    {{"burin", readByBurin}, {"ITK GDCM", readByItk}, {"dcm2niix", readByDcm2niix, true}}};
+
+QString measureFolder(
+    PeerReport& report, const QString& id, const QString& folder, const Values& expected)
+{
+    for (const bool cold : {false, true}) {
+        std::map<std::string, std::vector<double>> times;
+        // The first warms the cache and proves that all read the same.
+        for (int i = cold ? 1 : 0; i <= (cold ? coldRepetitions : repetitions); ++i) {
+            for (const Reader& reader : readers) {
+                if (cold)
+                    forget(folder);
+                const Read read = reader.read(folder);
+                if (!read.why.isEmpty())
+                    return QStringLiteral("%1: %2").arg(QLatin1String(reader.name), read.why);
+                if (i == 0
+                    && (reader.upsideDown ? rowsReversed(read.values) : read.values) != expected)
+                    return QStringLiteral("%1: %2 reads other values")
+                        .arg(id, QLatin1String(reader.name));
+                if (i > 0)
+                    times[reader.name].push_back(read.milliseconds);
+            }
+        }
+        for (std::size_t peer = 1; peer < readers.size(); ++peer)
+            report.add(
+                {(id + (cold ? QStringLiteral(".cold") : QStringLiteral(".warm"))).toStdString(),
+                    "Ms", median(times[readers[0].name]), readers[peer].name,
+                    median(times[readers[peer].name])});
+    }
+    return {};
+}
+
+} // namespace
+
+QString measureLoading(PeerReport& report)
+{
+    std::fprintf(stderr, "loading: a series of %d slices\n", sliceCount);
+    const QTemporaryDir folder;
+    const QString native = folder.filePath(QStringLiteral("native"));
+    const QString lossless = folder.filePath(QStringLiteral("lossless"));
+    if (!QDir().mkpath(native) || !QDir().mkpath(lossless))
+        return QStringLiteral("no place for files");
+    Values expected;
+    {
+        const core::LoadedVolume torso = TorsoVolume::make();
+        expected = torsoValues(torso);
+        const core::Volume volume = described(torso.volume);
+        const auto written = core::writeCtSeries(native,
+            {.identity = volume.identity,
+                .geometry = volume.geometry,
+                .hounsfield = expected,
+                .window = volume.defaultWindow,
+                .bodyPart = QStringLiteral("ABDOMEN"),
+                .manufacturer = QStringLiteral("Burin"),
+                .comments = {},
+                .instanceUid = [](int k) { return QStringLiteral("2.25.2%1").arg(k); }});
+        if (!written)
+            return ui::errorText(written.error());
+    }
+    if (QString why = measureFolder(report, QStringLiteral("load.native"), native, expected);
+        !why.isEmpty())
+        return why;
+    std::fprintf(stderr, "loading: the same in JPEG lossless\n");
+    if (QString why = compress(native, lossless); !why.isEmpty())
+        return why;
+    return measureFolder(report, QStringLiteral("load.lossless"), lossless, expected);
+}
+
+} // namespace bench
