@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/StateHash.h"
 
-#include <QCryptographicHash>
+#include "core/base/Sha256.h"
 
 #include <algorithm>
 
@@ -15,24 +15,10 @@ constexpr std::uint8_t nodeMark = 0x00; // no field has this number, so no leaf 
 constexpr std::uint8_t rootMark = 0xFF;
 constexpr char rootName[] = "BurinState1";
 
-class Sha256 {
-public:
-    void add(std::uint8_t byte) { add(&byte, 1); }
-    void add(const void* data, std::size_t size)
-    {
-        m_hash.addData(QByteArrayView(static_cast<const char*>(data), qsizetype(size)));
-    }
-    std::array<std::uint8_t, 32> result()
-    {
-        const QByteArray bytes = m_hash.result();
-        std::array<std::uint8_t, 32> digest{};
-        std::copy(bytes.begin(), bytes.end(), digest.begin());
-        return digest;
-    }
-
-private:
-    QCryptographicHash m_hash{QCryptographicHash::Sha256};
-};
+void add(Sha256& hash, std::uint8_t byte)
+{
+    hash.add(&byte, 1);
+}
 
 bool allEmpty(Field field, const std::vector<std::uint8_t>& bytes)
 {
@@ -69,12 +55,12 @@ void StateHash::setLeaf(
         return;
     }
     Sha256 hash;
-    hash.add(std::uint8_t(key.field));
-    hash.add(key.plane);
+    add(hash, std::uint8_t(key.field));
+    add(hash, key.plane);
     for (int shift = 0; shift < 32; shift += 8)
-        hash.add(std::uint8_t(key.brick >> shift));
+        add(hash, std::uint8_t(key.brick >> shift));
     hash.add(bytes.data(), bytes.size());
-    m_nodes[0][node] = hash.result();
+    m_nodes[0][node] = hash.take();
 }
 
 void StateHash::updateAbove(std::vector<NodeKey> touched)
@@ -93,13 +79,13 @@ void StateHash::updateAbove(std::vector<NodeKey> touched)
                 continue;
             }
             Sha256 hash;
-            hash.add(nodeMark);
-            hash.add(std::uint8_t(level));
+            add(hash, nodeMark);
+            add(hash, std::uint8_t(level));
             for (auto child = first; child != last; ++child) {
-                hash.add(std::uint8_t(child->first & ((1 << branchBits) - 1)));
+                add(hash, std::uint8_t(child->first & ((1 << branchBits) - 1)));
                 hash.add(child->second.data(), child->second.size());
             }
-            m_nodes[level][key] = hash.result();
+            m_nodes[level][key] = hash.take();
         }
     }
 }
@@ -107,16 +93,16 @@ void StateHash::updateAbove(std::vector<NodeKey> touched)
 QByteArray StateHash::root(const QByteArray& documentJson) const
 {
     Sha256 hash;
-    hash.add(rootMark);
+    add(hash, rootMark);
     hash.add(rootName, sizeof rootName - 1);
     for (const auto& [key, digest] : m_nodes.back()) {
-        hash.add(std::uint8_t(key >> 8));
-        hash.add(std::uint8_t(key));
+        add(hash, std::uint8_t(key >> 8));
+        add(hash, std::uint8_t(key));
         hash.add(digest.data(), digest.size());
     }
-    hash.add(rootMark);
+    add(hash, rootMark);
     hash.add(documentJson.constData(), std::size_t(documentJson.size()));
-    const Digest digest = hash.result();
+    const Digest digest = hash.take();
     return QByteArray(reinterpret_cast<const char*>(digest.data()), qsizetype(digest.size()))
         .toHex();
 }

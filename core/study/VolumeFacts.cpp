@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/VolumeFacts.h"
 
+#include "core/base/Sha256.h"
 #include "core/volume/VolumeEncoder.h"
-
-#include <QCryptographicHash>
 
 #include <algorithm>
 
@@ -36,7 +35,7 @@ VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry)
     if (entry.times.isEmpty())
         return facts;
 
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     bool follow = first.codesSha256.isEmpty();
     if (follow)
         addValues(hash, *facts.loaded);
@@ -52,7 +51,7 @@ VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry)
         if (follow)
             addValues(hash, *later);
     }
-    facts.voxelsSha256 = follow ? hash.result().toHex() : QByteArray();
+    facts.voxelsSha256 = follow ? hash.takeHex() : QByteArray();
     return facts;
 }
 

@@ -2,10 +2,11 @@
 #include "core/volume/VolumeEncoder.h"
 
 #include "core/base/ParallelFor.h"
-
-#include <QCryptographicHash>
+#include "core/base/Sha256.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -26,22 +27,41 @@ std::size_t sliceSize(const Volume& volume)
     return std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
 }
 
-/// Counts codes slice by slice on all cores.
+/// Counts of codes that several threads add to, slice by slice.
+class CodeCounter {
+public:
+    explicit CodeCounter(int greatestCode = codeCount - 1)
+        : m_used(std::size_t(greatestCode) + 1)
+    {
+    }
+    void add(std::span<const std::uint16_t> codes)
+    {
+        std::vector<std::uint32_t> own(m_used, 0);
+        for (const std::uint16_t code : codes)
+            ++own[code];
+        const std::lock_guard lock(m_mutex);
+        std::transform(own.begin(), own.end(), m_counts.begin(), m_counts.begin(),
+            [](std::uint32_t more, std::uint64_t count) { return count + more; });
+    }
+    [[nodiscard]] CodeCounts take() { return std::move(m_counts); }
+
+private:
+    std::size_t m_used; ///< no code is greater
+    std::mutex m_mutex;
+    CodeCounts m_counts = CodeCounts(codeCount, 0);
+};
+
+std::span<const std::uint16_t> codesOf(const LoadedVolume& loaded, int k)
+{
+    const std::size_t size = sliceSize(loaded.volume);
+    return std::span(loaded.codes).subspan(std::size_t(k) * size, size);
+}
+
 CodeCounts countCodes(const LoadedVolume& loaded)
 {
-    CodeCounts counts(codeCount, 0);
-    std::mutex mutex;
-    const std::size_t size = sliceSize(loaded.volume);
-    parallelFor(loaded.volume.geometry.size.z, [&](int k) {
-        std::vector<std::uint32_t> own(codeCount, 0);
-        const std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
-        for (std::size_t voxel = 0; voxel < size; ++voxel)
-            ++own[code[voxel]];
-        const std::lock_guard lock(mutex);
-        for (int value = 0; value < codeCount; ++value)
-            counts[std::size_t(value)] += own[std::size_t(value)];
-    });
-    return counts;
+    CodeCounter counter;
+    parallelFor(loaded.volume.geometry.size.z, [&](int k) { counter.add(codesOf(loaded, k)); });
+    return counter.take();
 }
 
 /// Smallest code with at least @p share of all voxels at or below it.
@@ -98,11 +118,10 @@ void describe(Volume& volume, const CodeCounts& counts, bool hasWindow)
     volume.defaultWindow = {.centre = low + width / 2.0, .width = width};
 }
 
-void addFloats(QCryptographicHash& hash, const std::vector<float>& values)
+void addFloats(Sha256& hash, std::span<const float> values)
 {
     static_assert(std::numeric_limits<float>::is_iec559);
-    hash.addData(QByteArrayView(
-        reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(float))));
+    hash.add(values.data(), values.size_bytes());
 }
 
 std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
@@ -113,25 +132,19 @@ std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
     return values;
 }
 
-void addValuesByTable(
-    QCryptographicHash& hash, const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
+/// Adds the values of a slice to a checksum; what follows from codes by table.
+void addByTable(Sha256& hash, std::span<const std::uint16_t> codes, const std::vector<float>& table)
 {
-    const std::size_t size = sliceSize(loaded.volume);
-    std::vector<float> values(size);
-    for (int k = 0; k < loaded.volume.geometry.size.z; ++k) {
-        const std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
-        for (std::size_t voxel = 0; voxel < size; ++voxel)
-            values[voxel] = valueOfCode[code[voxel]];
-        addFloats(hash, values);
+    // In pieces that stay in the innermost cache.
+    std::array<float, 4096> values;
+    while (!codes.empty()) {
+        const std::span<const std::uint16_t> piece =
+            codes.first(std::min(codes.size(), values.size()));
+        std::transform(piece.begin(), piece.end(), values.begin(),
+            [&table](std::uint16_t code) { return table[code]; });
+        addFloats(hash, std::span(values).first(piece.size()));
+        codes = codes.subspan(piece.size());
     }
-}
-
-/// Checksum of values that follow from codes by table.
-QByteArray hashValues(const LoadedVolume& loaded, const std::vector<float>& valueOfCode)
-{
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    addValuesByTable(hash, loaded, valueOfCode);
-    return hash.result().toHex();
 }
 
 struct CodeRange {
@@ -150,15 +163,10 @@ void forget(CodeCounts& counts, const CodeRange& range)
         counts = std::move(rest);
 }
 
-/// Codes are exact: minimum, maximum and checksum follow from them.
-void describeExact(LoadedVolume& loaded, const std::optional<CodeRange>& padding, bool hasWindow)
+/// Codes are exact: minimum and maximum follow from how often they occur.
+void describeExact(
+    Volume& volume, CodeCounts counts, const std::optional<CodeRange>& padding, bool hasWindow)
 {
-    Volume& volume = loaded.volume;
-    const std::vector<float> valueOfCode = valuesOfCodes(volume.encoding);
-    // The checksum is a chain and takes one core; the rest is done beside it.
-    std::future<QByteArray> checksum =
-        std::async(std::launch::async, [&] { return hashValues(loaded, valueOfCode); });
-    CodeCounts counts = countCodes(loaded);
     int lowest = codeCount - 1;
     int highest = 0;
     for (int code = 0; code < codeCount; ++code) {
@@ -167,10 +175,8 @@ void describeExact(LoadedVolume& loaded, const std::optional<CodeRange>& padding
         lowest = std::min(lowest, code);
         highest = std::max(highest, code);
     }
-    const QByteArray hash = checksum.get();
     volume.minimum = volume.encoding.value(lowest);
     volume.maximum = volume.encoding.value(highest);
-    volume.voxelsSha256 = hash;
     if (padding)
         forget(counts, *padding);
     describe(volume, counts, hasWindow);
@@ -181,6 +187,33 @@ int storedValue(std::uint16_t bits, bool isSigned)
     return isSigned ? int(std::int16_t(bits)) : int(bits);
 }
 
+template <class Stored> StoredRange rangeOf(std::span<const std::uint16_t> bits)
+{
+    Stored lowest = std::numeric_limits<Stored>::max();
+    Stored highest = std::numeric_limits<Stored>::lowest();
+    for (const std::uint16_t each : bits) {
+        lowest = std::min(lowest, Stored(each));
+        highest = std::max(highest, Stored(each));
+    }
+    return {.lowest = lowest, .highest = highest};
+}
+
+StoredRange rangeOfStored(const LoadedVolume& loaded, std::span<const SliceRescale> slices)
+{
+    std::vector<StoredRange> ranges(slices.size());
+    parallelFor(int(slices.size()), [&](int k) {
+        const std::span<const std::uint16_t> bits = codesOf(loaded, k);
+        ranges[std::size_t(k)] = slices[std::size_t(k)].isSigned ? rangeOf<std::int16_t>(bits)
+                                                                 : rangeOf<std::uint16_t>(bits);
+    });
+    StoredRange all = ranges.front();
+    for (const StoredRange& range : ranges) {
+        all.lowest = std::min(all.lowest, range.lowest);
+        all.highest = std::max(all.highest, range.highest);
+    }
+    return all;
+}
+
 } // namespace
 
 void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow)
@@ -189,18 +222,9 @@ void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slic
     const bool oneScale = std::all_of(slices.begin(), slices.end(), [&](const SliceRescale& slice) {
         return slice.slope == slices[0].slope && slice.intercept == slices[0].intercept;
     });
-    std::vector<int> lowest(slices.size(), INT32_MAX);
-    std::vector<int> highest(slices.size(), INT32_MIN);
-    parallelFor(int(slices.size()), [&](int k) {
-        const std::uint16_t* stored = loaded.codes.data() + std::size_t(k) * size;
-        for (std::size_t voxel = 0; voxel < size; ++voxel) {
-            const int value = storedValue(stored[voxel], slices[std::size_t(k)].isSigned);
-            lowest[std::size_t(k)] = std::min(lowest[std::size_t(k)], value);
-            highest[std::size_t(k)] = std::max(highest[std::size_t(k)], value);
-        }
-    });
-    const int least = *std::min_element(lowest.begin(), lowest.end());
-    const int greatest = *std::max_element(highest.begin(), highest.end());
+    const StoredRange all = rangeOfStored(loaded, slices);
+    const int least = all.lowest;
+    const int greatest = all.highest;
     if (!oneScale || greatest - least >= codeCount) {
         const std::vector<std::uint16_t> stored = loaded.codes;
         encodeValues(
@@ -221,13 +245,33 @@ void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slic
         .rescaleIntercept = slices[0].intercept,
         .storedAtCodeZero = falling ? greatest : least,
         .storedStep = falling ? -1 : 1};
-    parallelFor(int(slices.size()), [&](int k) {
-        std::uint16_t* code = loaded.codes.data() + std::size_t(k) * size;
-        const bool isSigned = slices[std::size_t(k)].isSigned;
-        for (std::size_t voxel = 0; voxel < size; ++voxel) {
-            const int value = storedValue(code[voxel], isSigned);
-            code[voxel] = std::uint16_t(falling ? greatest - value : value - least);
+    // The checksum is a chain and takes one core; it follows the others from slice to slice.
+    const std::vector<float> valueOfCode = valuesOfCodes(loaded.volume.encoding);
+    std::vector<std::atomic<bool>> encoded(slices.size());
+    std::future<QByteArray> checksum = std::async(std::launch::async, [&] {
+        Sha256 hash;
+        for (std::size_t k = 0; k < slices.size(); ++k) {
+            encoded[k].wait(false);
+            addByTable(hash, codesOf(loaded, int(k)), valueOfCode);
         }
+        return hash.takeHex();
+    });
+    CodeCounter counter(greatest - least);
+    parallelFor(int(slices.size()), [&](int k) {
+        const std::span<std::uint16_t> codes =
+            std::span(loaded.codes).subspan(std::size_t(k) * size, size);
+        // As 16 bits, in which signed and unsigned numbers are subtracted alike.
+        const auto zero = std::uint16_t(falling ? greatest : least);
+        if (falling) {
+            for (std::uint16_t& code : codes)
+                code = std::uint16_t(zero - code);
+        } else {
+            for (std::uint16_t& code : codes)
+                code = std::uint16_t(code - zero);
+        }
+        encoded[std::size_t(k)] = true;
+        encoded[std::size_t(k)].notify_one();
+        counter.add(codes);
     });
     // Slices that do not agree on what is padding have none.
     std::optional<CodeRange> padding;
@@ -238,7 +282,8 @@ void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slic
         padding = falling ? CodeRange{greatest - stored.highest, greatest - stored.lowest}
                           : CodeRange{stored.lowest - least, stored.highest - least};
     }
-    describeExact(loaded, padding, hasWindow);
+    describeExact(loaded.volume, counter.take(), padding, hasWindow);
+    loaded.volume.voxelsSha256 = checksum.get();
 }
 
 void encodeValues(LoadedVolume& loaded,
@@ -317,7 +362,7 @@ void encodeValues(LoadedVolume& loaded,
                         .arg(volume.unit.isEmpty() ? QString() : QLatin1Char(' ') + volume.unit)});
     }
 
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     std::vector<double> values(size);
     std::vector<float> floats(size);
     const std::vector<float> valueOfCode = valuesOfCodes(volume.encoding);
@@ -334,7 +379,7 @@ void encodeValues(LoadedVolume& loaded,
                    return std::memcmp(&value, &valueOfCode[of], sizeof value) == 0;
                });
     }
-    volume.voxelsSha256 = hash.result().toHex();
+    volume.voxelsSha256 = hash.takeHex();
     if (!followFromCodes)
         volume.codesSha256 = sha256OfCodes(loaded);
     describe(volume, countCodes(loaded), hasWindow);
@@ -342,21 +387,22 @@ void encodeValues(LoadedVolume& loaded,
 
 QByteArray sha256OfValues(const LoadedVolume& loaded)
 {
-    return hashValues(loaded, valuesOfCodes(loaded.volume.encoding));
+    Sha256 hash;
+    addValues(hash, loaded);
+    return hash.takeHex();
 }
 
 QByteArray sha256OfCodes(const LoadedVolume& loaded)
 {
     static_assert(std::endian::native == std::endian::little);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(QByteArrayView(reinterpret_cast<const char*>(loaded.codes.data()),
-        qsizetype(loaded.codes.size() * sizeof(std::uint16_t))));
-    return hash.result().toHex();
+    Sha256 hash;
+    hash.add(loaded.codes.data(), loaded.codes.size() * sizeof(std::uint16_t));
+    return hash.takeHex();
 }
 
-void addValues(QCryptographicHash& hash, const LoadedVolume& loaded)
+void addValues(Sha256& hash, const LoadedVolume& loaded)
 {
-    addValuesByTable(hash, loaded, valuesOfCodes(loaded.volume.encoding));
+    addByTable(hash, loaded.codes, valuesOfCodes(loaded.volume.encoding));
 }
 
 } // namespace core
