@@ -3,6 +3,7 @@
 
 #include "core/dicom/DicomFile.h"
 #include "core/masks/ReadImport.h"
+#include "core/meshfile/MeshReader.h"
 #include "core/session/EditSession.h"
 #include "ui/Workspace.h"
 
@@ -49,7 +50,7 @@ MaskImporter::~MaskImporter()
 bool MaskImporter::looksLikeMask(const QString& path)
 {
     const QString name = QFileInfo(path).fileName().toLower();
-    if (name.endsWith(QLatin1String(".seg.nrrd")))
+    if (name.endsWith(QLatin1String(".seg.nrrd")) || core::isMeshName(path))
         return true;
     const bool said = name.contains(QLatin1String("label")) || name.contains(QLatin1String("mask"))
         || name.contains(QLatin1String("seg"));

@@ -4,6 +4,7 @@
 #include "core/export/CheckSources.h"
 #include "core/export/LabelMap.h"
 #include "core/meshfile/MeshReader.h"
+#include "core/volume/WorldToIndex.h"
 
 #include <algorithm>
 #include <array>
@@ -70,41 +71,19 @@ bool isClosed(const ReadMeshPart& part)
 class ToIndex {
 public:
     ToIndex(const VolumeGeometry& geometry, MeshSpace space)
-        : m_geometry(geometry)
-        , m_turn(space == MeshSpace::Ras ? glm::dvec3(-1, -1, 1) : glm::dvec3(1))
-        , m_inverse(geometry.worldToIndex())
-        , m_axes(geometry.indexToWorld)
+        : m_turn(space == MeshSpace::Ras ? glm::dvec3(-1, -1, 1) : glm::dvec3(1))
+        , m_toIndex(geometry)
     {
-        m_normal = glm::normalize(glm::cross(m_axes[0], m_axes[1]));
-        m_inSlice = glm::inverse(glm::dmat3(m_axes[0], m_axes[1], m_normal));
-        for (const glm::dvec3& position : geometry.slicePositions)
-            m_heights.push_back(glm::dot(position, m_normal));
     }
 
     [[nodiscard]] glm::dvec3 operator()(const glm::vec3& point) const
     {
-        const glm::dvec3 world = m_turn * glm::dvec3(point);
-        if (m_heights.size() < 2)
-            return glm::dvec3(m_inverse * glm::dvec4(world, 1.0));
-        // Between two slices, or beyond the outermost as far as the neighbours are apart.
-        const double height = glm::dot(world, m_normal);
-        const auto above = std::upper_bound(m_heights.begin() + 1, m_heights.end() - 1, height);
-        const auto k = std::size_t(above - m_heights.begin()) - 1;
-        const double share = (height - m_heights[k]) / (m_heights[k + 1] - m_heights[k]);
-        const glm::dvec3 origin =
-            glm::mix(m_geometry.slicePositions[k], m_geometry.slicePositions[k + 1], share);
-        const glm::dvec3 inSlice = m_inSlice * (world - origin);
-        return {inSlice.x, inSlice.y, double(k) + share};
+        return m_toIndex(m_turn * glm::dvec3(point));
     }
 
 private:
-    const VolumeGeometry& m_geometry;
     glm::dvec3 m_turn;
-    glm::dmat4 m_inverse;
-    glm::dmat3 m_axes;
-    glm::dvec3 m_normal{0.0};
-    glm::dmat3 m_inSlice{1.0};
-    std::vector<double> m_heights; ///< of the slices along their normal
+    WorldToIndex m_toIndex;
 };
 
 /// How often surfaces wind around each voxel's centre: rays along the slices' axis count what they

@@ -5,8 +5,6 @@
 #include "core/nifti/NiftiReader.h"
 #include "core/nrrd/NrrdReader.h"
 
-#include <QFileInfo>
-
 #include <cmath>
 #include <set>
 
@@ -135,20 +133,6 @@ std::vector<NamedSegment> namedSegments(const std::map<QByteArray, QByteArray>& 
     }
 }
 
-/// "liver.nii.gz" → "liver"
-QString baseName(const QString& path)
-{
-    QString name = QFileInfo(path).fileName();
-    for (const char* ending : {".nii.gz", ".seg.nrrd", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd"}) {
-        if (name.endsWith(QLatin1String(ending), Qt::CaseInsensitive)) {
-            name.chop(qsizetype(qstrlen(ending)));
-            break;
-        }
-    }
-    name = name.simplified();
-    return name.isEmpty() ? QStringLiteral("Mask") : name;
-}
-
 using LayersOnVolume = std::vector<LabelsOnVolume>;
 
 /// Segments in the order of the header, then labels that it does not name.
@@ -184,7 +168,7 @@ std::vector<MaskSegment> segmentsOf(
     const bool alone = left == 1 && segments.empty();
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
         for (auto& [label, voxels] : layers[layer].voxels) {
-            const QString name = alone ? baseName(path)
+            const QString name = alone ? maskNameOf(path)
                 : layers.size() > 1 ? QStringLiteral("Label %1, layer %2").arg(label).arg(layer + 1)
                                     : QStringLiteral("Label %1").arg(label);
             segments.push_back({.name = name, .rgb = {}, .code = {}, .voxels = std::move(voxels)});

@@ -3,6 +3,7 @@
 
 #include "core/dicom/SopClass.h"
 #include "core/masks/MaskParts.h"
+#include "core/meshfile/MeshReader.h"
 #include "core/metaimage/MetaImageReader.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nrrd/NrrdReader.h"
@@ -23,11 +24,6 @@ QString grouped(std::uint64_t count)
     return text;
 }
 
-QString inMl(double ml)
-{
-    return QString::number(ml, 'f', ml < 1.0 ? 3 : 1) + QStringLiteral(" mL");
-}
-
 /// A label plane has room for one segment a voxel.
 QStringList notesOnOverlap(const std::vector<MaskSegment>& segments)
 {
@@ -45,6 +41,25 @@ QStringList notesOnOverlap(const std::vector<MaskSegment>& segments)
 }
 
 } // namespace
+
+QString maskNameOf(const QString& path)
+{
+    QString name = QFileInfo(path).fileName();
+    for (const QString& pattern : maskNamePatterns()) {
+        const QString ending = pattern.mid(1);
+        if (name.endsWith(ending, Qt::CaseInsensitive)) {
+            name.chop(ending.size());
+            break;
+        }
+    }
+    name = name.simplified();
+    return name.isEmpty() ? QStringLiteral("Mask") : name;
+}
+
+QString inMl(double ml)
+{
+    return QString::number(ml, 'f', ml < 1.0 ? 3 : 1) + QStringLiteral(" mL");
+}
 
 double millilitres(std::uint64_t voxels, const VolumeGeometry& geometry)
 {
@@ -89,7 +104,9 @@ Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const P
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
     const bool labels = isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
     auto read = readLabelMask;
-    if (!labels) {
+    if (isMeshName(path)) {
+        read = readSurfaceMask;
+    } else if (!labels) {
         const Result<QString> sopClass = sopClassOf(path);
         if (!sopClass)
             return tl::unexpected(sopClass.error());
@@ -114,9 +131,11 @@ bool isMaskClass(const QString& sopClassUid)
 
 QStringList maskNamePatterns()
 {
-    return {QStringLiteral("*.nii"), QStringLiteral("*.nii.gz"), QStringLiteral("*.nrrd"),
-        QStringLiteral("*.nhdr"), QStringLiteral("*.mha"), QStringLiteral("*.mhd"),
-        QStringLiteral("*.dcm")};
+    // The longer one first of those that end alike.
+    return {QStringLiteral("*.nii.gz"), QStringLiteral("*.nii"), QStringLiteral("*.seg.nrrd"),
+        QStringLiteral("*.nrrd"), QStringLiteral("*.nhdr"), QStringLiteral("*.mha"),
+        QStringLiteral("*.mhd"), QStringLiteral("*.stl"), QStringLiteral("*.obj"),
+        QStringLiteral("*.ply"), QStringLiteral("*.glb"), QStringLiteral("*.dcm")};
 }
 
 } // namespace core

@@ -28,8 +28,9 @@ struct MaskOnVolume {
 };
 
 /// Reads a mask of any format that is known: labels in NIfTI, NRRD (also .seg.nrrd) and MetaImage
-/// files by their names, else a DICOM SEG or RT Structure Set. The nearest voxel decides where its
-/// grid is not the volume's (LatticeMap.h). The file is not kept open. Any thread. Errors: those of
+/// files and surfaces in STL, OBJ, PLY and glTF by their names, else a DICOM SEG or RT Structure
+/// Set. The nearest voxel decides where its grid is not the volume's (LatticeMap.h), of surfaces
+/// the voxels' centres (SurfaceFill.h). The file is not kept open. Any thread. Errors: those of
 /// the formats' readers; UnsupportedFormat (no labels, no segment, nothing of it inside the
 /// volume). All name the file.
 [[nodiscard]] Result<MaskOnVolume> readMask(

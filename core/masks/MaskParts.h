@@ -29,6 +29,13 @@ struct MaskFit {
 
 [[nodiscard]] Result<MaskOnVolume> readContourMask(
     const QString& path, const Volume& volume, const Progress& progress);
+[[nodiscard]] Result<MaskOnVolume> readSurfaceMask(
+    const QString& path, const Volume& volume, const Progress& progress);
+
+/// For a segment that its file gives no name: "liver.nii.gz" → "liver".
+[[nodiscard]] QString maskNameOf(const QString& path);
+/// "12.3 mL"
+[[nodiscard]] QString inMl(double ml);
 
 /// mL that voxels of a volume take up.
 [[nodiscard]] double millilitres(std::uint64_t voxels, const VolumeGeometry& geometry);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CheckExport.h"
+#include "core/masks/MaskOnVolume.h"
 #include "core/meshfile/MeshReader.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/SmallSeries.h"
@@ -159,6 +160,20 @@ void ExportSurfaceTest::everyGeometry()
         QVERIFY(mesh.has_value());
         QCOMPARE(mesh->space, QStringLiteral("LPS"));
         QCOMPARE(mesh->parts.size(), std::size_t(format == Format::Stl ? 1 : 2));
+        // Taken in again it is the same voxels.
+        const auto mask = core::readMask(on.file(name), on.volume, {});
+        QVERIFY2(mask.has_value(), qPrintable(mask ? QString() : messageOf(mask.error())));
+        std::vector<std::uint8_t> again(on.labels.size(), 0);
+        for (std::size_t i = 0; i < mask->segments.size(); ++i) {
+            for (const core::VoxelRun& run : mask->segments[i].voxels.runs())
+                std::fill_n(
+                    again.begin() + std::ptrdiff_t(run.first), run.count, on.segments[i].label);
+        }
+        for (std::size_t i = 0; i < again.size(); ++i) {
+            const bool isDrawn = on.labels[i] == 1 || on.labels[i] == 3;
+            const int expected = format == Format::Stl ? 1 : on.labels[i];
+            QCOMPARE(int(again[i]), isDrawn ? expected : 0);
+        }
         if (format == Format::Stl)
             continue;
         QCOMPARE(mesh->parts[0].name, QStringLiteral("Schädel"));
