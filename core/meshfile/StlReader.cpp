@@ -52,9 +52,12 @@ Result<ReadMesh> readText(const QByteArray& bytes, const QString& path)
         if (line.startsWith("solid")) {
             ended = false;
             mesh.parts.emplace_back();
-            mesh.parts.back().name = QString::fromUtf8(line.mid(5)).simplified();
+            const QString space = spaceIn(line);
+            mesh.parts.back().name = QString::fromUtf8(line.mid(5))
+                                         .remove(QStringLiteral("SPACE=") + space)
+                                         .simplified();
             if (mesh.space.isEmpty())
-                mesh.space = spaceIn(line);
+                mesh.space = space;
             continue;
         }
         if (!line.startsWith("vertex"))

@@ -14,7 +14,8 @@ inline constexpr const char* editMeaning<ImportMask> =
 template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
 {
     visit.field("file", Presence::Required, edit.file, editFields::FileName{},
-        "NIfTI, NRRD, .seg.nrrd or MetaImage labels, or a DICOM SEG");
+        "labels in NIfTI, NRRD, .seg.nrrd or MetaImage, a DICOM SEG or RTSTRUCT, or a surface in "
+        "STL, OBJ or PLY");
     visit.maybe("as", edit.as, editFields::SegmentReference{},
         "the segment that receives all of it: the number of one that is there, or the name of one "
         "that is there or else is made",

@@ -86,6 +86,7 @@ private Q_SLOTS:
         QVERIFY(mesh);
         QCOMPARE(mesh->space, QStringLiteral("RAS"));
         QCOMPARE(mesh->parts.size(), std::size_t(2));
+        QCOMPARE(mesh->parts[1].name, QStringLiteral("liver part"));
         QCOMPARE(mesh->parts[1].triangles.size(), std::size_t(4));
         QVERIFY(mesh->parts[0].vertices[2] == glm::vec3(4.5F, 0, 0));
     }
