@@ -57,7 +57,8 @@ QString droppedPath(const QMimeData& data)
 QString volumeFilter()
 {
     return QStringLiteral(
-        "Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)");
+        "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.zip *.7z *.tar "
+        "*.tar.gz *.tgz);;All files (*)");
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
 
+#include "core/archive/ArchiveReader.h"
+#include "core/archive/UnpackedArchive.h"
 #include "core/dicom/DicomScan.h"
 #include "core/dicom/StackLoader.h"
 #include "core/study/FileFormats.h"
@@ -119,6 +121,15 @@ Error nothingFound(const StudyListing& listing)
     return {ErrorCode::NoImages, {listing.path, reasons.join(QLatin1String("; "))}};
 }
 
+/// A file of an unpacked archive as lying in the archive.
+void nameWithin(const QString& archive, const QString& unpacked, UnreadableFile& file)
+{
+    for (QString* name : {&file.file, &file.error.arguments.front()}) {
+        if (name->startsWith(unpacked))
+            *name = archive + name->mid(unpacked.size());
+    }
+}
+
 Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& series)
 {
     const std::vector<const SeriesEntry*> found =
@@ -220,8 +231,17 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
     const QFileInfo info(path);
     const bool isDirectoryFile = info.isFile()
         && info.fileName().compare(QLatin1String("DICOMDIR"), Qt::CaseInsensitive) == 0;
-    const QString root = isDirectoryFile ? info.absolutePath() : path;
-    const Result<QStringList> files = filesBelow(root);
+    QString root = isDirectoryFile ? info.absolutePath() : path;
+    const bool isUnpacked = isArchive(path);
+    if (isUnpacked) {
+        Result<QString> unpacked = unpackedArchive(path, progress);
+        if (!unpacked)
+            return tl::unexpected<Error>(unpacked.error());
+        root = *std::move(unpacked);
+    }
+    Result<QStringList> files = filesBelow(root);
+    if (!files && isUnpacked)
+        files.error().arguments[0] = path;
     if (!files)
         return tl::unexpected<Error>(files.error());
     auto contents = std::make_unique<Contents>();
@@ -249,6 +269,10 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
         listing.unreadable.end(), dicom.unreadable.begin(), dicom.unreadable.end());
     contents->listStacks();
     contents->forgetVoxelFiles();
+    if (isUnpacked) {
+        for (UnreadableFile& file : listing.unreadable)
+            nameWithin(path, root, file);
+    }
     contents->listSingles(root);
     if (listing.studies.empty() && listing.foreign.empty())
         return tl::unexpected<Error>(nothingFound(listing));

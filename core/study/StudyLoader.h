@@ -11,7 +11,9 @@
 
 namespace core {
 
-/// What a file, or a folder with all below it, holds, read once: list it, then open from it.
+/// What a file, a folder with all below it, or an archive (zip, 7z, tar) holds, read once: list it,
+/// then open from it. An archive is unpacked into the user's cache (core/archive); archives within
+/// folders and archives are not.
 ///
 /// DICOM is known by content, whatever the file names; other formats by their endings
 /// (FileFormats.h). A DICOMDIR stands for its folder: what it names is a hint only. All calls
