@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/FrameDecoder.h"
 
-#include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/EncodedFrame.h"
-#include "core/dicom/Jpeg2000.h"
-#include "core/dicom/JpegCheck.h"
-#include "core/dicom/Rle.h"
+#include "core/dicom/FrameCodec.h"
 #include "core/dicom/StoredBits.h"
 #include "core/dicom/TransferSyntax.h"
-
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcfcache.h>
-#include <dcmtk/dcmdata/dcpixel.h>
-#include <dcmtk/dcmdata/dcpixseq.h>
-#include <dcmtk/dcmdata/dcpxitem.h>
-#include <dcmtk/dcmdata/dctk.h>
 
 #include <bit>
 #include <cstring>
@@ -53,53 +43,8 @@ Result<void> decodeNative(const DicomFile& file, const ImageHeader& header, std:
     return {};
 }
 
-/// Decodes JPEG and JPEG-LS by DCMTK's codecs. They get a data set of our own making that holds
-/// what they ask for and nothing else, and write into a buffer of the size they announce.
-QString decodeByDcmtk(const Cells& frame, const ImageHeader& header, Cells& cells)
-{
-    readyDcmtk();
-    const PixelLayout& layout = header.layout;
-    DcmDataset set;
-    set.putAndInsertUint16(DCM_SamplesPerPixel, 1);
-    set.putAndInsertString(DCM_PhotometricInterpretation, "MONOCHROME2");
-    set.putAndInsertUint16(DCM_Rows, Uint16(layout.rows));
-    set.putAndInsertUint16(DCM_Columns, Uint16(layout.columns));
-    set.putAndInsertUint16(DCM_BitsAllocated, Uint16(layout.bitsAllocated));
-    set.putAndInsertUint16(DCM_BitsStored, Uint16(layout.bitsStored));
-    set.putAndInsertUint16(DCM_HighBit, Uint16(layout.highBit));
-    set.putAndInsertUint16(DCM_PixelRepresentation, Uint16(layout.isSigned ? 1 : 0));
-
-    auto sequence = std::make_unique<DcmPixelSequence>(DCM_PixelSequenceTag);
-    auto offsetTable = std::make_unique<DcmPixelItem>(DCM_PixelItemTag);
-    auto item = std::make_unique<DcmPixelItem>(DCM_PixelItemTag);
-    if (item->putUint8Array(frame.data(), static_cast<unsigned long>(frame.size())).bad())
-        return QStringLiteral("no memory for its pixel data");
-    sequence->insert(offsetTable.release());
-    sequence->insert(item.release());
-    auto pixels = std::make_unique<DcmPixelData>(DCM_PixelData);
-    pixels->putOriginalRepresentation(
-        DcmXfer(header.transferSyntaxUid.toLatin1().constData()).getXfer(), nullptr,
-        sequence.release());
-    DcmPixelData& decodable = *pixels;
-    if (set.insert(pixels.release(), true).bad())
-        return QStringLiteral("no memory for its pixel data");
-
-    Uint32 size = 0;
-    if (decodable.getUncompressedFrameSize(&set, size).bad() || size < cells.size())
-        return QStringLiteral("its frame size is not the one in its header");
-    Cells buffer(size + (size & 1u));
-    Uint32 firstFragment = 0;
-    OFString colourModel;
-    DcmFileCache cache;
-    const OFCondition decoded = decodable.getUncompressedFrame(
-        &set, 0, firstFragment, buffer.data(), Uint32(buffer.size()), colourModel, &cache);
-    if (decoded.bad())
-        return QStringLiteral("damaged pixel data (%1)").arg(QLatin1String(decoded.text()));
-    std::copy_n(buffer.begin(), cells.size(), cells.begin());
-    return {};
-}
-
-QString decodeEncapsulated(const DicomFile& file, const ImageHeader& header, Cells& cells)
+QString decodeEncapsulated(
+    const DicomFile& file, const ImageHeader& header, std::span<std::uint16_t> stored)
 {
     const PixelCoding coding = transferSyntax(header.transferSyntaxUid).coding;
     const std::optional<Cells> found =
@@ -109,23 +54,11 @@ QString decodeEncapsulated(const DicomFile& file, const ImageHeader& header, Cel
     const Cells& frame = *found;
     if (frame.empty())
         return QStringLiteral("it holds no pixel data");
-    switch (coding) {
-    case PixelCoding::Rle:
-        return decodeRle(frame, header.layout.bitsAllocated / 8, cells)
-            ? QString()
-            : QStringLiteral("damaged RLE data");
-    case PixelCoding::Jpeg:
-    case PixelCoding::JpegLs: {
-        const QString wrong = checkJpeg(frame, header.layout);
-        return wrong.isEmpty() ? decodeByDcmtk(frame, header, cells) : wrong;
-    }
-    case PixelCoding::Jpeg2000:
-        return decodeJpeg2000(frame, header.layout, cells);
-    case PixelCoding::Native:
-    case PixelCoding::Unknown:
-        break;
-    }
-    return QStringLiteral("transfer syntax %1").arg(header.transferSyntaxUid);
+    return decodeFenced(
+        {.coding = coding, .transferSyntaxUid = header.transferSyntaxUid, .layout = header.layout},
+        frame, [&](std::span<const std::uint8_t> cells) {
+            extractStoredBits(cells, header.layout, stored);
+        });
 }
 
 Result<void> decodeFrom(
@@ -137,15 +70,14 @@ Result<void> decodeFrom(
         return failure(ErrorCode::UnsupportedFormat, header.file,
             QStringLiteral("floating-point pixels where stored ones are wanted"));
     const PixelLayout& layout = header.layout;
-    const std::size_t size =
-        std::size_t(layout.columns) * std::size_t(layout.rows) * (layout.bitsAllocated / 8u);
+    const std::size_t pixels = std::size_t(layout.columns) * std::size_t(layout.rows);
+    if (stored.size() != pixels)
+        return failure(ErrorCode::Internal, header.file, QStringLiteral("a frame of another size"));
     if (!file.isEncapsulated())
-        return decodeNative(file, header, size, stored);
-    Cells cells(size);
-    const QString wrong = decodeEncapsulated(file, header, cells);
+        return decodeNative(file, header, pixels * (layout.bitsAllocated / 8u), stored);
+    const QString wrong = decodeEncapsulated(file, header, stored);
     if (!wrong.isEmpty())
         return failure(ErrorCode::FileUnreadable, header.file, wrong);
-    extractStoredBits(cells, layout, stored);
     return {};
 }
 

@@ -161,6 +161,23 @@ VolumeProblem damagedSlices(const QStringList& names)
         .caution = true};
 }
 
+VolumeProblem undecodedSlices(const std::vector<UndecodedSlice>& slices)
+{
+    constexpr std::size_t named = 10;
+    QStringList each;
+    for (std::size_t i = 0; i < std::min(slices.size(), named); ++i)
+        each += QStringLiteral("slice %1 (%2) could not be decoded: %3")
+                    .arg(slices[i].number)
+                    .arg(slices[i].image, slices[i].reason);
+    QString text = each.join(QLatin1String("; "));
+    text[0] = text.at(0).toUpper();
+    if (slices.size() > named)
+        text += QStringLiteral("; and %1 more").arg(slices.size() - named);
+    text += slices.size() == 1 ? QStringLiteral(". It was left out.")
+                               : QStringLiteral(". They were left out.");
+    return {.kind = VolumeProblem::Kind::DamagedSlice, .text = text, .caution = true};
+}
+
 QString imageName(const ImageHeader& image)
 {
     const QString name = QFileInfo(image.file).fileName();

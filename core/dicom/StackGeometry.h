@@ -3,6 +3,8 @@
 
 #include "core/dicom/SliceStack.h"
 
+#include <vector>
+
 namespace core {
 
 /// Sets the geometry of a stack whose slices are in order, and the problems that positions show:
@@ -19,6 +21,15 @@ void placeSlices(SliceStack& stack);
 /// The problem that names slices left out because their pixel data are damaged.
 /// @param names as imageName() has them
 [[nodiscard]] VolumeProblem damagedSlices(const QStringList& names);
+
+/// A slice and why it could not be decoded, for people.
+struct UndecodedSlice {
+    int number = 0; ///< in its stack, from 1
+    QString image; ///< as imageName() has it
+    QString reason;
+};
+/// The problem that names slices left out because decoding them failed; of many the first.
+[[nodiscard]] VolumeProblem undecodedSlices(const std::vector<UndecodedSlice>& slices);
 
 /// Name of the image's file, and of several frames which it is, for people.
 [[nodiscard]] QString imageName(const ImageHeader& image);

@@ -123,10 +123,12 @@ SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
     const std::size_t size =
         std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
     std::vector<ImageHeader> sound;
-    QStringList failed;
+    std::vector<UndecodedSlice> failed;
     for (std::size_t k = 0; k < stack.slices.size(); ++k) {
-        if (decoding.errors[k]) {
-            failed.append(imageName(stack.slices[k]));
+        if (const std::optional<Error>& error = decoding.errors[k]) {
+            failed.push_back({.number = int(k) + 1,
+                .image = imageName(stack.slices[k]),
+                .reason = error->arguments.value(1)});
             continue;
         }
         std::copy_n(decoding.stored.begin() + std::ptrdiff_t(k * size), size,
@@ -137,7 +139,7 @@ SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
     SliceStack rest = stackOf(std::move(sound));
     rest.part = stack.part;
     rest.time = stack.time;
-    rest.problems.push_back(damagedSlices(failed));
+    rest.problems.push_back(undecodedSlices(failed));
     return rest;
 }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/fence/DecodeWorker.h"
+#include "core/fence/WorkerProcess.h"
+
+#include <functional>
+
+namespace core {
+
+/// Decoders of this program: as many processes as are asked for at once, started when they are
+/// first needed, ended and replaced when they fail. A decoder that fails costs one call.
+///
+/// Which program they are is said once, before the first call: `burin` says itself. Where it was
+/// not said nothing is decoded. Any thread may call.
+class FencedDecoder {
+public:
+    /// The decoders of this process.
+    [[nodiscard]] static FencedDecoder& instance();
+
+    FencedDecoder();
+    FencedDecoder(const FencedDecoder&) = delete;
+    FencedDecoder& operator=(const FencedDecoder&) = delete;
+    ~FencedDecoder();
+
+    /// Ends those that there are.
+    void setProgram(const WorkerProgram& program);
+    /// For fuzzers and measurements: no processes; a crash of @p work is one of the program.
+    void decodeInside(FencedWork work);
+    void setPatience(std::chrono::milliseconds patience);
+
+    /// Does FencedWork on @p input in a decoder and gives what came out to @p take, which must copy
+    /// it. @return why it failed, in words; empty if it did not
+    [[nodiscard]] QString decode(std::span<const std::uint8_t> parameters,
+        std::span<const std::uint8_t> input, std::size_t outputBytes,
+        const std::function<void(std::span<const std::uint8_t> output)>& take);
+
+    /// Processes that wait for work.
+    [[nodiscard]] std::vector<pid_t> idle() const;
+
+private:
+    struct State;
+
+    [[nodiscard]] std::unique_ptr<WorkerProcess> borrow(QString& why);
+    void giveBack(std::unique_ptr<WorkerProcess> worker);
+
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace core
