@@ -5,8 +5,11 @@
 #   packaging/bench.sh             a table
 #   packaging/bench.sh --json      [{"id","peer","oursMs","peerMs","ratio"}], ratio = peer / ours;
 #                                  "oursBytes", "peerBytes" for sizes; without a peer only ours
+#   packaging/bench.sh --decode    compressed frames in processes without rights, against in the program
+#   packaging/bench.sh --frames    pictures, and growing on the demonstration head
 #   packaging/bench.sh --grow      growing only
 #   packaging/bench.sh --history   the history only
+#   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
@@ -15,8 +18,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --grow | --history | --load | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--grow] [--history] [--load] [--sculpt]" ;;
+        --json | --decode | --frames | --grow | --history | --load | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--sculpt]" ;;
     esac
 done
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 #include "gpu/GpuEngine.h"
+#include "tests/benchmarks/DecodeBenchmark.h"
 #include "tests/benchmarks/FrameBenchmark.h"
 #include "tests/benchmarks/GrowBenchmark.h"
 #include "tests/benchmarks/HistoryBenchmark.h"
@@ -14,10 +15,11 @@
 
 #include <array>
 #include <cstdio>
+#include <vector>
 
 namespace {
 
-/// grow.*, frame.*: on the demonstration head.
+/// frame.*, and growing on the demonstration head.
 QString measurePeers(bench::PeerReport& report)
 {
     const auto study = core::makeDemoStudy({});
@@ -34,6 +36,21 @@ QString measurePeers(bench::PeerReport& report)
     return {};
 }
 
+/// What can be asked for by itself; without any, all.
+struct Group {
+    const char* option;
+    std::vector<QString (*)(bench::PeerReport&)> measure;
+};
+
+const std::vector<Group>& groups()
+{
+    static const std::vector<Group> all{{"--frames", {measurePeers}},
+        {"--grow", {bench::measureGrowth, bench::measureSteering}},
+        {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
+        {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}}};
+    return all;
+}
+
 } // namespace
 
 /// Burin against its peers, in one process and one run. Nothing is timed before the results were
@@ -43,13 +60,15 @@ int main(int argc, char** argv)
     const QCoreApplication application(argc, argv);
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool json = arguments.removeAll(QStringLiteral("--json")) > 0;
-    const bool historyOnly = arguments.removeAll(QStringLiteral("--history")) > 0;
-    const bool loadOnly = arguments.removeAll(QStringLiteral("--load")) > 0;
-    const bool sculptOnly = arguments.removeAll(QStringLiteral("--sculpt")) > 0;
-    const bool growOnly = arguments.removeAll(QStringLiteral("--grow")) > 0;
+    std::vector<Group> wanted;
+    QString usage = QStringLiteral("usage: burin_bench [--json]");
+    for (const Group& group : groups()) {
+        usage += QStringLiteral(" [%1]").arg(QLatin1String(group.option));
+        if (arguments.removeAll(QLatin1String(group.option)) > 0)
+            wanted.push_back(group);
+    }
     if (!arguments.isEmpty()) {
-        std::fprintf(
-            stderr, "usage: burin_bench [--json] [--grow] [--history] [--load] [--sculpt]\n");
+        std::fprintf(stderr, "%s\n", qPrintable(usage));
         return 2;
     }
     std::array<char, 12> program{"burin_bench"};
@@ -60,23 +79,15 @@ int main(int argc, char** argv)
     benchmark::Initialize(&count, options.data());
 
     bench::PeerReport report;
-    QString why;
-    const bool all = !historyOnly && !sculptOnly && !growOnly && !loadOnly;
-    if (all)
-        why = measurePeers(report);
-    if (why.isEmpty() && (all || growOnly))
-        why = bench::measureGrowth(report);
-    if (why.isEmpty() && (all || growOnly))
-        why = bench::measureSteering(report);
-    if (why.isEmpty() && (all || loadOnly))
-        why = bench::measureLoading(report);
-    if (why.isEmpty() && (all || sculptOnly))
-        why = bench::measureSculpting(report);
-    if (why.isEmpty() && (all || historyOnly))
-        why = bench::measureHistory(report);
-    if (!why.isEmpty()) {
-        std::fprintf(stderr, "no times, since the results are not right: %s\n", qPrintable(why));
-        return 1;
+    for (const Group& group : wanted.empty() ? groups() : wanted) {
+        for (const auto measure : group.measure) {
+            const QString why = measure(report);
+            if (!why.isEmpty()) {
+                std::fprintf(
+                    stderr, "no times, since the results are not right: %s\n", qPrintable(why));
+                return 1;
+            }
+        }
     }
     if (json)
         report.printJson();
