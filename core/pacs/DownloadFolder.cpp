@@ -176,7 +176,18 @@ Result<void> DownloadFolder::finish()
     return {};
 }
 
-Result<void> checkObject(const QString& path, const QString& sopInstanceUid)
+Result<void> DownloadFolder::accept(const QString& partPath, const QString& sopInstanceUid) const
+{
+    const QByteArray from = QFile::encodeName(partPath);
+    const QByteArray to = QFile::encodeName(pathOf(sopInstanceUid));
+    if (std::rename(from.constData(), to.constData()) != 0) {
+        return failure(
+            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(std::strerror(errno)));
+    }
+    return {};
+}
+
+Result<QString> soundObject(const QString& path)
 {
     const Result<DicomFile> file = DicomFile::openWithPixels(path);
     if (!file)
@@ -186,11 +197,19 @@ Result<void> checkObject(const QString& path, const QString& sopInstanceUid)
             ErrorCode::FileTruncated, path, QStringLiteral("its pixel data are incomplete"));
     }
     DcmDataset set;
-    if (Result<void> read = file->readInto(set); !read)
-        return read;
+    if (const Result<void> read = file->readInto(set); !read)
+        return tl::unexpected<Error>(read.error());
     OFString uid;
     set.findAndGetOFString(DCM_SOPInstanceUID, uid);
-    if (QString::fromLatin1(uid.c_str()) != sopInstanceUid) {
+    return QString::fromLatin1(uid.c_str());
+}
+
+Result<void> checkObject(const QString& path, const QString& sopInstanceUid)
+{
+    const Result<QString> uid = soundObject(path);
+    if (!uid)
+        return tl::unexpected<Error>(uid.error());
+    if (*uid != sopInstanceUid) {
         return failure(
             ErrorCode::FileUnreadable, path, QStringLiteral("it is another object than was asked"));
     }

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] QString partPathOf(const QString& sopInstanceUid) const;
     /// Whether it is here, from an earlier download, and sound; a damaged one is removed.
     [[nodiscard]] bool holds(const QString& sopInstanceUid) const;
+    /// Gives a part that was checked its place. FileUnwritable.
+    [[nodiscard]] Result<void> accept(const QString& partPath, const QString& sopInstanceUid) const;
     [[nodiscard]] const QString& target() const { return m_target; }
 
     /// Gives it its name. FileUnwritable.
@@ -47,8 +49,10 @@ private:
     std::unique_ptr<QLockFile> m_lock;
 };
 
-/// Whether a file is a DICOM object of that UID that Burin can read to its end: FileUnreadable,
-/// FileTruncated. Through the door that DicomFile is.
+/// The SOP instance UID of a file that is a DICOM object that Burin can read to its end:
+/// FileUnreadable, FileTruncated. Through the door that DicomFile is.
+[[nodiscard]] Result<QString> soundObject(const QString& path);
+/// Whether a file is such an object, of that UID.
 [[nodiscard]] Result<void> checkObject(const QString& path, const QString& sopInstanceUid);
 
 } // namespace core

@@ -9,8 +9,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/dimse.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 namespace core {
@@ -142,11 +140,8 @@ Result<std::uint16_t> ObjectIntake::write(
             m_refusal = sound.error();
         return STATUS_STORE_Error_CannotUnderstand;
     }
-    const QByteArray from = QFile::encodeName(part.path);
-    if (std::rename(from.constData(), QFile::encodeName(m_folder.pathOf(uid)).constData()) != 0) {
-        return failure(ErrorCode::FileUnwritable, m_folder.target(),
-            QString::fromLocal8Bit(std::strerror(errno)));
-    }
+    if (const Result<void> accepted = m_folder.accept(part.path, uid); !accepted)
+        return tl::unexpected<Error>(accepted.error());
     m_missing.remove(uid);
     ++m_received;
     m_progress.report(QStringLiteral("Downloading"), m_received, m_total);

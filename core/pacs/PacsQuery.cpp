@@ -264,10 +264,12 @@ Result<std::vector<InstanceHit>> findInstances(const PacsNode& node, const QStri
     question.put(DCM_SeriesInstanceUID, seriesUid);
     question.want(DCM_SOPInstanceUID);
     question.want(DCM_SOPClassUID);
+    question.want(DCM_InstanceNumber);
     std::vector<InstanceHit> hits;
     const Result<void> asked = ask(node, question, progress, [&](const Answer& answer) {
         InstanceHit hit{.sopInstanceUid = answer.uid(DCM_SOPInstanceUID),
-            .sopClassUid = answer.uid(DCM_SOPClassUID)};
+            .sopClassUid = answer.uid(DCM_SOPClassUID),
+            .number = answer.count(DCM_InstanceNumber)};
         if (!hit.sopInstanceUid.isEmpty())
             hits.push_back(std::move(hit));
         return true;

@@ -52,6 +52,7 @@ struct SeriesHit {
 struct InstanceHit {
     QString sopInstanceUid;
     QString sopClassUid; ///< empty where the node does not tell
+    int number = -1; ///< in its series; −1 where the node does not tell
 };
 
 template <class Hit> struct HitList {

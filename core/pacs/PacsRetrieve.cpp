@@ -7,6 +7,7 @@
 #include "core/pacs/NodeStatus.h"
 #include "core/pacs/ObjectIntake.h"
 #include "core/pacs/PacsQuery.h"
+#include "core/pacs/RetrievePlan.h"
 #include "core/pacs/StorageContexts.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -23,82 +24,9 @@ namespace core {
 
 namespace {
 
-/// One series, and what of it is wanted.
-struct SeriesPlan {
-    QString seriesUid;
-    std::vector<InstanceHit> instances; ///< empty: the node does not tell
-    QStringList missing;
-
-    /// Everything, as far as anybody knows.
-    [[nodiscard]] bool asWhole() const { return std::size_t(missing.size()) == instances.size(); }
-};
-
-struct Plan {
-    QString studyUid;
-    std::vector<SeriesPlan> series;
-
-    [[nodiscard]] bool isKnown() const
-    {
-        return std::none_of(series.begin(), series.end(),
-            [](const SeriesPlan& one) { return one.instances.empty(); });
-    }
-    [[nodiscard]] QStringList instances() const
-    {
-        QStringList all;
-        for (const SeriesPlan& one : series) {
-            for (const InstanceHit& instance : one.instances)
-                all.append(instance.sopInstanceUid);
-        }
-        return all;
-    }
-    [[nodiscard]] QSet<QString> missing() const
-    {
-        QSet<QString> all;
-        for (const SeriesPlan& one : series)
-            all.unite(QSet<QString>(one.missing.begin(), one.missing.end()));
-        return all;
-    }
-    /// Empty where the node does not tell all of them.
-    [[nodiscard]] std::vector<QByteArray> classes() const
-    {
-        QSet<QByteArray> found;
-        for (const SeriesPlan& one : series) {
-            for (const InstanceHit& instance : one.instances)
-                found.insert(instance.sopClassUid.toLatin1());
-        }
-        if (!isKnown() || found.contains(QByteArray()))
-            return {};
-        return {found.begin(), found.end()};
-    }
-};
-
-Result<Plan> makePlan(const PacsNode& node, const RetrieveWish& wish, const Progress& progress)
-{
-    const Result<std::vector<SeriesHit>> series = findSeries(node, wish.studyUid, progress);
-    if (!series)
-        return tl::unexpected<Error>(series.error());
-    Plan plan{.studyUid = wish.studyUid, .series = {}};
-    for (const SeriesHit& hit : *series) {
-        if (hit.seriesUid.isEmpty()
-            || (!wish.seriesUid.isEmpty() && hit.seriesUid != wish.seriesUid))
-            continue;
-        Result<std::vector<InstanceHit>> instances =
-            findInstances(node, wish.studyUid, hit.seriesUid, progress);
-        if (!instances)
-            return tl::unexpected<Error>(instances.error());
-        plan.series.push_back(
-            {.seriesUid = hit.seriesUid, .instances = std::move(*instances), .missing = {}});
-    }
-    if (plan.series.empty()) {
-        return failure(ErrorCode::NodeHasNone, node.name(),
-            wish.seriesUid.isEmpty() || series->empty() ? QStringLiteral("study")
-                                                        : QStringLiteral("series"));
-    }
-    return plan;
-}
-
 /// The identifiers of the requests that fetch what is missing of a series.
-std::vector<std::unique_ptr<DcmDataset>> identifiers(const Plan& plan, const SeriesPlan& series)
+std::vector<std::unique_ptr<DcmDataset>> identifiers(
+    const RetrievePlan& plan, const RetrievePlan::Series& series)
 {
     constexpr qsizetype mostUids = 200;
     std::vector<std::unique_ptr<DcmDataset>> all;
@@ -198,7 +126,7 @@ T_DIMSE_Message moveRequest(std::uint16_t id, const QByteArray& model, const Pac
     return request;
 }
 
-Result<Conclusion> fetch(const PacsNode& node, const Plan& plan, ObjectIntake& intake,
+Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectIntake& intake,
     const RetrieveWay& way, const Progress& progress)
 {
     const QByteArray model = way.movePort ? UID_MOVEStudyRootQueryRetrieveInformationModel
@@ -223,7 +151,7 @@ Result<Conclusion> fetch(const PacsNode& node, const Plan& plan, ObjectIntake& i
         listener = std::move(*listening);
     }
     Conclusion conclusion;
-    for (const SeriesPlan& series : plan.series) {
+    for (const RetrievePlan::Series& series : plan.series) {
         if (!series.instances.empty() && series.missing.isEmpty())
             continue;
         for (const std::unique_ptr<DcmDataset>& identifier : identifiers(plan, series)) {
@@ -270,7 +198,14 @@ tl::unexpected<Error> incomplete(
 Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const QString& target,
     const RetrieveWay& way, const Progress& progress)
 {
-    Result<Plan> plan = makePlan(node, wish, progress);
+    Result<RetrievePlan> plan = RetrievePlan::make(
+        {.nodeName = node.name(),
+            .series = [&](const QString& study) { return findSeries(node, study, progress); },
+            .instances =
+                [&](const QString& study, const QString& series) {
+                    return findInstances(node, study, series, progress);
+                }},
+        wish);
     if (!plan)
         return tl::unexpected<Error>(plan.error());
     const QStringList instances = plan->instances();
@@ -279,12 +214,7 @@ Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const
     Result<DownloadFolder> folder = DownloadFolder::open(target);
     if (!folder)
         return tl::unexpected<Error>(folder.error());
-    for (SeriesPlan& series : plan->series) {
-        for (const InstanceHit& instance : series.instances) {
-            if (!folder->holds(instance.sopInstanceUid))
-                series.missing.append(instance.sopInstanceUid);
-        }
-    }
+    plan->lookWhatIsMissing(*folder);
     // Where a node lists nothing for one series, nobody knows what to await.
     const QSet<QString> missing = plan->isKnown() ? plan->missing() : QSet<QString>();
     Retrieved result{.received = 0, .kept = int(instances.size() - plan->missing().size())};

@@ -15,6 +15,7 @@ namespace core {
 struct RetrieveWish {
     QString studyUid;
     QString seriesUid;
+    QString instanceUid; ///< of the series only this object
 };
 
 /// How objects come from a node.

@@ -64,6 +64,11 @@ const std::vector<Rule>& rules()
             && !(inFolder(file, {QStringLiteral("core/dicom"), QStringLiteral("core/pacs")})
                 && file.endsWith(QLatin1String(".cpp")));
     };
+    const auto network = [](S file, S included) {
+        return ofQtModule(included, {QStringLiteral("QtNetwork")})
+            && !(inFolder(file, {QStringLiteral("core/dicomweb")})
+                && file.endsWith(QLatin1String(".cpp")));
+    };
     const QString core = QStringLiteral("core"), gpu = QStringLiteral("gpu"),
                   ui = QStringLiteral("ui"), app = QStringLiteral("app");
     const QString gui = QStringLiteral("QtGui"), widgets = QStringLiteral("QtWidgets"),
@@ -84,6 +89,10 @@ const std::vector<Rule>& rules()
         {gpu, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
         {ui, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
         {app, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
+        {core, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
+        {gpu, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
+        {ui, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
+        {app, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
         // The oracle is worth something only while it shares no kernel with what it judges.
         {QStringLiteral("tests/reference"), roomsAbove({gpu, ui, app}),
             QStringLiteral("the oracle knows core only")},
@@ -149,6 +158,10 @@ void HouseTest::ruleBites_data()
     row("core/dicom/A.cpp", "#include <dcmtk/dcmdata/dctk.h>", true);
     row("core/pacs/A.h", "#include <dcmtk/dcmnet/dimse.h>", false);
     row("core/pacs/A.cpp", "#include <dcmtk/dcmnet/dimse.h>", true);
+    row("core/pacs/A.cpp", "#include <QNetworkReply>", false);
+    row("core/dicomweb/A.h", "#include <QNetworkReply>", false);
+    row("core/dicomweb/A.cpp", "#include <QNetworkReply>\n#include <QSslKey>", true);
+    row("ui/A.cpp", "#include <QtNetwork/QNetworkReply>", false);
     row("gpu/A.h", "#include \"ui/A.h\"", false);
     row("gpu/A.h", "#include <QOpenGLContext>", false);
     row("gpu/A.h", "#include <QApplication>", false);

@@ -23,6 +23,8 @@ namespace test {
 
 namespace {
 
+const QString webPlugin = QStringLiteral("/usr/share/orthanc/plugins/libOrthancDicomWeb.so");
+
 sockaddr_in loopback(int port)
 {
     sockaddr_in address{};
@@ -113,7 +115,8 @@ TlsFiles TlsFiles::make(const QString& folder)
 PacsServer::PacsServer(Program program, const TlsFiles& tls)
     : m_movePort(freePort())
 {
-    const bool isOrthanc = program == Program::Orthanc;
+    const bool isOrthanc = program != Program::Dcmqrscp;
+    const bool isWeb = program == Program::OrthancWeb;
     const QString name = isOrthanc ? QStringLiteral("Orthanc") : QStringLiteral("dcmqrscp");
     QString path = QStandardPaths::findExecutable(name);
     if (path.isEmpty())
@@ -121,6 +124,16 @@ PacsServer::PacsServer(Program program, const TlsFiles& tls)
     if (path.isEmpty()) {
         m_absent = name + QStringLiteral(" is not installed");
         return;
+    }
+    if (isWeb && !QFile::exists(webPlugin)) {
+        m_absent = QStringLiteral("orthanc-dicomweb is not installed");
+        return;
+    }
+    if (isWeb) {
+        m_webNode.url = QUrl(QStringLiteral("http://localhost:%1/dicom-web").arg(freePort()));
+        m_webNode.login = {
+            .user = QStringLiteral("tester"), .password = QStringLiteral("secret"), .token = {}};
+        m_webNode.firstPauseMs = 50;
     }
     m_node = {.aeTitle = isOrthanc ? QStringLiteral("ORTHANC") : QStringLiteral("QRDB"),
         .host = QStringLiteral("127.0.0.1"),
@@ -138,7 +151,7 @@ PacsServer::PacsServer(Program program, const TlsFiles& tls)
     int socket = -1;
     while (socket < 0 && !patience.hasExpired() && m_process.state() != QProcess::NotRunning) {
         m_process.waitForFinished(50);
-        socket = connected(m_node.port);
+        socket = connected(isWeb ? m_webNode.url.port() : m_node.port);
     }
     if (socket >= 0) {
         ::close(socket);
@@ -204,7 +217,9 @@ QStringList PacsServer::prepareOrthanc(const TlsFiles& tls) const
         {key("DicomAlwaysAllowStore"), false}, {key("DicomCheckModalityHost"), true},
         {key("DicomModalities"), QJsonObject{{key("burin"), burin}}},
         {key("DefaultEncoding"), QStringLiteral("Utf8")}};
-    if (!tls.serverKey.isEmpty()) {
+    if (!m_webNode.url.isEmpty()) {
+        addWeb(configuration);
+    } else if (!tls.serverKey.isEmpty()) {
         configuration.insert(key("DicomTlsEnabled"), true);
         configuration.insert(key("DicomTlsCertificate"), tls.serverCertificate);
         configuration.insert(key("DicomTlsPrivateKey"), tls.serverKey);
@@ -215,6 +230,23 @@ QStringList PacsServer::prepareOrthanc(const TlsFiles& tls) const
     if (!write(file, QJsonDocument(configuration).toJson()))
         return {};
     return {file};
+}
+
+void PacsServer::addWeb(QJsonObject& configuration) const
+{
+    const auto key = [](const char* name) { return QLatin1String(name); };
+    configuration.insert(key("HttpServerEnabled"), true);
+    configuration.insert(key("HttpPort"), m_webNode.url.port());
+    configuration.insert(key("RemoteAccessAllowed"), false);
+    configuration.insert(key("AuthenticationEnabled"), true);
+    configuration.insert(
+        key("RegisteredUsers"), QJsonObject{{m_webNode.login.user, m_webNode.login.password}});
+    configuration.insert(key("Plugins"), QJsonArray{webPlugin});
+    configuration.insert(key("DicomWeb"),
+        QJsonObject{{key("Enable"), true}, {key("Root"), QStringLiteral("/dicom-web/")},
+            {key("EnableWado"), false}, {key("Ssl"), false},
+            {key("StudiesMetadata"), QStringLiteral("Full")},
+            {key("SeriesMetadata"), QStringLiteral("Full")}});
 }
 
 FaultyWire::FaultyWire(int serverPort, Fault fault, std::int64_t afterBytes)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/dicomweb/WebNode.h"
 #include "core/pacs/PacsNode.h"
 
 #include <QProcess>
@@ -10,6 +11,8 @@
 #include <atomic>
 #include <cstdint>
 #include <thread>
+
+class QJsonObject;
 
 namespace test {
 
@@ -32,7 +35,8 @@ class PacsServer {
 public:
     enum class Program {
         Dcmqrscp, ///< DCMTK's; called QRDB
-        Orthanc, ///< called ORTHANC; answers HTTP and DICOMweb too, to tester:secret
+        Orthanc, ///< called ORTHANC
+        OrthancWeb, ///< the same with its DICOMweb plugin, to tester:secret
     };
     /// @param tls of Orthanc: it answers only to that client, and only so
     explicit PacsServer(Program program, const TlsFiles& tls = {});
@@ -46,16 +50,20 @@ public:
     [[nodiscard]] const QString& problem() const { return m_problem; }
     /// It knows us as BURIN, listening on movePort().
     [[nodiscard]] const core::PacsNode& node() const { return m_node; }
+    /// Of OrthancWeb.
+    [[nodiscard]] const core::WebNode& webNode() const { return m_webNode; }
     [[nodiscard]] int movePort() const { return m_movePort; }
     void stop();
 
 private:
     [[nodiscard]] QStringList prepareDcmqrscp() const;
     [[nodiscard]] QStringList prepareOrthanc(const TlsFiles& tls) const;
+    void addWeb(QJsonObject& configuration) const;
 
     QTemporaryDir m_folder;
     QProcess m_process;
     core::PacsNode m_node;
+    core::WebNode m_webNode;
     int m_movePort = 0;
     QString m_absent;
     QString m_problem;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/dicomweb/MultipartReader.h"
+#include "core/dicomweb/WebConnection.h"
+#include "core/pacs/DownloadFolder.h"
+
+#include <QFile>
+#include <QSet>
+
+#include <memory>
+#include <optional>
+
+namespace core {
+
+/// Takes the objects of a WADO-RS answer into a folder, one at a time. What is not sound is
+/// dropped, and so is what nobody asked for.
+class WebIntake : public WebSink, private PartSink {
+public:
+    /// @param awaited SOP instance UIDs; empty: whatever comes
+    WebIntake(const DownloadFolder& folder, const QSet<QString>& awaited, QString nodeName,
+        const Progress& progress);
+    ~WebIntake() override;
+
+    [[nodiscard]] Result<void> begin(const WebAnswer& answer) override;
+    [[nodiscard]] Result<void> take(const QByteArray& bytes) override;
+    /// Behind the last byte of an answer. NodeLost: it was not whole.
+    [[nodiscard]] Result<void> end();
+
+    [[nodiscard]] int received() const { return m_received; }
+    [[nodiscard]] const QSet<QString>& missing() const { return m_missing; }
+    /// Why the first of those that are not sound was dropped.
+    [[nodiscard]] const std::optional<Error>& refusal() const { return m_refusal; }
+
+private:
+    [[nodiscard]] Result<void> beginPart() override;
+    [[nodiscard]] Result<void> takePart(const char* bytes, qsizetype size) override;
+    [[nodiscard]] Result<void> endPart() override;
+    void dropPart();
+
+    const DownloadFolder& m_folder;
+    bool m_takesAll;
+    QSet<QString> m_missing;
+    qsizetype m_total;
+    QString m_nodeName;
+    const Progress& m_progress;
+    std::optional<MultipartReader> m_reader; ///< none: the answer is one object
+    QFile m_part;
+    int m_received = 0;
+    int m_unasked = 0;
+    std::optional<Error> m_refusal;
+};
+
+} // namespace core

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicomweb/WebSend.h"
+
+#include "core/dicomweb/JsonSink.h"
+#include "core/dicomweb/WebConnection.h"
+#include "core/pacs/DownloadFolder.h"
+#include "core/pacs/NodeStatus.h"
+
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cstdint>
+#include <optional>
+
+namespace core {
+
+namespace {
+
+/// The first reason of a list in a STOW-RS answer (PS3.18 10.5.3); none: it is not there.
+std::optional<std::uint16_t> reasonIn(
+    const QJsonObject& answer, const char* list, const char* reasonTag)
+{
+    const QJsonArray items = answer[QLatin1String(list)].toObject()[u"Value"].toArray();
+    for (const QJsonValue& item : items) {
+        const QJsonArray reasons =
+            item.toObject()[QLatin1String(reasonTag)].toObject()[u"Value"].toArray();
+        if (!reasons.isEmpty())
+            return std::uint16_t(reasons.first().toInt());
+    }
+    return items.isEmpty() || QLatin1String(reasonTag) != QLatin1String("00081197")
+        ? std::nullopt
+        : std::optional<std::uint16_t>(0x0110);
+}
+
+} // namespace
+
+Result<SentObjects> sendFiles(
+    const WebNode& node, const QStringList& files, const Progress& progress)
+{
+    for (const QString& file : files) {
+        if (const Result<QString> sound = soundObject(file); !sound)
+            return tl::unexpected<Error>(sound.error());
+    }
+    SentObjects result;
+    if (files.isEmpty())
+        return result;
+    Result<WebConnection> connection = WebConnection::open(node, progress);
+    if (!connection)
+        return tl::unexpected<Error>(connection.error());
+    for (const QString& file : files) {
+        const QString name = QFileInfo(file).fileName();
+        const QString what = QStringLiteral("the storage of %1").arg(name);
+        JsonSink sink(node.name(), true);
+        const Result<WebAnswer> answer = connection->postFile("/studies", file, what, sink);
+        if (!answer)
+            return tl::unexpected<Error>(answer.error());
+        const QJsonObject told = QJsonDocument::fromJson(sink.bytes()).object();
+        const auto failed = reasonIn(told, "00081198", "00081197");
+        if (failed || answer->status == 409) {
+            return failure(
+                ErrorCode::NodeFailed, node.name(), what, statusText(failed.value_or(0x0110)));
+        }
+        if (const auto warned = reasonIn(told, "00081199", "00081196"))
+            result.warnings.append(QStringLiteral("%1: %2").arg(name, statusText(*warned)));
+        ++result.sent;
+        progress.report(QStringLiteral("Sending"), result.sent, int(files.size()));
+    }
+    return result;
+}
+
+} // namespace core

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/pacs/RetrievePlan.h"
+
+#include "core/pacs/DownloadFolder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+Result<RetrievePlan> RetrievePlan::make(const Listing& listing, const RetrieveWish& wish)
+{
+    const Result<std::vector<SeriesHit>> found = listing.series(wish.studyUid);
+    if (!found)
+        return tl::unexpected<Error>(found.error());
+    RetrievePlan plan{.studyUid = wish.studyUid, .series = {}};
+    const auto none = [&](const char* what) {
+        return failure(ErrorCode::NodeHasNone, listing.nodeName, QLatin1String(what));
+    };
+    for (const SeriesHit& hit : *found) {
+        if (hit.seriesUid.isEmpty()
+            || (!wish.seriesUid.isEmpty() && hit.seriesUid != wish.seriesUid))
+            continue;
+        Result<std::vector<InstanceHit>> instances =
+            listing.instances(wish.studyUid, hit.seriesUid);
+        if (!instances)
+            return tl::unexpected<Error>(instances.error());
+        Series one{.seriesUid = hit.seriesUid,
+            .instances = std::move(*instances),
+            .missing = {},
+            .isPart = !wish.instanceUid.isEmpty()};
+        if (one.isPart) {
+            std::erase_if(one.instances, [&wish](const InstanceHit& instance) {
+                return instance.sopInstanceUid != wish.instanceUid;
+            });
+            if (one.instances.empty())
+                return none("image");
+        }
+        plan.series.push_back(std::move(one));
+    }
+    if (plan.series.empty())
+        return none(wish.seriesUid.isEmpty() || found->empty() ? "study" : "series");
+    return plan;
+}
+
+void RetrievePlan::lookWhatIsMissing(const DownloadFolder& folder)
+{
+    for (Series& one : series) {
+        one.missing.clear();
+        for (const InstanceHit& instance : one.instances) {
+            if (!folder.holds(instance.sopInstanceUid))
+                one.missing.append(instance.sopInstanceUid);
+        }
+    }
+}
+
+bool RetrievePlan::isKnown() const
+{
+    return std::none_of(
+        series.begin(), series.end(), [](const Series& one) { return one.instances.empty(); });
+}
+
+QStringList RetrievePlan::instances() const
+{
+    QStringList all;
+    for (const Series& one : series) {
+        for (const InstanceHit& instance : one.instances)
+            all.append(instance.sopInstanceUid);
+    }
+    return all;
+}
+
+QSet<QString> RetrievePlan::missing() const
+{
+    QSet<QString> all;
+    for (const Series& one : series)
+        all.unite(QSet<QString>(one.missing.begin(), one.missing.end()));
+    return all;
+}
+
+std::vector<QByteArray> RetrievePlan::classes() const
+{
+    QSet<QByteArray> found;
+    for (const Series& one : series) {
+        for (const InstanceHit& instance : one.instances)
+            found.insert(instance.sopClassUid.toLatin1());
+    }
+    if (!isKnown() || found.contains(QByteArray()))
+        return {};
+    return {found.begin(), found.end()};
+}
+
+} // namespace core

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/pacs/PacsQuery.h"
+#include "core/pacs/PacsRetrieve.h"
+
+#include <QByteArray>
+#include <QSet>
+#include <QStringList>
+
+#include <functional>
+#include <vector>
+
+namespace core {
+
+class DownloadFolder;
+
+/// What a node holds of a wish, and what of that is to be fetched.
+struct RetrievePlan {
+    struct Series {
+        QString seriesUid;
+        std::vector<InstanceHit> instances; ///< empty: the node does not tell
+        QStringList missing;
+        bool isPart = false; ///< only some of it is wanted
+
+        /// Everything, as far as anybody knows.
+        [[nodiscard]] bool asWhole() const
+        {
+            return !isPart && std::size_t(missing.size()) == instances.size();
+        }
+    };
+    /// How the node is asked.
+    struct Listing {
+        QString nodeName;
+        std::function<Result<std::vector<SeriesHit>>(const QString& study)> series;
+        std::function<Result<std::vector<InstanceHit>>(const QString& study, const QString& series)>
+            instances;
+    };
+    /// NodeHasNone, and errors of the questions.
+    [[nodiscard]] static Result<RetrievePlan> make(
+        const Listing& listing, const RetrieveWish& wish);
+
+    void lookWhatIsMissing(const DownloadFolder& folder);
+    /// Whether the node told what to await.
+    [[nodiscard]] bool isKnown() const;
+    [[nodiscard]] QStringList instances() const;
+    [[nodiscard]] QSet<QString> missing() const;
+    /// SOP classes; empty where the node does not tell all of them.
+    [[nodiscard]] std::vector<QByteArray> classes() const;
+
+    QString studyUid;
+    std::vector<Series> series;
+};
+
+} // namespace core
