@@ -32,21 +32,23 @@ std::span<const Command> commands()
     static const std::vector<Command> table{
         {"demo", "DIR", "writes the demonstration study: a CT of a head, made by formulas", false,
             runDemo},
-        {"echo", "NODE [--own-title TITLE] [--timeout SECONDS] [--json]",
-            "whether a DICOM node answers; NODE is AETITLE@host:port, for this and find, get, send,"
-            " which all take --own-title (BURIN), --timeout (30), and for TLS --tls-authority FILE"
-            " [--tls-certificate FILE --tls-key FILE], all PEM",
+        {"echo", "SOURCE [--own-title TITLE] [--login-file FILE] [--timeout SECONDS] [--json]",
+            "whether a PACS answers; SOURCE is AETITLE@host:port (DICOM), https://host/dicom-web"
+            " (DICOMweb) or the name of one in the settings, for this and find, get, send, which"
+            " all take --own-title (BURIN), --login-file (user:password or Bearer TOKEN; or in"
+            " BURIN_LOGIN), --timeout (30), and for TLS --tls-authority FILE [--tls-certificate"
+            " FILE --tls-key FILE], all PEM",
             false, runEcho},
         {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false,
             runEdits},
         {"find",
-            "NODE [--patient-name NAME] [--patient-id ID] [--date FROM-TO] [--modality MODALITY]"
-            " [--accession NUMBER] [--description TEXT] [--most NUMBER] [--json] | NODE --study "
+            "SOURCE [--patient-name NAME] [--patient-id ID] [--date FROM-TO] [--modality MODALITY]"
+            " [--accession NUMBER] [--description TEXT] [--most NUMBER] [--json] | SOURCE --study "
             "UID",
-            "the studies at a DICOM node, or the series of one; * and ? stand for letters, dates"
+            "the studies at a source, or the series of one; * and ? stand for letters, dates"
             " are YYYYMMDD",
             false, runFind},
-        {"get", "NODE --study UID [--series UID] --to FOLDER [--move PORT] [--json]",
+        {"get", "SOURCE --study UID [--series UID] --to FOLDER [--move PORT] [--json]",
             "downloads a study or series into a new folder, which is there only when it is whole;"
             " a download that broke off goes on; --move: the node brings them to that port"
             " (C-MOVE) instead of handing them over (C-GET)",
@@ -80,7 +82,7 @@ std::span<const Command> commands()
             "carries out a recipe without a window (burin edits: what it can hold); --with-images"
             " puts the study's images, and with them who the patient is, into the session",
             false, runRecipe},
-        {"send", "NODE PATH... [--json]", "stores DICOM files, or those of folders, at a node",
+        {"send", "SOURCE PATH... [--json]", "stores DICOM files, or those of folders, at a source",
             false, runSend},
     };
     return table;

@@ -2,8 +2,8 @@
 #include "app/EchoCommand.h"
 
 #include "app/JsonLine.h"
-#include "app/NodeArguments.h"
-#include "core/pacs/PacsQuery.h"
+#include "app/SourceArguments.h"
+#include "core/sources/PacsSource.h"
 #include "ui/ErrorText.h"
 
 #include <cstdio>
@@ -12,20 +12,20 @@ namespace app {
 
 int runEcho(const QStringList& words)
 {
-    const Arguments arguments(words, nodeOptions({}), {QStringLiteral("json")});
+    const Arguments arguments(words, sourceOptions({}), {QStringLiteral("json")});
     if (!arguments.problem().isEmpty())
         return tellUsage("echo", arguments.problem());
-    const core::Result<core::PacsNode> node = nodeOf(arguments);
-    if (!node)
-        return tellUsage("echo", ui::errorText(node.error()));
+    const core::Result<core::PacsSource> source = sourceOf(arguments);
+    if (!source)
+        return tellUsage("echo", ui::errorText(source.error()));
     if (arguments.rest().size() > 1)
-        return tellUsage("echo", QStringLiteral("one node at a time"));
-    if (const core::Result<void> answered = core::echoNode(*node, core::Progress()); !answered)
+        return tellUsage("echo", QStringLiteral("one source at a time"));
+    if (const core::Result<void> answered = core::echoNode(*source, core::Progress()); !answered)
         return tellFailure(answered.error());
     if (arguments.has("json"))
-        printJsonLine({{QStringLiteral("node"), node->name()}});
+        printJsonLine({{QStringLiteral("node"), source->address()}});
     else
-        std::printf("%s answers\n", qUtf8Printable(node->name()));
+        std::printf("%s answers\n", qUtf8Printable(source->address()));
     return 0;
 }
 

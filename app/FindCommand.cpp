@@ -2,8 +2,8 @@
 #include "app/FindCommand.h"
 
 #include "app/JsonLine.h"
-#include "app/NodeArguments.h"
-#include "core/pacs/PacsQuery.h"
+#include "app/SourceArguments.h"
+#include "core/sources/PacsSource.h"
 #include "ui/ErrorText.h"
 
 #include <QJsonArray>
@@ -75,10 +75,10 @@ template <class Hit> void tell(const std::vector<Hit>& hits, bool asJson)
     }
 }
 
-int findSeriesOf(const core::PacsNode& node, const QString& studyUid, bool asJson)
+int findSeriesOf(const core::PacsSource& source, const QString& studyUid, bool asJson)
 {
     const core::Result<std::vector<core::SeriesHit>> found =
-        core::findSeries(node, studyUid, core::Progress());
+        core::findSeries(source, studyUid, core::Progress());
     if (!found)
         return tellFailure(found.error());
     tell(*found, asJson);
@@ -90,19 +90,19 @@ int findSeriesOf(const core::PacsNode& node, const QString& studyUid, bool asJso
 int runFind(const QStringList& words)
 {
     const Arguments arguments(words,
-        nodeOptions({word("patient-name"), word("patient-id"), word("date"), word("modality"),
+        sourceOptions({word("patient-name"), word("patient-id"), word("date"), word("modality"),
             word("accession"), word("description"), word("study"), word("most")}),
         {word("json")});
     if (!arguments.problem().isEmpty())
         return tellUsage("find", arguments.problem());
-    const core::Result<core::PacsNode> node = nodeOf(arguments);
-    if (!node)
-        return tellUsage("find", ui::errorText(node.error()));
+    const core::Result<core::PacsSource> source = sourceOf(arguments);
+    if (!source)
+        return tellUsage("find", ui::errorText(source.error()));
     if (arguments.rest().size() > 1)
-        return tellUsage("find", QStringLiteral("one node at a time"));
+        return tellUsage("find", QStringLiteral("one source at a time"));
     const bool asJson = arguments.has("json");
     if (arguments.has("study"))
-        return findSeriesOf(*node, arguments.value("study"), asJson);
+        return findSeriesOf(*source, arguments.value("study"), asJson);
     constexpr int usualMost = 500;
     const int most = arguments.has("most") ? arguments.value("most").toInt() : usualMost;
     if (most < 1)
@@ -115,7 +115,7 @@ int runFind(const QStringList& words)
         .description = arguments.value("description"),
         .studyUid = {}};
     const core::Result<core::HitList<core::StudyHit>> found =
-        core::findStudies(*node, filter, most, core::Progress());
+        core::findStudies(*source, filter, most, core::Progress());
     if (!found)
         return tellFailure(found.error());
     tell(found->hits, asJson);

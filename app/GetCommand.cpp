@@ -2,8 +2,8 @@
 #include "app/GetCommand.h"
 
 #include "app/JsonLine.h"
-#include "app/NodeArguments.h"
-#include "core/pacs/PacsRetrieve.h"
+#include "app/SourceArguments.h"
+#include "core/sources/PacsSource.h"
 #include "ui/ErrorText.h"
 
 #include <cstdio>
@@ -13,27 +13,28 @@ namespace app {
 int runGet(const QStringList& words)
 {
     const Arguments arguments(words,
-        nodeOptions({QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
+        sourceOptions({QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
             QStringLiteral("move")}),
         {QStringLiteral("json")});
     if (!arguments.problem().isEmpty())
         return tellUsage("get", arguments.problem());
-    const core::Result<core::PacsNode> node = nodeOf(arguments);
-    if (!node)
-        return tellUsage("get", ui::errorText(node.error()));
+    core::Result<core::PacsSource> source = sourceOf(arguments);
+    if (!source)
+        return tellUsage("get", ui::errorText(source.error()));
     if (arguments.rest().size() > 1)
-        return tellUsage("get", QStringLiteral("one node at a time"));
+        return tellUsage("get", QStringLiteral("one source at a time"));
     if (!arguments.has("study") || !arguments.has("to"))
         return tellUsage("get", QStringLiteral("--study UID and --to FOLDER are needed"));
-    core::RetrieveWay way;
     if (arguments.has("move")) {
-        way.movePort = arguments.value("move").toInt();
-        if (*way.movePort < 1 || *way.movePort > 65535)
+        if (source->isWeb())
+            return tellUsage("get", QStringLiteral("--move is for DICOM nodes"));
+        source->movePort = arguments.value("move").toInt();
+        if (*source->movePort < 1 || *source->movePort > 65535)
             return tellUsage("get", QStringLiteral("--move takes a port"));
     }
     const QString folder = arguments.value("to");
-    const core::Result<core::Retrieved> done = core::retrieve(*node,
-        {.studyUid = arguments.value("study"), .seriesUid = arguments.value("series")}, folder, way,
+    const core::Result<core::Retrieved> done = core::retrieve(*source,
+        {.studyUid = arguments.value("study"), .seriesUid = arguments.value("series")}, folder,
         core::Progress());
     if (!done)
         return tellFailure(done.error());

@@ -2,9 +2,9 @@
 #include "app/SendCommand.h"
 
 #include "app/JsonLine.h"
-#include "app/NodeArguments.h"
+#include "app/SourceArguments.h"
 #include "core/dicom/DicomFile.h"
-#include "core/pacs/PacsSend.h"
+#include "core/sources/PacsSource.h"
 #include "ui/ErrorText.h"
 
 #include <QDirIterator>
@@ -45,17 +45,17 @@ QStringList filesOf(const QStringList& paths, int& others)
 
 int runSend(const QStringList& words)
 {
-    const Arguments arguments(words, nodeOptions({}), {QStringLiteral("json")});
+    const Arguments arguments(words, sourceOptions({}), {QStringLiteral("json")});
     if (!arguments.problem().isEmpty())
         return tellUsage("send", arguments.problem());
-    const core::Result<core::PacsNode> node = nodeOf(arguments);
-    if (!node)
-        return tellUsage("send", ui::errorText(node.error()));
+    const core::Result<core::PacsSource> source = sourceOf(arguments);
+    if (!source)
+        return tellUsage("send", ui::errorText(source.error()));
     int others = 0;
     const QStringList files = filesOf(arguments.rest().mid(1), others);
     if (files.isEmpty())
         return tellUsage("send", QStringLiteral("no files to send"));
-    const core::Result<core::SentObjects> done = core::sendFiles(*node, files, core::Progress());
+    const core::Result<core::SentObjects> done = core::sendFiles(*source, files, core::Progress());
     if (!done)
         return tellFailure(done.error());
     if (others > 0)
@@ -63,10 +63,11 @@ int runSend(const QStringList& words)
     for (const QString& warning : done->warnings)
         std::fprintf(stderr, "burin: %s\n", qUtf8Printable(warning));
     if (arguments.has("json")) {
-        printJsonLine({{QStringLiteral("node"), node->name()}, {QStringLiteral("sent"), done->sent},
-            {QStringLiteral("warnings"), QJsonArray::fromStringList(done->warnings)}});
+        printJsonLine(
+            {{QStringLiteral("node"), source->address()}, {QStringLiteral("sent"), done->sent},
+                {QStringLiteral("warnings"), QJsonArray::fromStringList(done->warnings)}});
     } else {
-        std::printf("%s took %d\n", qUtf8Printable(node->name()), done->sent);
+        std::printf("%s took %d\n", qUtf8Printable(source->address()), done->sent);
     }
     return 0;
 }

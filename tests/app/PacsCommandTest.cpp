@@ -2,9 +2,11 @@
 #include "tests/support/BurinProgram.h"
 #include "tests/support/PacsServers.h"
 #include "tests/support/SyntheticSeries.h"
+#include "ui/PacsSources.h"
 
 #include <QDir>
 #include <QFile>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -15,6 +17,7 @@ class PacsCommandTest : public QObject {
 
 private Q_SLOTS:
     void fromSendToGet();
+    void theSameOverTheWeb();
     void failuresAreOneLine();
     void wrongArguments_data();
     void wrongArguments();
@@ -76,6 +79,58 @@ void PacsCommandTest::fromSendToGet()
     QCOMPARE(QDir(target).entryList(QDir::Files).size(), files.size());
 }
 
+void PacsCommandTest::theSameOverTheWeb()
+{
+    const test::PacsServer server(test::PacsServer::Program::OrthancWeb);
+    if (!server.absent().isEmpty())
+        QSKIP(qPrintable(server.absent()));
+    QVERIFY2(server.problem().isEmpty(), qPrintable(server.problem()));
+    const QString address = server.webNode().name();
+    const QTemporaryDir folder;
+    const test::SyntheticSeries series;
+    const QStringList files = test::writeSeries(series, folder.filePath(word("sent")));
+    const test::Outcome stranger = test::burin({word("echo"), address});
+    QCOMPARE(stranger.status, 1);
+    QVERIFY2(stranger.complaint.contains(word("login is missing, wrong or not allowed")),
+        qPrintable(stranger.complaint));
+
+    QFile login(folder.filePath(word("login")));
+    QVERIFY(login.open(QIODevice::WriteOnly));
+    login.write("tester:secret\n");
+    login.close();
+    QVERIFY(login.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+    const QStringList known{word("--login-file"), login.fileName()};
+    const test::Outcome echo = test::burin(QStringList{word("echo"), address} + known);
+    QCOMPARE(echo.output, address.toUtf8() + " answers\n");
+    const test::Outcome sent = test::burin(
+        QStringList{word("send"), address, folder.filePath(word("sent")), word("--json")} + known);
+    QVERIFY2(sent.status == 0, qPrintable(sent.complaint));
+    QCOMPARE(sent.lines[0][word("sent")].toInt(), int(files.size()));
+
+    // Under its name in the settings, and with the login from the environment.
+    qputenv("XDG_CONFIG_HOME", folder.path().toUtf8());
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+    QCoreApplication::setOrganizationName(word("burin"));
+    QCoreApplication::setApplicationName(word("burin"));
+    ui::setPacsSources({{.name = word("Cloud"), .node = server.webNode(), .movePort = {}}});
+    QSettings().sync();
+    qputenv("BURIN_LOGIN", "tester:secret");
+    const test::Outcome found = test::burin({word("find"), word("cloud"), word("--json")});
+    QVERIFY2(found.status == 0, qPrintable(found.complaint));
+    QCOMPARE(found.lines.size(), 1);
+    QCOMPARE(found.lines[0][word("studyUid")].toString(), series.studyUid);
+    QCOMPARE(found.lines[0][word("instanceCount")].toInt(), int(files.size()));
+    const QString target = folder.filePath(word("got"));
+    const test::Outcome got = test::burin({word("get"), word("Cloud"), word("--study"),
+        series.studyUid, word("--to"), target, word("--json")});
+    QVERIFY2(got.status == 0, qPrintable(got.complaint));
+    QCOMPARE(QDir(target).entryList(QDir::Files).size(), files.size());
+    const test::Outcome other = test::burin({word("find"), word("attic")});
+    QCOMPARE(other.status, 2);
+    QVERIFY2(other.complaint.contains(word("(there are: Cloud)")), qPrintable(other.complaint));
+    qunsetenv("BURIN_LOGIN");
+}
+
 void PacsCommandTest::failuresAreOneLine()
 {
     const QString nobody = QStringLiteral("NOBODY@127.0.0.1:%1").arg(test::freePort());
@@ -107,6 +162,12 @@ void PacsCommandTest::wrongArguments_data()
     QTest::newRow("no port") << word("get A@b:104 --study 1.2 --to /tmp/x --move x");
     QTest::newRow("nothing to send") << word("send A@b:104");
     QTest::newRow("no time") << word("echo A@b:104 --timeout 0");
+    QTest::newRow("no such name") << word("echo somewhere");
+    QTest::newRow("a password in the address") << word("echo https://a:secret@b/dicom-web");
+    QTest::newRow("a title for the web") << word("echo https://b/dicom-web --own-title A");
+    QTest::newRow("a login for a node") << word("echo A@b:104 --login-file x");
+    QTest::newRow("C-MOVE from the web")
+        << word("get https://b/dicom-web --study 1.2 --to /tmp/x --move 104");
     QTest::newRow("half a certificate")
         << word("echo A@b:104 --tls-authority a.pem --tls-certificate b.pem");
 }
@@ -117,6 +178,7 @@ void PacsCommandTest::wrongArguments()
     const test::Outcome outcome = test::burin(arguments.split(u' '));
     QCOMPARE(outcome.status, 2);
     QCOMPARE(outcome.complaint.count(u'\n'), 1);
+    QVERIFY(!outcome.complaint.contains(word("secret")));
 }
 
 QTEST_GUILESS_MAIN(PacsCommandTest)
