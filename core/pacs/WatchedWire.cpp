@@ -67,6 +67,10 @@ public:
             return -1;
         }
         const ssize_t count = m_inner->read(bytes, size);
+        // Many nodes hold small messages back until the last one is acknowledged (Nagle), which
+        // the system puts off for 40 ms. It has to be told so again and again.
+        const int on = 1;
+        setsockopt(m_socket, IPPROTO_TCP, TCP_QUICKACK, &on, sizeof on);
         if (count == 0 && size > 0)
             m_state.closed = true;
         else if (count < 0)
