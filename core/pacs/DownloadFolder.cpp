@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/DownloadFolder.h"
 
+#include "core/base/FolderCache.h"
 #include "core/dicom/DicomFile.h"
 
 #include <QCryptographicHash>
@@ -134,7 +135,7 @@ Result<DownloadFolder> DownloadFolder::open(const QString& target)
     DownloadFolder folder;
     folder.m_target = info.filePath();
     const QDir parent = info.dir();
-    folder.m_gathering = parent.filePath(QStringLiteral(".%1.burin-download").arg(info.fileName()));
+    folder.m_gathering = FolderCache::gatheringPlaceOf(info.filePath());
     if (!parent.mkpath(folder.m_gathering))
         return failure(ErrorCode::FileUnwritable, target, QString::fromLocal8Bit(strerror(errno)));
     QFile::setPermissions(

@@ -1,57 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sources/DownloadCache.h"
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QDir>
-#include <QDirIterator>
-#include <QFile>
-#include <QFileInfo>
-
-#include <algorithm>
-#include <atomic>
-#include <tuple>
-#include <utility>
 
 namespace core {
-
-namespace {
-
-const QString openMark = QStringLiteral(".open-");
-const QString usedMark = QStringLiteral(".used");
-const QString gatheringMark = QStringLiteral(".burin-download");
-
-qint64 bytesIn(const QString& folder)
-{
-    qint64 bytes = 0;
-    QDirIterator walk(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-    while (walk.hasNext()) {
-        walk.next();
-        bytes += walk.fileInfo().size();
-    }
-    return bytes;
-}
-
-/// The mark beside an entry whose time says when it was used.
-QString usedFile(const QString& path)
-{
-    return path + usedMark;
-}
-
-} // namespace
-
-DownloadCache::DownloadCache(QString folder)
-    : m_folder(QDir::cleanPath(std::move(folder)))
-{
-}
-
-Result<void> DownloadCache::prepare() const
-{
-    if (!QDir().mkpath(m_folder))
-        return failure(ErrorCode::FileUnwritable, m_folder);
-    QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    return {};
-}
 
 QString DownloadCache::pathOf(const QString& address, const RetrieveWish& wish) const
 {
@@ -61,114 +13,7 @@ QString DownloadCache::pathOf(const QString& address, const RetrieveWish& wish) 
         hash.addData(QByteArray(1, '\0'));
     }
     constexpr qsizetype letters = 32;
-    return m_folder + u'/' + QString::fromLatin1(hash.result().toHex().left(letters));
-}
-
-QString DownloadCache::entryOf(const QString& path) const
-{
-    const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
-    const QString folder = QDir::cleanPath(QFileInfo(m_folder).absoluteFilePath()) + u'/';
-    if (!absolute.startsWith(folder))
-        return {};
-    const QString name = absolute.mid(folder.size()).section(u'/', 0, 0);
-    return name.isEmpty() ? QString() : folder + name;
-}
-
-std::vector<DownloadCache::Entry> DownloadCache::entries() const
-{
-    std::vector<Entry> all;
-    const QDir folder(m_folder);
-    for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        const QString path = folder.filePath(name);
-        const QFileInfo used(usedFile(path));
-        all.push_back({.path = path,
-            .bytes = bytesIn(path),
-            .used = used.exists() ? used.lastModified() : QFileInfo(path).lastModified()});
-    }
-    std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {
-        return std::tie(b.used, a.path) < std::tie(a.used, b.path);
-    });
-    return all;
-}
-
-qint64 DownloadCache::bytes() const
-{
-    return bytesIn(m_folder);
-}
-
-void DownloadCache::touch(const QString& path) const
-{
-    QFile mark(usedFile(path));
-    if (mark.open(QIODevice::ReadWrite))
-        mark.setFileTime(QDateTime::currentDateTimeUtc(), QFileDevice::FileModificationTime);
-}
-
-DownloadCache::Hold DownloadCache::hold(const QString& path) const
-{
-    if (!QFileInfo(path).isDir())
-        return nullptr;
-    // One for each holder: they do not wait for each other.
-    static std::atomic<int> number = 0;
-    auto lock = std::make_unique<QLockFile>(path + openMark
-        + QStringLiteral("%1-%2").arg(QCoreApplication::applicationPid()).arg(++number));
-    lock->setStaleLockTime(0);
-    if (!lock->tryLock() || !QFileInfo(path).isDir())
-        return nullptr;
-    touch(path);
-    return lock;
-}
-
-bool DownloadCache::isHeld(const QString& path) const
-{
-    const QFileInfo info(path);
-    const QStringList marks =
-        info.dir().entryList({info.fileName() + openMark + u'*'}, QDir::Files | QDir::Hidden);
-    return std::any_of(marks.begin(), marks.end(), [&info](const QString& mark) {
-        QLockFile lock(info.dir().filePath(mark));
-        lock.setStaleLockTime(0);
-        // A dead process's mark goes with this.
-        return !lock.tryLock();
-    });
-}
-
-void DownloadCache::remove(const QString& path) const
-{
-    // Gone at once for all who look, whatever ends the removal.
-    const QFileInfo info(path);
-    const QString doomed = info.dir().filePath(u'.' + info.fileName() + gatheringMark);
-    const bool renamed = QDir().rename(path, doomed);
-    QDir(renamed ? doomed : path).removeRecursively();
-    QFile::remove(usedFile(path));
-}
-
-int DownloadCache::shrinkTo(qint64 limit) const
-{
-    int removed = 0;
-    // What broke off longer ago than a day is gone on with by nobody.
-    constexpr int patienceDays = 1;
-    const QDir folder(m_folder);
-    const QDateTime old = QDateTime::currentDateTimeUtc().addDays(-patienceDays);
-    for (const QFileInfo& info :
-        folder.entryInfoList({u'*' + gatheringMark}, QDir::Dirs | QDir::Hidden)) {
-        if (limit > 0 && info.lastModified() > old)
-            continue;
-        QLockFile lock(info.filePath() + QStringLiteral(".lock"));
-        lock.setStaleLockTime(0);
-        if (lock.tryLock())
-            QDir(info.filePath()).removeRecursively();
-    }
-    std::vector<Entry> all = entries();
-    qint64 total = bytes();
-    while (total > limit && !all.empty()) {
-        const Entry oldest = all.back();
-        all.pop_back();
-        if (isHeld(oldest.path))
-            continue;
-        remove(oldest.path);
-        total -= oldest.bytes;
-        ++removed;
-    }
-    return removed;
+    return placeOf(QString::fromLatin1(hash.result().toHex().left(letters)));
 }
 
 } // namespace core
