@@ -129,8 +129,9 @@ void MainWindow::buildMenus()
     };
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     m_actions.fill(*m_fileMenu,
-        ids({"file.openFolder", "file.openFile", "file.openSession", "file.demonstration", "",
-            "file.importMask", "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
+        ids({"file.openFolder", "file.openFile", "file.openSession", "file.fromPacs",
+            "file.demonstration", "", "file.importMask", "file.toPacs", "file.saveAs",
+            "file.auditReport", "file.close", "file.quit"}));
     m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
     m_actions.fill(
         *m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author", "edit.historyMemory"}));

@@ -13,6 +13,7 @@
 #include "ui/dialogs/HistoryMemoryDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
+#include "ui/pacs/PacsActions.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -453,6 +454,7 @@ void addPresetActions(MainWindow& window)
 void addWindowActions(MainWindow& window)
 {
     addFileActions(window);
+    addPacsActions(window);
     addEditActions(window);
     addToolActions(window);
     addViewActions(window);

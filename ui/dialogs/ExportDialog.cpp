@@ -7,6 +7,7 @@
 #include "ui/Workspace.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/pacs/SendDialog.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -135,6 +136,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
     connect(m_close, &QPushButton::clicked, this, &ExportDialog::reject);
+    connect(
+        m_send, &QPushButton::clicked, this, [this] { SendDialog({m_request.file}, this).exec(); });
     connect(&m_workspace, &Workspace::documentChanged, this,
         [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Segments)
@@ -189,6 +192,11 @@ void ExportDialog::build()
     m_export->setObjectName(QStringLiteral("exportStart"));
     m_export->setDefault(true);
     m_close = new QPushButton(tr("Close"), this);
+    m_send = new QPushButton(tr("Send …"), this);
+    m_send->setObjectName(QStringLiteral("exportSend"));
+    m_send->setToolTip(tr("Store the file at a PACS"));
+    m_send->hide();
+    m_send->setAutoDefault(false);
     m_close->setAutoDefault(false);
     m_browse->setAutoDefault(false);
 
@@ -206,6 +214,7 @@ void ExportDialog::build()
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(m_close);
+    buttons->addWidget(m_send);
     buttons->addWidget(m_export);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
@@ -416,6 +425,7 @@ void ExportDialog::start()
     for (const core::Segment& segment : chosen())
         planes.insert(segment.plane);
     m_report->hide();
+    m_send->hide();
     showProgress(tr("Reading the segments"), 0, 0);
     // What is exported is what the history holds: a running growth is closed first.
     m_fetch.start(*session, planes);
@@ -460,6 +470,7 @@ void ExportDialog::showReport(const core::ExportReport& report)
         lines += tr("Caution: %1").arg(caution);
     m_report->setText(lines.join(QLatin1Char('\n')));
     m_report->show();
+    m_send->setVisible(core::factsOf(m_request.format).namesSourceImages);
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);
 }

@@ -73,6 +73,7 @@ private:
     QLabel* m_report = nullptr;
     QPushButton* m_browse = nullptr;
     QPushButton* m_export = nullptr;
+    QPushButton* m_send = nullptr; ///< once there is a DICOM file
     QPushButton* m_close = nullptr;
     std::bitset<256> m_unticked; ///< labels the user took the tick from, or that began without
     bool m_filling = false;

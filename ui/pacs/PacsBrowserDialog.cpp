@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pacs/PacsBrowserDialog.h"
+
+#include "core/study/StudyLoader.h"
+#include "ui/ErrorText.h"
+#include "ui/PacsSources.h"
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/dialogs/ThumbnailLoader.h"
+#include "ui/pacs/PacsCache.h"
+#include "ui/pacs/SearchForm.h"
+#include "ui/pacs/SourcesDialog.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QStyle>
+#include <QTemporaryDir>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <memory>
+
+namespace ui {
+
+namespace {
+
+const QString lastKey = QStringLiteral("pacs/lastSource");
+constexpr int pictureSize = 232;
+constexpr int mostStudies = 500;
+
+QLabel* label(QWidget* parent, const char* role)
+{
+    auto* one = new QLabel(parent);
+    one->setTextFormat(Qt::PlainText);
+    one->setWordWrap(true);
+    one->setProperty("role", QLatin1String(role));
+    return one;
+}
+
+} // namespace
+
+PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
+    : QDialog(parent)
+    , m_cache(pacsCache())
+    , m_source(new QComboBox(this))
+    , m_form(new SearchForm(this))
+    , m_hits(new HitsTree(this))
+    , m_picture(new QLabel(this))
+    , m_words(label(this, "secondary"))
+    , m_state(label(this, "secondary"))
+    , m_progress(new QProgressBar(this))
+    , m_copies(label(this, "secondary"))
+    , m_limit(new QSpinBox(this))
+    , m_clear(new QPushButton(QStringLiteral("Clear"), this))
+    , m_test(new QPushButton(QStringLiteral("Test"), this))
+    , m_edit(new QPushButton(QStringLiteral("Sources …"), this))
+    , m_search(new QPushButton(QStringLiteral("Search"), this))
+    , m_download(new QPushButton(QStringLiteral("Download"), this))
+    , m_open(new QPushButton(QStringLiteral("Open"), this))
+    , m_close(new QPushButton(QStringLiteral("Close"), this))
+{
+    setWindowTitle(QStringLiteral("From PACS"));
+    resize(1140, 640);
+    build();
+
+    m_previewDelay.setSingleShot(true);
+    m_previewDelay.setInterval(250);
+    connect(&m_previewDelay, &QTimer::timeout, this, &PacsBrowserDialog::preview);
+    connect(m_test, &QPushButton::clicked, this, &PacsBrowserDialog::test);
+    connect(m_search, &QPushButton::clicked, this, &PacsBrowserDialog::search);
+    connect(m_form, &SearchForm::searchAsked, this, &PacsBrowserDialog::search);
+    connect(m_form, &SearchForm::changed, this, [this] { say(m_form->problem()); });
+    connect(m_hits, &HitsTree::seriesAsked, this, &PacsBrowserDialog::askForSeries);
+    connect(m_hits, &HitsTree::choiceChanged, this, &PacsBrowserDialog::showChoice);
+    connect(m_hits, &HitsTree::openAsked, this, [this] { download(true); });
+    connect(m_download, &QPushButton::clicked, this, [this] { download(false); });
+    connect(m_open, &QPushButton::clicked, this, [this] { download(true); });
+    connect(m_close, &QPushButton::clicked, this, &PacsBrowserDialog::reject);
+    connect(m_edit, &QPushButton::clicked, this, [this] {
+        if (SourcesDialog(this).exec() == QDialog::Accepted)
+            fillSources();
+    });
+    connect(m_limit, &QSpinBox::valueChanged, this, [](int limit) { setCacheGibibytes(limit); });
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        m_copiesJob.start([this, cache = m_cache](const core::Progress&) -> std::function<void()> {
+            const int removed = cache.clear();
+            const qint64 left = cache.bytes();
+            return [this, removed, left] {
+                say(left > 0
+                        ? QStringLiteral("%1 copies were removed; what is open stays.").arg(removed)
+                        : QStringLiteral("%1 copies were removed.").arg(removed));
+                showCopies();
+            };
+        });
+    });
+    connect(&m_downloadJob, &BackgroundJob::progressed, this,
+        [this](const QString& step, int done, int total) {
+            m_progress->setRange(0, std::max(total, 0));
+            m_progress->setValue(done);
+            say(total > 0 ? QStringLiteral("%1 · %2 of %3 images").arg(step).arg(done).arg(total)
+                          : QStringLiteral("%1 · %2 images").arg(step).arg(done));
+        });
+    for (BackgroundJob* job : {&m_queryJob, &m_downloadJob})
+        connect(job, &BackgroundJob::ended, this, &PacsBrowserDialog::showButtons);
+    fillSources();
+    showCopies();
+    showPicture({}, {});
+}
+
+PacsBrowserDialog::~PacsBrowserDialog() = default;
+
+void PacsBrowserDialog::build()
+{
+    m_state->setObjectName(QStringLiteral("pacsState"));
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(6);
+    m_progress->hide();
+    m_search->setObjectName(QStringLiteral("pacsSearch"));
+    m_open->setObjectName(QStringLiteral("pacsOpen"));
+    m_download->setObjectName(QStringLiteral("pacsDownload"));
+    m_close->setObjectName(QStringLiteral("pacsClose"));
+    m_search->setDefault(true);
+    for (QPushButton* button : {m_test, m_edit, m_clear, m_download, m_open, m_close})
+        button->setAutoDefault(false);
+
+    auto* searching = new QHBoxLayout;
+    searching->setSpacing(theme::padding);
+    searching->addWidget(m_form, 1);
+    searching->addWidget(m_search, 0, Qt::AlignBottom);
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(theme::padding);
+    middle->addWidget(m_hits, 1);
+    middle->addWidget(previewPane());
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(theme::smallPadding);
+    buttons->addWidget(copiesRow());
+    buttons->addStretch(1);
+    buttons->addWidget(m_close);
+    buttons->addWidget(m_download);
+    buttons->addWidget(m_open);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(12);
+    layout->addWidget(sourceRow());
+    layout->addLayout(searching);
+    layout->addLayout(middle, 1);
+    layout->addWidget(m_state);
+    layout->addWidget(m_progress);
+    layout->addLayout(buttons);
+}
+
+QWidget* PacsBrowserDialog::sourceRow()
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    m_source->setObjectName(QStringLiteral("pacsSource"));
+    m_source->setMinimumWidth(420);
+    layout->addWidget(new QLabel(QStringLiteral("Source"), row));
+    layout->addWidget(m_source);
+    layout->addWidget(m_test);
+    layout->addStretch(1);
+    layout->addWidget(m_edit);
+    return row;
+}
+
+QWidget* PacsBrowserDialog::previewPane()
+{
+    auto* pane = new QWidget(this);
+    pane->setFixedWidth(pictureSize);
+    auto* layout = new QVBoxLayout(pane);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    m_picture->setObjectName(QStringLiteral("pacsPicture"));
+    m_picture->setFixedSize(pictureSize, pictureSize);
+    m_picture->setAlignment(Qt::AlignCenter);
+    m_words->setObjectName(QStringLiteral("pacsWords"));
+    m_words->setAlignment(Qt::AlignTop);
+    layout->addWidget(m_picture);
+    layout->addWidget(m_words, 1);
+    return pane;
+}
+
+QWidget* PacsBrowserDialog::copiesRow()
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    m_copies->setObjectName(QStringLiteral("pacsCopies"));
+    m_copies->setWordWrap(false);
+    m_limit->setObjectName(QStringLiteral("pacsLimit"));
+    m_limit->setRange(1, 10000);
+    m_limit->setSuffix(QStringLiteral(" GB"));
+    m_limit->setValue(cacheGibibytes());
+    m_limit->setToolTip(QStringLiteral("How much room local copies may take; those used longest ago"
+                                       " go first, what is open stays"));
+    m_clear->setObjectName(QStringLiteral("pacsClear"));
+    layout->addWidget(m_copies);
+    layout->addWidget(m_limit);
+    layout->addWidget(m_clear);
+    return row;
+}
+
+void PacsBrowserDialog::fillSources()
+{
+    m_sources = pacsSources();
+    m_source->clear();
+    for (const core::PacsSource& one : m_sources)
+        m_source->addItem(QStringLiteral("%1  ·  %2").arg(one.name, one.address()), one.name);
+    m_source->setCurrentIndex(
+        std::max(0, m_source->findData(QSettings().value(lastKey).toString())));
+    m_source->setPlaceholderText(QStringLiteral("none yet"));
+    say(m_sources.empty()
+            ? QStringLiteral("There is no source yet: add one by Sources … at the right.")
+            : QString());
+    showButtons();
+}
+
+const core::PacsSource* PacsBrowserDialog::source() const
+{
+    const int row = m_source->currentIndex();
+    return row < 0 || row >= int(m_sources.size()) ? nullptr : &m_sources[std::size_t(row)];
+}
+
+void PacsBrowserDialog::test()
+{
+    const core::PacsSource* one = source();
+    if (!one || m_downloadJob.running())
+        return;
+    say(QStringLiteral("Asking %1 …").arg(one->address()));
+    m_queryJob.start([this, asked = *one](const core::Progress& progress) -> std::function<void()> {
+        const core::Result<void> answered = core::echoNode(asked, progress);
+        return [this, asked, answered] {
+            if (answered)
+                say(QStringLiteral("✓ %1 answers.").arg(asked.address()), "good");
+            else
+                say(errorText(answered.error()), "bad");
+        };
+    });
+    showButtons();
+}
+
+void PacsBrowserDialog::search()
+{
+    const core::PacsSource* one = source();
+    if (!one || m_downloadJob.running() || !m_form->problem().isEmpty())
+        return;
+    QSettings().setValue(lastKey, one->name);
+    m_searched = *one;
+    m_seriesJob.cancel();
+    m_hits->showStudies({});
+    showChoice();
+    say(QStringLiteral("Searching %1 …").arg(one->address()));
+    m_queryJob.start([this, asked = *one, filter = m_form->filter()](
+                         const core::Progress& progress) -> std::function<void()> {
+        const auto found = core::findStudies(asked, filter, mostStudies, progress);
+        return [this, found] {
+            if (!found)
+                return say(errorText(found.error()), "bad");
+            m_hits->showStudies(found->hits);
+            showCopies();
+            const std::size_t count = found->hits.size();
+            if (found->more)
+                say(QStringLiteral("The first %1 studies; there are more: say more of what you "
+                                   "look for.")
+                        .arg(count),
+                    "caution");
+            else if (count == 0)
+                say(QStringLiteral("No study there matches."));
+            else
+                say(count == 1 ? QStringLiteral("1 study")
+                               : QStringLiteral("%1 studies").arg(count));
+        };
+    });
+    showButtons();
+}
+
+void PacsBrowserDialog::askForSeries(const QString& studyUid)
+{
+    m_seriesJob.start([this, studyUid, asked = m_searched](
+                          const core::Progress& progress) -> std::function<void()> {
+        const auto found = core::findSeries(asked, studyUid, progress);
+        return [this, studyUid, found] {
+            if (found)
+                m_hits->showSeries(studyUid, *found);
+            else
+                m_hits->showTrouble(studyUid, errorText(found.error()));
+            showCopies();
+        };
+    });
+}
+
+void PacsBrowserDialog::showChoice()
+{
+    m_previewJob.cancel();
+    m_previewDelay.stop();
+    m_previewed.clear();
+    const auto choice = m_hits->chosen();
+    showButtons();
+    if (!choice)
+        return showPicture({}, {});
+    QStringList words{personName(choice->study.patientName)};
+    if (!choice->study.birthDate.isEmpty())
+        words += QStringLiteral("born %1").arg(choice->study.birthDate);
+    if (!choice->study.accessionNumber.isEmpty())
+        words += QStringLiteral("accession %1").arg(choice->study.accessionNumber);
+    if (choice->series)
+        words += QStringLiteral("%1 %2").arg(choice->series->modality, choice->series->description);
+    words.removeAll(QString());
+    showPicture({}, words.join(u'\n'));
+    if (!choice->series)
+        return m_picture->setText(QStringLiteral("A series has a picture here"));
+    // One object may be a whole volume, or no picture at all.
+    if (choice->series->instances == 1)
+        return m_picture->setText(QStringLiteral("One object; no picture"));
+    m_previewDelay.start();
+}
+
+void PacsBrowserDialog::preview()
+{
+    const auto choice = m_hits->chosen();
+    if (!choice || !choice->series)
+        return;
+    m_previewed = choice->seriesUid();
+    m_picture->setText(QStringLiteral("Asking for a picture …"));
+    m_previewJob.start([this, asked = m_searched, series = *choice->series, cache = m_cache,
+                           words = m_words->text()](
+                           const core::Progress& progress) -> std::function<void()> {
+        QImage picture;
+        QString trouble;
+        const auto failed = [&trouble](const core::Error& error) { trouble = errorText(error); };
+        if (const core::Result<void> ready = cache.prepare(); !ready)
+            failed(ready.error());
+        const QTemporaryDir folder(
+            cache.pathOf(QString(), {}).section(u'/', 0, -2) + QStringLiteral("/.picture-XXXXXX"));
+        if (trouble.isEmpty()) {
+            const core::Result<QString> file = core::retrieveMiddle(
+                asked, series, folder.filePath(QStringLiteral("middle")), progress);
+            if (!file) {
+                failed(file.error());
+            } else if (const auto volume = core::loadVolume(*file)) {
+                picture = thumbnail(*volume, pictureSize);
+            } else {
+                failed(volume.error());
+            }
+        }
+        return [this, picture, trouble, words] {
+            showPicture(picture, words);
+            if (picture.isNull()) {
+                m_picture->setText(QStringLiteral("No picture"));
+                m_picture->setToolTip(trouble);
+            }
+        };
+    });
+}
+
+void PacsBrowserDialog::showPicture(const QImage& picture, const QString& words)
+{
+    m_picture->setToolTip(QString());
+    m_picture->setStyleSheet(QStringLiteral("background: #000; color: %1; border-radius: 4px;")
+                                 .arg(theme::secondary.name()));
+    if (picture.isNull())
+        m_picture->setText(QString());
+    else
+        m_picture->setPixmap(QPixmap::fromImage(picture));
+    m_words->setText(words);
+}
+
+QString PacsBrowserDialog::pathOf(const HitsTree::Choice& choice) const
+{
+    return m_cache.pathOf(
+        m_searched.address(), {.studyUid = choice.study.studyUid, .seriesUid = choice.seriesUid()});
+}
+
+QString PacsBrowserDialog::copyOf(const HitsTree::Choice& choice) const
+{
+    const QString path = pathOf(choice);
+    return QDir(path).exists() ? path : QString();
+}
+
+void PacsBrowserDialog::download(bool thenOpen)
+{
+    const auto choice = m_hits->chosen();
+    if (!choice || m_downloadJob.running())
+        return;
+    m_previewJob.cancel();
+    const QString path = pathOf(*choice);
+    const core::RetrieveWish wish{
+        .studyUid = choice->study.studyUid, .seriesUid = choice->seriesUid()};
+    m_progress->setRange(0, 0);
+    say(QStringLiteral("Asking %1 what it holds of it …").arg(m_searched.address()));
+    m_downloadJob.start(
+        [this, asked = m_searched, wish, path, thenOpen, cache = m_cache,
+            limit = cacheLimitBytes()](const core::Progress& progress) -> std::function<void()> {
+            core::Result<core::Retrieved> got;
+            if (const core::Result<void> ready = cache.prepare(); !ready)
+                got = tl::unexpected<core::Error>(ready.error());
+            else if (QDir(path).exists())
+                cache.touch(path);
+            else
+                got = core::retrieve(asked, wish, path, progress);
+            if (got) {
+                cache.touch(path);
+                // Not what has just come, however large.
+                const core::DownloadCache::Hold hold = cache.hold(path);
+                cache.shrinkTo(limit);
+            }
+            return [this, path, got, thenOpen] {
+                if (got)
+                    showDownloaded(path, *got, thenOpen);
+                else
+                    say(errorText(got.error()), "bad");
+            };
+        });
+    showButtons();
+}
+
+void PacsBrowserDialog::showDownloaded(
+    const QString& path, const core::Retrieved& got, bool thenOpen)
+{
+    showCopies();
+    const int count = got.received + got.kept;
+    say(count == 0 ? QStringLiteral("✓ It is here already.")
+                   : QStringLiteral("✓ %1 images are here, each checked.").arg(count),
+        "good");
+    if (!thenOpen)
+        return;
+    Q_EMIT openAsked(path);
+    accept();
+}
+
+void PacsBrowserDialog::showButtons()
+{
+    const bool isLoading = m_downloadJob.running();
+    const bool isOne = m_hits->chosen().has_value();
+    m_progress->setVisible(isLoading);
+    m_close->setText(isLoading ? QStringLiteral("Abort") : QStringLiteral("Close"));
+    m_download->setEnabled(isOne && !isLoading);
+    m_open->setEnabled(isOne && !isLoading);
+    m_search->setEnabled(source() && !isLoading);
+    m_test->setEnabled(source() && !isLoading);
+    m_source->setEnabled(!isLoading);
+    m_edit->setEnabled(!isLoading);
+    m_hits->setEnabled(!isLoading);
+    m_clear->setEnabled(!isLoading);
+}
+
+void PacsBrowserDialog::showCopies()
+{
+    m_hits->markHere([this](const HitsTree::Choice& choice) { return !copyOf(choice).isEmpty(); });
+    m_copiesJob.start([this, cache = m_cache](const core::Progress&) -> std::function<void()> {
+        const qint64 bytes = cache.bytes();
+        return [this, bytes] {
+            m_copies->setText(QStringLiteral("Local copies: %1 of").arg(bytesText(bytes)));
+            m_clear->setVisible(bytes > 0);
+        };
+    });
+}
+
+void PacsBrowserDialog::say(const QString& sentence, const char* role)
+{
+    m_state->setProperty("role", QLatin1String(role));
+    m_state->style()->unpolish(m_state);
+    m_state->style()->polish(m_state);
+    m_state->setText(sentence);
+}
+
+void PacsBrowserDialog::reject()
+{
+    if (!m_downloadJob.running())
+        return QDialog::reject();
+    m_downloadJob.cancel();
+    say(QStringLiteral("Aborted. What has come is kept: the same download goes on from there."));
+}
+
+} // namespace ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sources/DownloadCache.h"
+#include "core/sources/PacsSource.h"
+#include "ui/pacs/BackgroundJob.h"
+#include "ui/pacs/HitsTree.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <vector>
+
+class QComboBox;
+class QImage;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace ui {
+
+class SearchForm;
+
+/// Studies at a source: looks for them, shows a picture of a series, downloads into the local
+/// copies, opens. All that waits for a network or a disk does so beside the GUI thread.
+class PacsBrowserDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit PacsBrowserDialog(QWidget* parent = nullptr);
+    ~PacsBrowserDialog() override;
+
+Q_SIGNALS:
+    /// A folder with what was chosen, whole.
+    void openAsked(const QString& folder);
+
+private:
+    void build();
+    QWidget* sourceRow();
+    QWidget* previewPane();
+    QWidget* copiesRow();
+    void fillSources();
+    [[nodiscard]] const core::PacsSource* source() const;
+    void test();
+    void search();
+    void askForSeries(const QString& studyUid);
+    void showChoice();
+    void preview();
+    void showPicture(const QImage& picture, const QString& words);
+    void download(bool thenOpen);
+    void showDownloaded(const QString& path, const core::Retrieved& got, bool thenOpen);
+    void showButtons();
+    void showCopies();
+    void say(const QString& sentence, const char* role = "secondary");
+    [[nodiscard]] QString pathOf(const HitsTree::Choice& choice) const;
+    /// The copy that holds it: its own, or its study's. Empty: none.
+    [[nodiscard]] QString copyOf(const HitsTree::Choice& choice) const;
+    void reject() override;
+
+    core::DownloadCache m_cache;
+    std::vector<core::PacsSource> m_sources;
+    core::PacsSource m_searched; ///< where the hits come from
+    QString m_previewed; ///< series, of the picture shown or on its way
+    QComboBox* m_source;
+    SearchForm* m_form;
+    HitsTree* m_hits;
+    QLabel* m_picture;
+    QLabel* m_words;
+    QLabel* m_state;
+    QProgressBar* m_progress;
+    QLabel* m_copies;
+    QSpinBox* m_limit;
+    QPushButton* m_clear;
+    QPushButton* m_test;
+    QPushButton* m_edit;
+    QPushButton* m_search;
+    QPushButton* m_download;
+    QPushButton* m_open;
+    QPushButton* m_close;
+    QTimer m_previewDelay;
+    BackgroundJob m_queryJob;
+    BackgroundJob m_seriesJob;
+    BackgroundJob m_previewJob;
+    BackgroundJob m_downloadJob;
+    BackgroundJob m_copiesJob;
+};
+
+} // namespace ui

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sources/PacsSource.h"
+#include "ui/pacs/BackgroundJob.h"
+
+#include <QDialog>
+#include <QStringList>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace ui {
+
+/// Stores files at one of the sources: C-STORE or STOW-RS, as it speaks.
+class SendDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SendDialog(const QStringList& files, QWidget* parent = nullptr);
+
+private:
+    void fillSources();
+    void send();
+    void showRunning(bool running);
+    void say(const QString& sentence, const QString& role);
+    void reject() override;
+
+    QStringList m_files;
+    std::vector<core::PacsSource> m_sources;
+    QComboBox* m_source;
+    QLabel* m_state;
+    QProgressBar* m_progress;
+    QPushButton* m_edit;
+    QPushButton* m_send;
+    QPushButton* m_close;
+    BackgroundJob m_job;
+};
+
+} // namespace ui

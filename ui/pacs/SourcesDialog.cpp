@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pacs/SourcesDialog.h"
+
+#include "ui/ErrorText.h"
+#include "ui/PacsSources.h"
+#include "ui/Theme.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace ui {
+
+SourcesDialog::SourcesDialog(QWidget* parent)
+    : QDialog(parent)
+    , m_sources(pacsSources())
+    , m_list(new QListWidget(this))
+    , m_fields(new QWidget(this))
+    , m_form(new QFormLayout(m_fields))
+    , m_movePort(new QSpinBox(m_fields))
+    , m_timeout(new QSpinBox(m_fields))
+    , m_remove(new QPushButton(QStringLiteral("Remove"), this))
+    , m_test(new QPushButton(QStringLiteral("Test"), this))
+    , m_ok(nullptr)
+    , m_state(new QLabel(this))
+{
+    setWindowTitle(QStringLiteral("Sources"));
+    resize(820, 520);
+    m_list->setObjectName(QStringLiteral("sourcesList"));
+    m_list->setFixedWidth(210);
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setHorizontalSpacing(theme::padding);
+    m_form->setVerticalSpacing(theme::smallPadding);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_name = field(*m_form, "sourceName", QStringLiteral("Name"), QStringLiteral("Archive"));
+    m_address = field(*m_form, "sourceAddress", QStringLiteral("Address"),
+        QStringLiteral("AETITLE@host:port or https://host/dicom-web"));
+    m_ownTitle = field(*m_form, "sourceOwnTitle", QStringLiteral("Our title"),
+        QStringLiteral("BURIN; the node must know it"));
+    m_movePort->setObjectName(QStringLiteral("sourceMovePort"));
+    m_movePort->setRange(0, 65535);
+    m_movePort->setSpecialValueText(QStringLiteral("over the same connection (C-GET)"));
+    m_movePort->setPrefix(QStringLiteral("to our port "));
+    m_movePort->setSuffix(QStringLiteral(" (C-MOVE)"));
+    m_form->addRow(QStringLiteral("Images come"), m_movePort);
+    m_loginFile = field(*m_form, "sourceLoginFile", QStringLiteral("Login file"),
+        QStringLiteral("holds user:password or Bearer TOKEN; only you may read it"));
+    m_user = field(*m_form, "sourceUser", QStringLiteral("or user"), QString());
+    m_password = field(*m_form, "sourcePassword", QStringLiteral("and password"),
+        QStringLiteral("known until Burin ends, kept nowhere"));
+    m_password->setEchoMode(QLineEdit::Password);
+    m_authority = field(*m_form, "sourceAuthority", QStringLiteral("TLS: authority"), QString());
+    m_certificate = field(*m_form, "sourceCertificate", QStringLiteral("TLS: our certificate"),
+        QStringLiteral("PEM file, where the source asks for it"));
+    m_key = field(*m_form, "sourceKey", QStringLiteral("TLS: our key"), QStringLiteral("PEM file"));
+    m_timeout->setObjectName(QStringLiteral("sourceTimeout"));
+    m_timeout->setRange(1, 3600);
+    m_timeout->setSuffix(QStringLiteral(" s without a sign of life"));
+    m_form->addRow(QStringLiteral("Give up after"), m_timeout);
+
+    auto* addOne = new QPushButton(QStringLiteral("Add"), this);
+    for (QPushButton* button : {addOne, m_remove, m_test})
+        button->setAutoDefault(false);
+    auto* edits = new QHBoxLayout;
+    edits->addWidget(addOne);
+    edits->addWidget(m_remove);
+    auto* left = new QVBoxLayout;
+    left->addWidget(m_list, 1);
+    left->addLayout(edits);
+    auto* right = new QVBoxLayout;
+    right->addWidget(m_fields);
+    right->addStretch(1);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(theme::padding);
+    columns->addLayout(left);
+    columns->addLayout(right, 1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    m_ok = buttons->button(QDialogButtonBox::Ok);
+    buttons->addButton(m_test, QDialogButtonBox::ActionRole);
+    m_state->setObjectName(QStringLiteral("sourcesState"));
+    m_state->setTextFormat(Qt::PlainText);
+    m_state->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(12);
+    layout->addLayout(columns, 1);
+    layout->addWidget(m_state);
+    layout->addWidget(buttons);
+
+    connect(addOne, &QPushButton::clicked, this, &SourcesDialog::add);
+    connect(m_remove, &QPushButton::clicked, this, &SourcesDialog::remove);
+    connect(m_test, &QPushButton::clicked, this, &SourcesDialog::test);
+    connect(buttons, &QDialogButtonBox::accepted, this, &SourcesDialog::keep);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_list, &QListWidget::currentRowChanged, this, &SourcesDialog::showSource);
+    connect(m_movePort, &QSpinBox::valueChanged, this, &SourcesDialog::takeOver);
+    connect(m_timeout, &QSpinBox::valueChanged, this, &SourcesDialog::takeOver);
+    for (const core::PacsSource& one : m_sources)
+        m_list->addItem(one.name);
+    if (m_sources.empty())
+        add();
+    else
+        m_list->setCurrentRow(0);
+}
+
+QLineEdit* SourcesDialog::field(
+    QFormLayout& form, const char* name, const QString& label, const QString& says)
+{
+    auto* edit = new QLineEdit(m_fields);
+    edit->setObjectName(QLatin1String(name));
+    edit->setPlaceholderText(says);
+    form.addRow(label, edit);
+    connect(edit, &QLineEdit::textChanged, this, &SourcesDialog::takeOver);
+    return edit;
+}
+
+void SourcesDialog::add()
+{
+    core::PacsSource fresh{.name = QStringLiteral("New source"), .node = {}, .movePort = {}};
+    m_sources.push_back(std::move(fresh));
+    m_list->addItem(m_sources.back().name);
+    m_list->setCurrentRow(m_list->count() - 1);
+    m_name->selectAll();
+    m_name->setFocus();
+}
+
+void SourcesDialog::remove()
+{
+    const int row = m_list->currentRow();
+    if (row < 0)
+        return;
+    {
+        const QSignalBlocker quiet(m_list);
+        m_sources.erase(m_sources.begin() + row);
+        delete m_list->takeItem(row);
+    }
+    m_list->setEnabled(true);
+    m_ok->setEnabled(true);
+    m_test->setEnabled(false);
+    say(QString(), QStringLiteral("secondary"));
+    showSource();
+}
+
+void SourcesDialog::showSource()
+{
+    m_job.cancel();
+    const int row = m_list->currentRow();
+    const bool isOne = row >= 0 && row < int(m_sources.size());
+    m_fields->setEnabled(isOne);
+    m_remove->setEnabled(isOne);
+    m_filling = true;
+    const core::PacsSource source = isOne ? m_sources[std::size_t(row)] : core::PacsSource();
+    const auto* web = std::get_if<core::WebNode>(&source.node);
+    const auto* dicom = std::get_if<core::PacsNode>(&source.node);
+    const bool isNew = dicom && dicom->host.isEmpty();
+    m_name->setText(source.name);
+    m_address->setText(isNew ? QString() : source.address());
+    m_ownTitle->setText(dicom ? dicom->ownAeTitle : QString());
+    m_movePort->setValue(source.movePort.value_or(0));
+    m_loginFile->setText(web ? web->loginFile : QString());
+    m_user->setText(web ? web->login.user : QString());
+    m_password->setText(web ? web->login.password : QString());
+    m_authority->setText(web ? web->authorityFile : dicom->tls.authorityFile);
+    m_certificate->setText(web ? web->certificateFile : dicom->tls.certificateFile);
+    m_key->setText(web ? web->keyFile : dicom->tls.keyFile);
+    m_timeout->setValue(web ? web->timeoutSeconds : dicom->timeoutSeconds);
+    m_filling = false;
+    showKind();
+    takeOver();
+}
+
+void SourcesDialog::showKind()
+{
+    const bool isWeb = core::WebNode::isAddress(m_address->text().trimmed());
+    const auto show = [this](QWidget* input, bool shown) {
+        input->setVisible(shown);
+        m_form->labelForField(input)->setVisible(shown);
+    };
+    for (QWidget* input : {static_cast<QWidget*>(m_ownTitle), static_cast<QWidget*>(m_movePort)})
+        show(input, !isWeb);
+    for (QWidget* input : {m_loginFile, m_user, m_password})
+        show(input, isWeb);
+    m_authority->setPlaceholderText(isWeb
+            ? QStringLiteral("PEM file; empty: those that the system trusts")
+            : QStringLiteral("PEM file that signs this one node; empty: no TLS"));
+}
+
+core::Result<core::PacsSource> SourcesDialog::source() const
+{
+    core::Result<core::PacsSource> source = core::PacsSource::parse(m_address->text().trimmed());
+    if (!source)
+        return source;
+    source->name = m_name->text().simplified();
+    if (source->name.isEmpty()) {
+        return core::failure(core::ErrorCode::InvalidField, QStringLiteral("name"),
+            QStringLiteral("the source needs one"));
+    }
+    if (auto* web = std::get_if<core::WebNode>(&source->node)) {
+        web->loginFile = m_loginFile->text().trimmed();
+        if (!m_user->text().isEmpty())
+            web->login = {.user = m_user->text(), .password = m_password->text(), .token = {}};
+        web->authorityFile = m_authority->text().trimmed();
+        web->certificateFile = m_certificate->text().trimmed();
+        web->keyFile = m_key->text().trimmed();
+        web->timeoutSeconds = m_timeout->value();
+    } else {
+        auto& node = std::get<core::PacsNode>(source->node);
+        if (!m_ownTitle->text().trimmed().isEmpty())
+            node.ownAeTitle = m_ownTitle->text().trimmed();
+        node.tls = {.authorityFile = m_authority->text().trimmed(),
+            .certificateFile = m_certificate->text().trimmed(),
+            .keyFile = m_key->text().trimmed()};
+        node.timeoutSeconds = m_timeout->value();
+        if (m_movePort->value() > 0)
+            source->movePort = m_movePort->value();
+    }
+    if (const core::Result<void> sound = source->check(); !sound)
+        return tl::unexpected<core::Error>(sound.error());
+    return source;
+}
+
+void SourcesDialog::takeOver()
+{
+    const int row = m_list->currentRow();
+    if (m_filling || row < 0 || row >= int(m_sources.size()))
+        return;
+    showKind();
+    m_list->item(row)->setText(m_name->text().simplified());
+    const core::Result<core::PacsSource> now = source();
+    if (now)
+        m_sources[std::size_t(row)] = *now;
+    else
+        m_sources[std::size_t(row)].name = m_name->text().simplified();
+    m_ok->setEnabled(now.has_value());
+    m_list->setEnabled(now.has_value());
+    m_test->setEnabled(now.has_value());
+    const bool isBlank = m_address->text().trimmed().isEmpty();
+    say(now || isBlank ? QString() : errorText(now.error()), QStringLiteral("secondary"));
+}
+
+void SourcesDialog::test()
+{
+    const core::Result<core::PacsSource> now = source();
+    if (!now)
+        return;
+    say(QStringLiteral("Asking %1 …").arg(now->address()), QStringLiteral("secondary"));
+    m_job.start([this, source = *now](const core::Progress& progress) -> std::function<void()> {
+        const core::Result<void> answered = core::echoNode(source, progress);
+        return [this, source, answered] {
+            if (answered)
+                say(QStringLiteral("%1 answers.").arg(source.address()), QStringLiteral("good"));
+            else
+                say(errorText(answered.error()), QStringLiteral("bad"));
+        };
+    });
+}
+
+void SourcesDialog::keep()
+{
+    setPacsSources(m_sources);
+    accept();
+}
+
+void SourcesDialog::say(const QString& sentence, const QString& role)
+{
+    m_state->setProperty("role", role);
+    m_state->style()->unpolish(m_state);
+    m_state->style()->polish(m_state);
+    m_state->setText(sentence);
+}
+
+} // namespace ui

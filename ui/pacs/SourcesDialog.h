@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sources/PacsSource.h"
+#include "ui/pacs/BackgroundJob.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+
+namespace ui {
+
+/// The list of named sources: adds, changes, tries and removes them. OK keeps them (PacsSources.h).
+class SourcesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SourcesDialog(QWidget* parent = nullptr);
+
+private:
+    QLineEdit* field(
+        QFormLayout& form, const char* name, const QString& label, const QString& says);
+    void add();
+    void remove();
+    void showSource();
+    void takeOver();
+    void showKind();
+    void test();
+    void keep();
+    /// What the fields say. InvalidField.
+    [[nodiscard]] core::Result<core::PacsSource> source() const;
+    void say(const QString& sentence, const QString& role);
+
+    std::vector<core::PacsSource> m_sources;
+    bool m_filling = false;
+    QListWidget* m_list;
+    QWidget* m_fields;
+    QFormLayout* m_form;
+    QLineEdit* m_name;
+    QLineEdit* m_address;
+    QLineEdit* m_ownTitle;
+    QSpinBox* m_movePort;
+    QLineEdit* m_loginFile;
+    QLineEdit* m_user;
+    QLineEdit* m_password;
+    QLineEdit* m_authority;
+    QLineEdit* m_certificate;
+    QLineEdit* m_key;
+    QSpinBox* m_timeout;
+    QPushButton* m_remove;
+    QPushButton* m_test;
+    QPushButton* m_ok;
+    QLabel* m_state;
+    BackgroundJob m_job;
+};
+
+} // namespace ui
