@@ -79,6 +79,8 @@ ListedStack listed(SliceStack stack)
         if (image.identity.frameOfReferenceUid != first.identity.frameOfReferenceUid)
             result.entry.identity.frameOfReferenceUid.clear();
     }
+    if (stack.doubled)
+        result.entry.undoubled = oneAtEveryPlace(stack, false).geometry;
     result.stack = std::move(stack);
     return result;
 }

@@ -44,9 +44,12 @@ std::vector<SlicePlace> sortIntoPlaces(std::vector<ImageHeader> images)
 std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
 {
     std::vector<VolumeProblem> problems;
-    int equal = 0;
+    std::vector<SliceSpan> equal;
+    std::vector<SliceSpan> ofContradicting;
     QStringList contradicting;
+    int slice = 0;
     for (SlicePlace& place : places) {
+        ++slice;
         std::vector<ImageHeader> kept;
         for (ImageHeader& image : place.images) {
             const auto twin = std::find_if(kept.begin(), kept.end(), [&](const ImageHeader& other) {
@@ -60,23 +63,31 @@ std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
                 continue;
             }
             if (fileHash(image.file) == fileHash(twin->file))
-                ++equal;
-            else
+                equal.push_back({.first = slice, .last = slice});
+            else {
                 contradicting.append(QFileInfo(image.file).fileName());
+                ofContradicting.push_back({.first = slice, .last = slice});
+            }
         }
         place.images = std::move(kept);
     }
-    if (equal > 0) {
+    if (!equal.empty()) {
         problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
-            .text = equal == 1 ? QStringLiteral("1 duplicate file was left out.")
-                               : QStringLiteral("%1 duplicate files were left out.").arg(equal)});
+            .text = equal.size() == 1
+                ? QStringLiteral("1 duplicate file was left out, of %1.").arg(slicesInWords(equal))
+                : QStringLiteral("%1 duplicate files were left out, of %2.")
+                      .arg(equal.size())
+                      .arg(slicesInWords(equal)),
+            .slices = equal});
     }
     if (!contradicting.isEmpty()) {
         problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
-            .text = QStringLiteral("Files with the identity of another but other content were left "
-                                   "out: %1.")
-                        .arg(contradicting.join(QLatin1String(", "))),
-            .caution = true});
+            .text =
+                QStringLiteral("Files with the identity of another but other content were left "
+                               "out: %1 (%2).")
+                    .arg(contradicting.join(QLatin1String(", ")), slicesInWords(ofContradicting)),
+            .caution = true,
+            .slices = ofContradicting});
     }
     return problems;
 }

@@ -79,9 +79,21 @@ void stackTimes(TimeAxis axis, const std::vector<VolumeProblem>& problems, Stack
     sorting.stacks.push_back(std::move(first));
 }
 
+using Doubled = std::shared_ptr<const Images>;
+
+std::vector<SliceSpan> doubledPlaces(const std::vector<SlicePlace>& places)
+{
+    std::vector<SliceSpan> slices;
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        if (places[place].images.size() > 1)
+            slices.push_back({.first = int(place) + 1, .last = int(place) + 1});
+    }
+    return slices;
+}
+
 /// Where places hold different numbers of images each candidate is listed with a warning.
-void stackCandidates(
-    TimeAxis axis, const std::vector<VolumeProblem>& problems, StackSorting& sorting)
+void stackCandidates(TimeAxis axis, const std::vector<SliceSpan>& places, const Doubled& doubled,
+    const std::vector<VolumeProblem>& problems, StackSorting& sorting)
 {
     const auto count = int(axis.points.size());
     int number = 0;
@@ -93,12 +105,14 @@ void stackCandidates(
                 .arg(++number)
                 .arg(count)
                 .arg(point.label.isEmpty() ? QStringLiteral("by instance number") : point.label);
-        stack.problems.push_back({.kind = VolumeProblem::Kind::MixedSlices,
-            .text = QStringLiteral("Up to %1 images lie at one position, not as many at every one; "
-                                   "this is %2.")
+        stack.doubled = doubled;
+        stack.problems.push_back({.kind = VolumeProblem::Kind::DoubledSlices,
+            .text = QStringLiteral("Up to %1 images lie at one position, not as many at every one "
+                                   "(%2 of the whole); this is %3.")
                         .arg(count)
-                        .arg(stack.part),
-            .caution = true});
+                        .arg(slicesInWords(places), stack.part),
+            .caution = true,
+            .slices = places});
         sorting.stacks.push_back(std::move(stack));
     }
 }
@@ -114,18 +128,22 @@ void stackGroup(Images group, StackSorting& sorting)
                 QStringLiteral("Every slice names a frame of reference of its own; they are taken "
                                "as one.")});
     }
+    Doubled doubled = std::make_shared<const Images>(group);
     std::vector<SlicePlace> places = sortIntoPlaces(std::move(group));
     const std::vector<VolumeProblem> duplicates = dropDuplicates(places);
+    const bool contradicting = std::any_of(duplicates.begin(), duplicates.end(),
+        [](const VolumeProblem& problem) { return problem.caution; });
     problems.insert(problems.end(), duplicates.begin(), duplicates.end());
 
     const bool single = std::all_of(places.begin(), places.end(),
         [](const SlicePlace& place) { return place.images.size() == 1; });
     if (!single) {
+        const std::vector<SliceSpan> severalAt = doubledPlaces(places);
         TimeAxis axis = findTimeAxis(std::move(places));
         if (axis.complete)
             stackTimes(std::move(axis), problems, sorting);
         else
-            stackCandidates(std::move(axis), problems, sorting);
+            stackCandidates(std::move(axis), severalAt, doubled, problems, sorting);
         return;
     }
     Images slices;
@@ -133,6 +151,8 @@ void stackGroup(Images group, StackSorting& sorting)
         slices.push_back(std::move(place.images.front()));
     SliceStack stack = stackOf(std::move(slices));
     putFirst(stack, problems);
+    if (contradicting)
+        stack.doubled = std::move(doubled);
     sorting.stacks.push_back(std::move(stack));
 }
 
@@ -173,6 +193,32 @@ SliceStack stackOf(std::vector<ImageHeader> slices)
             .text = QStringLiteral("The images were compressed with loss.")});
     }
     return stack;
+}
+
+SliceStack oneAtEveryPlace(const SliceStack& stack, bool last)
+{
+    const auto order = [](const ImageHeader& image) {
+        return std::tie(image.instanceNumber, image.file, image.frame);
+    };
+    const auto isBefore = [&](const ImageHeader& a, const ImageHeader& b) {
+        return order(a) < order(b);
+    };
+    Images slices;
+    for (const SlicePlace& place : sortIntoPlaces(*stack.doubled)) {
+        const auto& images = place.images;
+        slices.push_back(last ? *std::max_element(images.begin(), images.end(), isBefore)
+                              : *std::min_element(images.begin(), images.end(), isBefore));
+    }
+    SliceStack chosen = stackOf(std::move(slices));
+    std::vector<VolumeProblem> named;
+    for (const VolumeProblem& problem : stack.problems) {
+        if (problem.kind == VolumeProblem::Kind::DoubledSlices
+            || problem.kind == VolumeProblem::Kind::DuplicateSlices)
+            named.push_back(problem);
+    }
+    putFirst(chosen, named);
+    chosen.time = stack.time;
+    return chosen;
 }
 
 StackSorting sortIntoStacks(std::vector<ImageHeader> images)

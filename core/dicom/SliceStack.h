@@ -4,6 +4,7 @@
 #include "core/dicom/ImageHeader.h"
 #include "core/volume/StudyListing.h"
 
+#include <memory>
 #include <vector>
 
 namespace core {
@@ -16,6 +17,9 @@ struct SliceStack {
     QString part; ///< which part of a split series, in words; empty for a whole one
     QString time; ///< of a series in time: which point this is, in words
     std::vector<SliceStack> laterTimes; ///< the other points in order, each on the same grid
+    /// All images of the group it came from, where several share a place and are no points in time:
+    /// what another choice among them is made of (oneAtEveryPlace()). Null: there is no choice.
+    std::shared_ptr<const std::vector<ImageHeader>> doubled{};
 };
 
 /// What became of the images of one series.
@@ -32,5 +36,9 @@ struct StackSorting {
 
 /// The stack of images already known to belong together, e.g. after some could not be decoded.
 [[nodiscard]] SliceStack stackOf(std::vector<ImageHeader> slices);
+
+/// One image at every place of a stack's group: of several the one with the least instance number,
+/// or the greatest; its problems name them still. @param stack with `doubled` images
+[[nodiscard]] SliceStack oneAtEveryPlace(const SliceStack& stack, bool last);
 
 } // namespace core

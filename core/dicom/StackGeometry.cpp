@@ -11,9 +11,6 @@ namespace core {
 
 namespace {
 
-constexpr double sameDistanceMm = 0.01;
-constexpr double sameDistanceShare = 0.01;
-
 QString millimetres(double value)
 {
     return QString::number(value, 'g', 5);
@@ -39,7 +36,8 @@ void placeSingle(SliceStack& stack, glm::dmat4& affine)
 }
 
 /// Gaps that are whole multiples of the usual one are missing slices; empty if they are not.
-QStringList missingBetween(const std::vector<double>& gaps, double usual, int& missing)
+QStringList missingBetween(
+    const std::vector<double>& gaps, double usual, int& missing, std::vector<SliceSpan>& slices)
 {
     constexpr double share = 0.05;
     QStringList where;
@@ -51,6 +49,7 @@ QStringList missingBetween(const std::vector<double>& gaps, double usual, int& m
         if (steps < 2.0)
             continue;
         missing += int(steps) - 1;
+        slices.push_back({.first = int(gap) + 1, .last = int(gap) + 2});
         where.append(QStringLiteral("%1 between slices %2 and %3 (%4 mm instead of %5)")
                          .arg(int(steps) - 1)
                          .arg(gap + 1)
@@ -60,23 +59,59 @@ QStringList missingBetween(const std::vector<double>& gaps, double usual, int& m
     return where;
 }
 
+/// "4 mm between slices 1 and 6, 7 mm between 6 and 10"; where the distance changes too often for
+/// that, between which slices it is greatest.
+QString distancesInWords(const std::vector<double>& gaps, std::vector<SliceSpan>& slices)
+{
+    constexpr std::size_t mostRuns = 4;
+    std::vector<SliceSpan> runs;
+    for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+        const auto slice = int(gap) + 1;
+        const double usual = runs.empty() ? 0.0 : gaps[std::size_t(runs.back().first - 1)];
+        if (!runs.empty() && std::abs(gaps[gap] - usual) <= evenSlicesToleranceMm(usual))
+            runs.back().last = slice + 1;
+        else
+            runs.push_back({.first = slice, .last = slice + 1});
+    }
+    if (runs.size() > mostRuns) {
+        const auto greatest = std::max_element(gaps.begin(), gaps.end());
+        const auto slice = int(greatest - gaps.begin()) + 1;
+        slices = {{.first = slice, .last = slice + 1}};
+        return QStringLiteral("it is greatest between slices %1 and %2").arg(slice).arg(slice + 1);
+    }
+    QStringList words;
+    for (const SliceSpan& run : runs) {
+        words += QStringLiteral("%1 mm between %2%3 and %4")
+                     .arg(millimetres(gaps[std::size_t(run.first - 1)]),
+                         words.isEmpty() ? QStringLiteral("slices ") : QString())
+                     .arg(run.first)
+                     .arg(run.last);
+    }
+    slices = std::move(runs);
+    return words.join(QLatin1String(", "));
+}
+
 void reportGaps(SliceStack& stack, const std::vector<double>& gaps, double usual)
 {
     int missing = 0;
-    const QStringList where = missingBetween(gaps, usual, missing);
+    std::vector<SliceSpan> slices;
+    const QStringList where = missingBetween(gaps, usual, missing, slices);
     if (!where.isEmpty()) {
         stack.problems.push_back({.kind = VolumeProblem::Kind::MissingSlices,
             .text = (missing == 1 ? QStringLiteral("1 slice is missing: %2.")
                                   : QStringLiteral("%1 slices are missing: %2.").arg(missing))
                         .replace(QLatin1String("%2"), where.join(QLatin1String(", "))),
-            .caution = true});
+            .caution = true,
+            .slices = slices});
         return;
     }
     const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
     stack.problems.push_back({.kind = VolumeProblem::Kind::UnevenSpacing,
-        .text = QStringLiteral("The distance between slices varies from %1 to %2 mm.")
-                    .arg(millimetres(*least), millimetres(*greatest)),
-        .caution = true});
+        .text =
+            QStringLiteral("The distance between slices varies from %1 to %2 mm: %3.")
+                .arg(millimetres(*least), millimetres(*greatest), distancesInWords(gaps, slices)),
+        .caution = true,
+        .slices = slices});
 }
 
 void placeMany(SliceStack& stack, glm::dmat4& affine)
@@ -95,7 +130,7 @@ void placeMany(SliceStack& stack, glm::dmat4& affine)
     std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(middle), sorted.end());
     const double usual = sorted[middle];
 
-    const double tolerance = std::min(sameDistanceMm, sameDistanceShare * usual);
+    const double tolerance = evenSlicesToleranceMm(usual);
     double worst = 0.0;
     for (std::size_t k = 0; k < slices.size(); ++k)
         worst = std::max(worst, glm::length(*slices[k].position - (first + step * double(k))));

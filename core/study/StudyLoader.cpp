@@ -5,6 +5,8 @@
 #include "core/archive/UnpackedArchive.h"
 #include "core/dicom/DicomScan.h"
 #include "core/dicom/StackLoader.h"
+#include "core/repair/RepairVolume.h"
+#include "core/repair/SeriesFindings.h"
 #include "core/study/FileFormats.h"
 
 #include <QDir>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace core {
 
@@ -144,6 +147,33 @@ Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& se
     for (const SeriesEntry* entry : found)
         ambiguous.arguments.append(entry->line());
     return tl::unexpected<Error>(ambiguous);
+}
+
+Result<LoadedVolume> loadRepaired(
+    const ListedStack& listed, const SeriesChoice& wanted, const Progress& progress)
+{
+    QString why;
+    const std::optional<SeriesRepair> repair = SeriesRepair::fromText(wanted.repair, &why);
+    const auto invalid = [](const QString& reason) {
+        return failure(ErrorCode::InvalidField, QStringLiteral("repair"), reason);
+    };
+    if (!repair)
+        return invalid(why);
+    using Duplicates = SeriesRepair::Duplicates;
+    if (repair->duplicates == Duplicates::Keep) {
+        Result<LoadedVolume> loaded = loadStack(listed, wanted.time, progress);
+        return loaded ? repairVolume(*std::move(loaded), *repair, progress) : loaded;
+    }
+    if (!listed.stack.doubled)
+        return invalid(QStringLiteral("the series has no places at which one of several images "
+                                      "could be chosen (%1)")
+                           .arg(wanted.repair));
+    const ListedStack chosen{.entry = listed.entry,
+        .seriesKey = listed.seriesKey,
+        .studyKey = listed.studyKey,
+        .stack = oneAtEveryPlace(listed.stack, repair->duplicates == Duplicates::Last)};
+    Result<LoadedVolume> loaded = loadStack(chosen, 0, progress);
+    return loaded ? repairVolume(*std::move(loaded), *repair, progress) : loaded;
 }
 
 } // namespace
@@ -286,15 +316,22 @@ Result<LoadedVolume> Study::load(const QString& series, const Progress& progress
     const Result<const SeriesEntry*> entry = choose(listing, wanted.series);
     if (!entry)
         return tl::unexpected<Error>(entry.error());
-    const auto opened = [](Result<LoadedVolume> loaded, const QString& from) {
-        if (loaded)
+    const auto opened = [&](Result<LoadedVolume> loaded, const QString& from) {
+        if (loaded) {
             loaded->volume.sourcePath = from;
+            loaded->volume.seriesKey = (*entry)->keyAtTime(wanted.time);
+            loaded->volume.alternatives = std::make_shared<const SeriesAlternatives>(
+                seriesAlternatives(listing, **entry, wanted.time));
+        }
         return loaded;
     };
     for (const ListedStack& listed : m_contents->stacks) {
         if (listed.entry.key == (*entry)->key)
-            return opened(loadStack(listed, wanted.time, progress), listing.path);
+            return opened(loadRepaired(listed, wanted, progress), listing.path);
     }
+    if (!wanted.repair.isEmpty())
+        return failure(ErrorCode::InvalidField, QStringLiteral("repair"),
+            QStringLiteral("only DICOM series can be repaired"));
     for (const SingleFile& single : m_contents->singles) {
         if (single.entry.key == (*entry)->key)
             // Without slices that name it, only this tells an export's check which file it was.

@@ -35,7 +35,8 @@ public:
     /// Opens one volume with its voxels.
     ///
     /// @param series key or SeriesInstanceUID, of a series in time with the point that is wanted
-    /// (SeriesEntry::keyAtTime()), else its first; empty: the only volume there is.
+    /// (SeriesEntry::keyAtTime()), else its first; empty: the only volume there is. With a repair
+    /// behind it where it is to be repaired (withRepair()); InvalidField where it cannot be.
     /// SeriesAmbiguous, with one line per candidate, where more than one is left; SeriesNotFound
     /// where none is.
     /// Slices that cannot be decoded are left out and named in Volume::problems; an error is

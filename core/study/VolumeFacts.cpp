@@ -2,6 +2,7 @@
 #include "core/study/VolumeFacts.h"
 
 #include "core/base/Sha256.h"
+#include "core/repair/SeriesRepair.h"
 #include "core/volume/VolumeEncoder.h"
 
 #include <algorithm>
@@ -23,9 +24,9 @@ void add(VolumeFacts& facts, int time, const Volume& volume)
 
 } // namespace
 
-VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry)
+VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry, const QString& repair)
 {
-    VolumeFacts facts{.entry = entry, .loaded = study.load(entry.key)};
+    VolumeFacts facts{.entry = entry, .loaded = study.load(withRepair(entry.key, repair))};
     if (!facts.loaded)
         return facts;
     const Volume& first = facts.loaded->volume;
@@ -41,7 +42,7 @@ VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry)
         addValues(hash, *facts.loaded);
     add(facts, 0, first);
     for (int time = 1; time < int(entry.times.size()); ++time) {
-        Result<LoadedVolume> later = study.load(entry.keyAtTime(time));
+        Result<LoadedVolume> later = study.load(withRepair(entry.keyAtTime(time), repair));
         if (!later) {
             facts.loaded = std::move(later);
             return facts;

@@ -31,6 +31,8 @@ struct VolumeFacts {
 
 /// Loads a volume, of a series in time every point after the other: the first and one more are in
 /// memory at once.
-[[nodiscard]] VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry);
+/// @param repair done to it (core/repair/SeriesRepair.h); empty: none
+[[nodiscard]] VolumeFacts volumeFacts(
+    const Study& study, const SeriesEntry& entry, const QString& repair = {});
 
 } // namespace core

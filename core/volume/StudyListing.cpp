@@ -73,17 +73,24 @@ std::vector<const SeriesEntry*> StudyListing::matching(const QString& series) co
 
 SeriesChoice StudyListing::choice(const QString& series) const
 {
-    const qsizetype mark = series.lastIndexOf(QLatin1Char('@'));
-    bool isNumber = false;
-    const int time = series.mid(mark + 1).toInt(&isNumber);
-    if (mark < 0 || !isNumber || find(series) != nullptr)
+    if (find(series) != nullptr)
         return {.series = series};
-    const QString key = series.left(mark);
+    SeriesChoice choice{.series = series};
+    if (const qsizetype plus = series.lastIndexOf(QLatin1Char('+')); plus >= 0) {
+        choice.series = series.left(plus);
+        choice.repair = series.mid(plus + 1);
+    }
+    const qsizetype mark = choice.series.lastIndexOf(QLatin1Char('@'));
+    bool isNumber = false;
+    const int time = choice.series.mid(mark + 1).toInt(&isNumber);
+    if (mark < 0 || !isNumber || find(choice.series) != nullptr)
+        return choice;
+    const QString key = choice.series.left(mark);
     for (const SeriesEntry* entry : matching(key)) {
         if (time >= 1 && time <= entry->times.size())
-            return {.series = key, .time = time - 1};
+            return {.series = key, .time = time - 1, .repair = choice.repair};
     }
-    return {.series = series};
+    return choice;
 }
 
 } // namespace core

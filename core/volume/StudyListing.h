@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -30,6 +31,9 @@ struct SeriesEntry {
     /// What tells the points of a series in time apart, in words, in order ("temporal position 3");
     /// a word may be empty. Empty for a volume of one moment. The rest here is about the first.
     QStringList times{};
+    /// The grid with one image at every place, where several share some and one can be chosen of
+    /// them ("duplicates=first").
+    std::optional<VolumeGeometry> undoubled{};
 
     [[nodiscard]] int slices() const { return geometry.size.z; }
     /// False for a single image: it opens when asked for, or when there is nothing else.
@@ -41,10 +45,12 @@ struct SeriesEntry {
     [[nodiscard]] QString line() const;
 };
 
-/// What names a volume, and of a series in time which point (SeriesEntry::keyAtTime()).
+/// What names a volume, of a series in time which point (SeriesEntry::keyAtTime()), and how it is
+/// repaired (core/repair/SeriesRepair.h).
 struct SeriesChoice {
     QString series;
     int time = 0; ///< 0-based
+    QString repair{}; ///< empty: as it is
 };
 
 /// One study and its volumes, series in the order of their numbers.
@@ -81,7 +87,8 @@ struct StudyListing {
     [[nodiscard]] const SeriesEntry* find(const QString& key) const;
     /// Every entry whose key or SeriesInstanceUID is @p series: several where a UID was split.
     [[nodiscard]] std::vector<const SeriesEntry*> matching(const QString& series) const;
-    /// Takes "UID@3" apart where an entry has such a point in time; other names stay as they are.
+    /// Takes "UID@3+tilt" apart: what follows the plus sign is a repair, and "@3" a point in time
+    /// where an entry has it. The name of an entry is that entry's, whatever signs are in it.
     [[nodiscard]] SeriesChoice choice(const QString& series) const;
 };
 

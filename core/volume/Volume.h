@@ -7,6 +7,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 #include <array>
 #include <cstdint>
@@ -47,13 +48,23 @@ struct SourceSlice {
     QString file;
     QString sopInstanceUid;
     QString sopClassUid;
-    int frame = 0;          ///< 0-based
+    int frame = 0; ///< 0-based
     int instanceNumber = 0;
 };
 
 /// Headers of source files by the files' names, for a volume whose files may be missing: of DICOM a
 /// data set in explicit VR little endian (core/dicom/KeptHeaders.h), of NIfTI the header's bytes.
 using KeptHeaders = std::map<QString, QByteArray>;
+
+/// Slices, counted from 1 along row × column direction, both ends included.
+struct SliceSpan {
+    int first = 0;
+    int last = 0;
+    bool operator==(const SliceSpan&) const = default;
+};
+
+/// "slice 5", "slices 2–4, 7"; spans in ascending order.
+[[nodiscard]] QString slicesInWords(const std::vector<SliceSpan>& slices);
 
 /// Something about the source that a reader must know before trusting a measurement.
 struct VolumeProblem {
@@ -62,16 +73,50 @@ struct VolumeProblem {
         UnevenSpacing,
         Tilt,
         AssumedSpacing,
-        MixedSlices,
-        DuplicateSlices,
+        MixedSlices, ///< several images at every place: points in time
+        DoubledSlices, ///< several images at some places
+        DuplicateSlices, ///< files with the identity of another
         DamagedSlice,
         LossyCompression,
         InexactValues,
         Other,
     };
     Kind kind = Kind::Other;
-    QString text;         ///< one plain sentence
+    QString text; ///< one plain sentence
     bool caution = false; ///< geometry that carries a caution bar until repaired or accepted
+    /// Which slices it is about; beside a gap the two that it lies between. Empty: all of them.
+    std::vector<SliceSpan> slices{};
+    /// What was done about it on loading, as `--repair` takes it ("gap=fill"); empty: nothing.
+    QString repairedBy{};
+};
+
+/// The slices of a repaired volume as their images have them; what is drawn on the repaired voxels
+/// finds its way back to them (core/repair/WayBack.h).
+struct SeriesAsIs {
+    VolumeGeometry geometry;
+    std::vector<SourceSlice> sources; ///< per slice
+};
+
+/// What else a volume's series can be opened as, while its study is at hand.
+struct SeriesAlternatives {
+    struct Stack {
+        QString key; ///< what `--series` takes
+        QString part; ///< which of the stacks it is, in words
+        VolumeGeometry geometry;
+    };
+    QString key; ///< its own, without the point in time
+    QString part; ///< which of several stacks it is, in words; empty where it is the only one
+    std::vector<Stack> stacks{}; ///< the others
+    QStringList times{}; ///< of a series in time what tells its points apart; else empty
+    int time = 0; ///< which of them it is, 0-based
+    std::optional<VolumeGeometry> undoubled{}; ///< SeriesEntry::undoubled
+};
+
+/// Voxel codes, both ends included.
+struct CodeRange {
+    int lowest = 0;
+    int highest = 0;
+    bool operator==(const CodeRange&) const = default;
 };
 
 /// Counts of voxels over equal bins of the value range; for pictures, not for decisions.
@@ -92,9 +137,16 @@ struct Volume {
     Histogram histogram;
     WindowLevel defaultWindow;
     bool displayInverted = false; ///< MONOCHROME1: dark is high; voxels are unchanged
-    std::vector<SourceSlice> sources; ///< per slice k; empty for formats without instances
-    QString sourcePath;               ///< folder or file that was opened
-    QString sourceFormat;             ///< "DICOM", "NIfTI"
+    /// Per slice k; empty for formats without instances, and where a repair moved the voxels.
+    std::vector<SourceSlice> sources;
+    /// How its series was repaired on loading, as `--repair` takes it (core/repair/SeriesRepair.h);
+    /// empty: it is as its files have it.
+    QString repair;
+    std::shared_ptr<const SeriesAsIs> asIs; ///< where there is a repair
+    QString sourcePath; ///< folder or file that was opened
+    QString seriesKey; ///< which of its volumes this is (SeriesEntry::keyAtTime()); may be empty
+    std::shared_ptr<const SeriesAlternatives> alternatives; ///< null: its study is not at hand
+    QString sourceFormat; ///< "DICOM", "NIfTI"
     QByteArray voxelsSha256; ///< hex; float32 little-endian modality values, x fastest
     /// Hex, of the codes, little-endian; only where the values do not follow from the codes.
     QByteArray codesSha256;
@@ -110,6 +162,8 @@ struct Volume {
 struct LoadedVolume {
     Volume volume;
     std::vector<std::uint16_t> codes;
+    /// Codes of voxels outside what was scanned, where the source says so.
+    std::optional<CodeRange> padding{};
     /// Why they came out of a session file; none: they came from the study's own files.
     std::optional<Error> notFromStudy{};
 };

@@ -147,11 +147,6 @@ void addByTable(Sha256& hash, std::span<const std::uint16_t> codes, const std::v
     }
 }
 
-struct CodeRange {
-    int lowest = 0;
-    int highest = 0;
-};
-
 /// Codes that do not count, unless there are no others.
 void forget(CodeCounts& counts, const CodeRange& range)
 {
@@ -163,10 +158,17 @@ void forget(CodeCounts& counts, const CodeRange& range)
         counts = std::move(rest);
 }
 
+/// Voxels that do not count, of which there is one code.
+struct Uncounted {
+    int code = 0;
+    std::uint64_t voxels = 0;
+};
+
 /// Codes are exact: minimum and maximum follow from how often they occur.
 void describeExact(
-    Volume& volume, CodeCounts counts, const std::optional<CodeRange>& padding, bool hasWindow)
+    LoadedVolume& loaded, CodeCounts counts, const Uncounted& uncounted, bool hasWindow)
 {
+    Volume& volume = loaded.volume;
     int lowest = codeCount - 1;
     int highest = 0;
     for (int code = 0; code < codeCount; ++code) {
@@ -177,8 +179,9 @@ void describeExact(
     }
     volume.minimum = volume.encoding.value(lowest);
     volume.maximum = volume.encoding.value(highest);
-    if (padding)
-        forget(counts, *padding);
+    counts[std::size_t(uncounted.code)] -= uncounted.voxels;
+    if (loaded.padding)
+        forget(counts, *loaded.padding);
     describe(volume, counts, hasWindow);
 }
 
@@ -274,15 +277,14 @@ void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slic
         counter.add(codes);
     });
     // Slices that do not agree on what is padding have none.
-    std::optional<CodeRange> padding;
     const bool agreed = std::all_of(slices.begin(), slices.end(),
         [&](const SliceRescale& slice) { return slice.padding == slices[0].padding; });
     if (slices[0].padding && agreed) {
         const StoredRange& stored = *slices[0].padding;
-        padding = falling ? CodeRange{greatest - stored.highest, greatest - stored.lowest}
-                          : CodeRange{stored.lowest - least, stored.highest - least};
+        loaded.padding = falling ? CodeRange{greatest - stored.highest, greatest - stored.lowest}
+                                 : CodeRange{stored.lowest - least, stored.highest - least};
     }
-    describeExact(loaded.volume, counter.take(), padding, hasWindow);
+    describeExact(loaded, counter.take(), {}, hasWindow);
     loaded.volume.voxelsSha256 = checksum.get();
 }
 
@@ -383,6 +385,17 @@ void encodeValues(LoadedVolume& loaded,
     if (!followFromCodes)
         volume.codesSha256 = sha256OfCodes(loaded);
     describe(volume, countCodes(loaded), hasWindow);
+}
+
+void describeCodes(LoadedVolume& loaded, int outsideCode, std::uint64_t outside)
+{
+    loaded.volume.codesSha256.clear();
+    std::future<QByteArray> checksum =
+        std::async(std::launch::async, [&] { return sha256OfValues(loaded); });
+    CodeCounts counts = countCodes(loaded);
+    const QByteArray hash = checksum.get();
+    loaded.volume.voxelsSha256 = hash;
+    describeExact(loaded, std::move(counts), {.code = outsideCode, .voxels = outside}, true);
 }
 
 QByteArray sha256OfValues(const LoadedVolume& loaded)

@@ -34,7 +34,7 @@ struct SliceRescale {
 
 /// Turns stored 16-bit values into codes and describes them: sets encoding, minimum, maximum,
 /// histogram, voxelsSha256, codesSha256 and, unless @p hasWindow, defaultWindow of @p
-/// loaded.volume.
+/// loaded.volume, and @p loaded.padding.
 ///
 /// Exact where all slices share one rescale and their values span 16 bits; otherwise on a common
 /// scale with its error stated and an InexactValues problem. The checksum is always that of the
@@ -47,6 +47,12 @@ void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slic
 /// from several threads, several times per slice. Values that are no numbers count as the minimum.
 void encodeValues(LoadedVolume& loaded,
     const std::function<void(int k, std::span<double> values)>& slice, bool hasWindow);
+
+/// Describes codes that were made from those of another volume, in its encoding: minimum, maximum,
+/// histogram and voxelsSha256; the window stays. The values are those that the codes stand for.
+/// @param outside how many voxels, of code @p outsideCode, are outside what was scanned and do not
+/// count in the histogram
+void describeCodes(LoadedVolume& loaded, int outsideCode, std::uint64_t outside);
 
 /// SHA-256 of the values that the codes stand for, as Volume::voxelsSha256 has it, and of the
 /// codes, as Volume::codesSha256 has it. Hex; one core, a third of a second for 512 × 512 × 600 where the processor helps.

@@ -67,4 +67,11 @@ std::vector<glm::dvec3> VolumeGeometry::cornersLps() const
     return corners;
 }
 
+double evenSlicesToleranceMm(double stepMm)
+{
+    constexpr double mostMm = 0.01;
+    constexpr double share = 0.01;
+    return std::min(mostMm, share * stepMm);
+}
+
 } // namespace core

@@ -14,8 +14,8 @@ namespace core {
 /// The affine is general: gantry tilt makes it sheared. Slices are sorted so that k grows along
 /// row × column direction (DICOM PS3.3 C.7.6.2.1), hence the determinant is positive for DICOM.
 struct VolumeGeometry {
-    glm::ivec3 size {0};           ///< columns, rows, slices
-    glm::dmat4 indexToWorld {1.0}; ///< voxel centres, index → LPS mm
+    glm::ivec3 size{0}; ///< columns, rows, slices
+    glm::dmat4 indexToWorld{1.0}; ///< voxel centres, index → LPS mm
     /// LPS position of voxel (0, 0, k) of every slice, only where the affine does not meet them all
     /// (irregular spacing); otherwise empty.
     std::vector<glm::dvec3> slicePositions;
@@ -38,5 +38,8 @@ struct VolumeGeometry {
     /// LPS bounds of the voxel cells (half a voxel beyond the outermost centres): eight corners.
     [[nodiscard]] std::vector<glm::dvec3> cornersLps() const;
 };
+
+/// How far slices may stray from equal steps of this length and still count as evenly spaced.
+[[nodiscard]] double evenSlicesToleranceMm(double stepMm);
 
 } // namespace core

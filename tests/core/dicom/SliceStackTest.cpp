@@ -140,7 +140,9 @@ void SliceStackTest::unevenSpacingKeepsEveryPosition()
     const core::LoadedVolume loaded = test::openVolume(path());
     const QString text =
         test::problemText(loaded.volume.problems, VolumeProblem::Kind::UnevenSpacing);
-    QCOMPARE(text, QStringLiteral("The distance between slices varies from 4 to 7 mm."));
+    QCOMPARE(text,
+        QStringLiteral("The distance between slices varies from 4 to 7 mm: 4 mm between slices 1 "
+                       "and 6, 7 mm between 6 and 10."));
     QVERIFY(loaded.volume.geometry.slicePositions == series.positions);
     QCOMPARE(loaded.volume.geometry.originLps(), series.positions.front());
     QCOMPARE(test::worstError(loaded, series), 0.0);
@@ -231,7 +233,7 @@ void SliceStackTest::unevenPhasesAreDoubtful()
     for (const core::SeriesEntry* entry : candidates) {
         const auto mixed = std::find_if(
             entry->problems.begin(), entry->problems.end(), [](const VolumeProblem& problem) {
-                return problem.kind == VolumeProblem::Kind::MixedSlices;
+                return problem.kind == VolumeProblem::Kind::DoubledSlices;
             });
         QVERIFY(mixed != entry->problems.end());
         QVERIFY(mixed->caution);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/repair/SeriesRepair.h"
+
+#include <QTest>
+
+using core::SeriesRepair;
+
+/// The words that name a repair.
+class SeriesRepairTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void wordsComeBackInTheirOrder_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QString>("canonical");
+        const auto row = [](const char* words, const char* canonical) {
+            QTest::newRow(words) << QString::fromLatin1(words) << QString::fromLatin1(canonical);
+        };
+        row("", "");
+        row("tilt", "tilt");
+        row("tilt,gap=fill", "gap=fill,tilt");
+        row("gap=fill,tilt", "gap=fill,tilt");
+        row(" tilt , spacing=even ", "spacing=even,tilt");
+        row("tilt,tilt", "tilt");
+        row("gap=split:2,duplicates=last,tilt", "duplicates=last,gap=split:2,tilt");
+    }
+    void wordsComeBackInTheirOrder()
+    {
+        QFETCH(QString, words);
+        QFETCH(QString, canonical);
+        const auto repair = SeriesRepair::fromText(words);
+        QVERIFY(repair);
+        QCOMPARE(repair->toText(), canonical);
+        QCOMPARE(repair->isNone(), canonical.isEmpty());
+        QCOMPARE(repair->inWords().isEmpty(), canonical.isEmpty());
+        QVERIFY(SeriesRepair::fromText(canonical) == repair);
+    }
+
+    void whatIsNoRepairIsSaid_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QString>("named");
+        const auto row = [](const char* words, const char* named) {
+            QTest::newRow(words) << QString::fromLatin1(words) << QString::fromLatin1(named);
+        };
+        row("straighten", "straighten");
+        row("tilt,gap", "'gap'");
+        row("gap=split:0", "gap=split:0");
+        row("gap=split:two", "gap=split:two");
+        row("gap=fill,spacing=even", "contradicts");
+        row("gap=split:1,gap=split:2", "contradicts");
+        row("duplicates=first,duplicates=last", "contradicts");
+    }
+    void whatIsNoRepairIsSaid()
+    {
+        QFETCH(QString, words);
+        QFETCH(QString, named);
+        QString why;
+        QVERIFY(!SeriesRepair::fromText(words, &why));
+        QVERIFY2(why.contains(named), qPrintable(why));
+    }
+};
+
+QTEST_GUILESS_MAIN(SeriesRepairTest)
+#include "SeriesRepairTest.moc"
