@@ -39,12 +39,6 @@ bool FrontWatch::isLess(const glm::ivec3& a, const glm::ivec3& b) const
         < std::pair(m_grid.brickOf(b), core::BrickGrid::offsetInBrick(b));
 }
 
-glm::ivec3 FrontWatch::least(const Front& front) const
-{
-    return *std::min_element(front.voxels.begin(), front.voxels.end(),
-        [this](const glm::ivec3& a, const glm::ivec3& b) { return isLess(a, b); });
-}
-
 std::optional<core::LeakAlarm> FrontWatch::look(
     std::uint32_t generation, const std::vector<glm::ivec3>& added)
 {
@@ -58,7 +52,7 @@ std::optional<core::LeakAlarm> FrontWatch::look(
         if (m_front.at(first) != untold)
             continue;
         const int number = int(fronts.size()) + 1;
-        Front front{{first}, {}};
+        Front front{.voxels = {first}, .sizes = {}};
         m_front.at(first) = number;
         const Front* trunk = nullptr;
         for (std::size_t i = 0; i < front.voxels.size(); ++i) {
@@ -71,11 +65,13 @@ std::optional<core::LeakAlarm> FrontWatch::look(
                     const Front& before = m_before[std::size_t(-other - 1)];
                     if (!trunk || before.sizes.front() > trunk->sizes.front()
                         || (before.sizes.front() == trunk->sizes.front()
-                            && isLess(least(before), least(*trunk))))
+                            && isLess(before.least, trunk->least)))
                         trunk = &before;
                 }
             }
         }
+        front.least = *std::min_element(front.voxels.begin(), front.voxels.end(),
+            [this](const glm::ivec3& a, const glm::ivec3& b) { return isLess(a, b); });
         front.sizes.push_back(std::int64_t(front.voxels.size()));
         if (trunk)
             front.sizes.insert(front.sizes.end(), trunk->sizes.begin(), trunk->sizes.end());
@@ -91,7 +87,7 @@ std::optional<core::LeakAlarm> FrontWatch::look(
         const core::LeakAlarm found{.generation = generation,
             .narrow = generation - std::uint32_t(k),
             .voxels = front.sizes.front(),
-            .voxel = least(front)};
+            .voxel = front.least};
         if (!alarm || found.voxels > alarm->voxels
             || (found.voxels == alarm->voxels && isLess(found.voxel, alarm->voxel)))
             alarm = found;

@@ -22,10 +22,10 @@ private:
     struct Front {
         std::vector<glm::ivec3> voxels;
         std::vector<std::int64_t> sizes; ///< its own, its trunk's, and so on
+        glm::ivec3 least{0}; ///< of its voxels, by isLess()
     };
 
     [[nodiscard]] bool isLess(const glm::ivec3& a, const glm::ivec3& b) const;
-    [[nodiscard]] glm::ivec3 least(const Front& front) const;
     [[nodiscard]] int narrowPlace(const Front& front) const;
 
     core::GuardRule m_rule;
