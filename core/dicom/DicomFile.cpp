@@ -71,10 +71,10 @@ Result<DicomFile> DicomFile::openTo(Extent extent, const QString& path)
     const Result<void> checked = file.m_inflater ? file.checkDeflated(extent) : file.checkPlain();
     if (!checked)
         return tl::unexpected<Error>(checked.error());
-    if (syntax.coding == PixelCoding::Rle) {
-        if (const Result<void> sound = file.checkRle(); !sound)
-            return tl::unexpected<Error>(sound.error());
-    }
+    const Result<void> sound =
+        syntax.coding == PixelCoding::Rle ? file.checkRle() : file.checkCompression();
+    if (!sound)
+        return tl::unexpected<Error>(sound.error());
     return file;
 }
 
@@ -135,8 +135,10 @@ Result<void> DicomFile::checkDeflated(Extent extent)
 {
     constexpr std::size_t firstReach = 1 << 16;
     constexpr std::size_t longestHeader = 256u << 20;
+    // Headers are words; it is masks that are nothing but zeros for long.
+    constexpr std::size_t freeHeader = 4u << 20;
     for (std::size_t reach = firstReach;; reach *= 2) {
-        const Inflater::State state = m_inflater->growTo(reach);
+        const Inflater::State state = m_inflater->growTo(reach, freeHeader);
         if (state == Inflater::State::TooLarge || reach > longestHeader) {
             return failure(ErrorCode::FileUnreadable, m_path,
                 QStringLiteral("the deflated data grow beyond any sensible size"));
@@ -175,6 +177,27 @@ void DicomFile::inflatePixels()
         std::min<std::size_t>(m_facts.pixels.size, m_facts.image.bytes().value_or(0));
     m_inflater->growTo(m_facts.pixels.at + wanted);
     m_facts.pixelsCut = m_inflater->bytes().size() < m_facts.pixels.at + wanted;
+}
+
+/// Memory is asked for by what a header promises: a few bytes must not promise gigabytes.
+Result<void> DicomFile::checkCompression() const
+{
+    constexpr std::uint64_t freeBytes = 64u << 20;
+    constexpr std::uint64_t maximumRatio = 1000;
+    const std::uint64_t promised = m_facts.image.bytes().value_or(0);
+    if (!m_facts.pixelsEncapsulated || m_facts.pixelsCut || promised <= freeBytes)
+        return {};
+    std::uint64_t held = 0;
+    for (const ByteRange& fragment : m_facts.fragments)
+        held += fragment.size;
+    if (promised / maximumRatio <= held)
+        return {};
+    return failure(ErrorCode::FileUnreadable, m_path,
+        QStringLiteral("%1 bytes of pixel data cannot hold an image of %2 × %3 pixels in %4 frames")
+            .arg(held)
+            .arg(m_facts.image.columns)
+            .arg(m_facts.image.rows)
+            .arg(m_facts.image.frames));
 }
 
 Result<void> DicomFile::checkRle() const

@@ -64,6 +64,7 @@ private:
     [[nodiscard]] Result<void> checkDeflated(Extent extent);
     void inflatePixels();
     [[nodiscard]] Result<void> checkRle() const;
+    [[nodiscard]] Result<void> checkCompression() const;
 
     QString m_path;
     std::unique_ptr<QFile> m_file; ///< keeps the mapping alive

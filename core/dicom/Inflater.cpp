@@ -29,16 +29,15 @@ Inflater::~Inflater()
     inflateEnd(m_stream.get());
 }
 
-Inflater::State Inflater::growTo(std::size_t size)
+Inflater::State Inflater::growTo(std::size_t size, std::size_t freeBytes)
 {
-    constexpr std::size_t freeOutput = 64u << 20;
     constexpr std::size_t maximumRatio = 200;
     constexpr std::size_t maximumOutput = std::size_t(1) << 30;
     constexpr std::size_t chunk = 1 << 18;
     while (m_state == State::More && m_output.size() < size) {
         const std::size_t before = m_output.size();
         if (before >= maximumOutput
-            || (before > freeOutput && before / maximumRatio > m_stream->total_in)) {
+            || (before > freeBytes && before / maximumRatio > m_stream->total_in)) {
             m_state = State::TooLarge;
             break;
         }

@@ -24,8 +24,9 @@ public:
     explicit Inflater(DicomBytes deflated);
     ~Inflater();
 
-    /// Goes on until @p size bytes are there or no more come.
-    State growTo(std::size_t size);
+    /// Goes on until @p size bytes are there or no more come. So many as @p freeBytes may come out
+    /// of however few; beyond, what came must be in some proportion to what it came out of.
+    State growTo(std::size_t size, std::size_t freeBytes = std::size_t(64) << 20);
 
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] DicomBytes bytes() const { return m_output; }

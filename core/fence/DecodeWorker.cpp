@@ -12,7 +12,6 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 namespace core {
@@ -37,13 +36,6 @@ void giveUpRights()
     limit(RLIMIT_NPROC, 0);
     // Those it has stay open.
     limit(RLIMIT_NOFILE, 0);
-}
-
-/// Ends a decoder that goes on although its parent, which would have stopped it, is gone.
-void wakeIn(int seconds)
-{
-    const itimerval once{.it_interval = {}, .it_value = {.tv_sec = seconds, .tv_usec = 0}};
-    setitimer(ITIMER_REAL, &once, nullptr);
 }
 
 /// The memory that both see.
@@ -97,7 +89,6 @@ Reply replyTo(const Request& request, const QString& wrong)
 
 int runDecodeWorker(void (*prepare)(), FencedWork work)
 {
-    constexpr int longestLife = 30; // seconds for one request, thrice what the parent allows
     prepare();
     giveUpRights();
     const bool filtered = filterSystemCalls(socketDescriptor);
@@ -107,7 +98,6 @@ int runDecodeWorker(void (*prepare)(), FencedWork work)
     SharedMemory memory;
     Request request;
     while (read(socketDescriptor, &request, sizeof(request)) == ssize_t(sizeof(request))) {
-        wakeIn(longestLife);
         const bool sound = request.magic == magic && memory.reach(request.memoryBytes)
             && request.parameterBytes <= longestParameters && request.inputBytes <= request.outputAt
             && request.outputAt <= request.memoryBytes
@@ -115,7 +105,6 @@ int runDecodeWorker(void (*prepare)(), FencedWork work)
         if (!sound)
             _exit(1);
         const Reply reply = replyTo(request, carryOut(work, request, memory));
-        wakeIn(0);
         if (write(socketDescriptor, &reply, sizeof(reply)) != ssize_t(sizeof(reply)))
             _exit(1);
     }

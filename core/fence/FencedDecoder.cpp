@@ -13,9 +13,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// More than a frame of any scanner takes; what takes longer hangs.
+/// Of a processor: more than a frame of any scanner takes; what takes longer hangs.
 constexpr milliseconds usualPatience{9000};
-constexpr milliseconds startPatience{10000};
+constexpr milliseconds startPatience{60000};
 /// What a decoder may keep while it waits.
 constexpr std::size_t keptBytes = std::size_t(64) << 20;
 

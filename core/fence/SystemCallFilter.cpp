@@ -85,10 +85,9 @@ Program makeProgram(int descriptor)
     // Memory, but none that becomes code.
     allowWithout(program, SYS_mmap, 2, PROT_EXEC);
     allowWithout(program, SYS_mprotect, 2, PROT_EXEC);
-    for (const long call :
-        {SYS_munmap, SYS_mremap, SYS_brk, SYS_madvise, SYS_futex, SYS_exit, SYS_exit_group,
-            SYS_rt_sigreturn, SYS_rt_sigprocmask, SYS_clock_gettime, SYS_gettimeofday, SYS_getpid,
-            SYS_gettid, SYS_getrandom, SYS_sched_yield, SYS_setitimer})
+    for (const long call : {SYS_munmap, SYS_mremap, SYS_brk, SYS_madvise, SYS_futex, SYS_exit,
+             SYS_exit_group, SYS_rt_sigreturn, SYS_rt_sigprocmask, SYS_clock_gettime,
+             SYS_gettimeofday, SYS_getpid, SYS_gettid, SYS_getrandom, SYS_sched_yield})
         allow(program, call);
     // abort() ends the process that calls it; others it may not reach.
     allowWith(program, SYS_tgkill, 0, std::uint32_t(getpid()));

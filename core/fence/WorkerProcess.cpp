@@ -229,7 +229,9 @@ void WorkerProcess::allow(std::size_t inputBytes, std::size_t outputBytes, milli
     timespec used{};
     if (clock_getcpuclockid(m_process, &clock) != 0 || clock_gettime(clock, &used) != 0)
         return;
-    limit(m_process, RLIMIT_CPU, rlim_t(used.tv_sec) + rlim_t(patience.count() / 1000) + 2);
+    // The kernel counts whole seconds; it ends the process also where this one is gone by then.
+    const milliseconds until = milliseconds(used.tv_nsec / 1000000 + 999) + patience;
+    limit(m_process, RLIMIT_CPU, rlim_t(used.tv_sec) + rlim_t(until.count() / 1000));
 }
 
 WorkerProcess::Answer WorkerProcess::ask(std::span<const std::uint8_t> parameters,
@@ -250,7 +252,7 @@ WorkerProcess::Answer WorkerProcess::ask(std::span<const std::uint8_t> parameter
     if (send(m_socket, &request, sizeof(request), MSG_NOSIGNAL) != ssize_t(sizeof(request)))
         return {.outcome = howItEnded()};
     Reply reply;
-    switch (hear(&reply, sizeof(reply), patience)) {
+    switch (hear(&reply, sizeof(reply), 10 * patience)) {
     case Heard::Silence:
         end();
         return {.outcome = Outcome::TooSlow};
@@ -307,7 +309,10 @@ WorkerProcess::Outcome WorkerProcess::howItEnded()
         return Outcome::Stopped;
     }
     m_process = -1;
-    return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL ? Outcome::Killed : Outcome::Stopped;
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    if (signal == SIGXCPU)
+        return Outcome::TooSlow;
+    return signal == SIGKILL ? Outcome::Killed : Outcome::Stopped;
 }
 
 void WorkerProcess::end()

@@ -49,7 +49,9 @@ public:
     /// Ends it at once.
     ~WorkerProcess();
 
-    /// Hands over @p input and waits. After any outcome but Done and Refused it is of no more use.
+    /// Hands over @p input and waits: for as much time of a processor as @p patience, however long
+    /// that takes on a machine that is busy (but no longer than ten times of it). After any outcome
+    /// but Done and Refused it is of no more use.
     [[nodiscard]] Answer ask(std::span<const std::uint8_t> parameters,
         std::span<const std::uint8_t> input, std::size_t outputBytes,
         std::chrono::milliseconds patience);
