@@ -53,9 +53,11 @@ std::span<const Command> commands()
             " a download that broke off goes on; --move: the node brings them to that port"
             " (C-MOVE) instead of handing them over (C-GET)",
             false, runGet},
-        {"history", "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]]",
+        {"history",
+            "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]"
+            " | --deidentified OUT.burin [--dates remove|keep|DAYS] [--force]]",
             "what was done in a session, branches included; as a recipe for burin run; as an audit"
-            " report",
+            " report; as a session without the patient, for others",
             false, runHistory, "--report"},
         {"info", "PATH [--json] | --gl", "what a file or folder holds: studies, volumes, problems",
             false, runInfo},
@@ -63,7 +65,8 @@ std::span<const Command> commands()
             "[PATH [--series UID] | FILE.burin [--study PATH] | --demo] [--screenshot FILE.png]"
             " [--size WxH]",
             "the workstation's window with a study, or with a session that goes on; --screenshot"
-            " saves it, fully refined, and exits",
+            " saves it, fully refined, as PNG or (.dcm) as Secondary Capture of the study, and "
+            "exits",
             true, runOpen},
         {"replay",
             "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"

@@ -4,8 +4,13 @@
 #include "app/JsonLine.h"
 #include "core/export/CarvedVolume.h"
 #include "core/export/ExportChoices.h"
+#include "core/session/SegmentLayers.h"
+
+#include <QUuid>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace app {
 
@@ -51,12 +56,77 @@ private:
         request.file = target.file;
         request.force = m_force;
         request.space = target.space;
+        request.seg = target.seg;
+        request.deidentifier = deidentifier(target);
         request.planes = {{.plane = 0, .labels = m_labels}};
         for (const core::ExportChoice& choice : core::exportChoices(m_session.document(), {})) {
             if (choice.chosen)
                 request.segments.push_back(choice.segment);
         }
+        if (const Result<void> coded = addCodes(request, target); !coded)
+            return tl::unexpected(coded.error());
+        if (core::factsOf(target.format).isStatistics) {
+            if (const Result<void> read = readValues(); !read)
+                return tl::unexpected(read.error());
+            request.codes = m_study->codes;
+        }
+        if (target.format == core::ExportFormat::DicomSegFractional) {
+            if (const Result<void> added = addCoverages(request); !added)
+                return tl::unexpected(added.error());
+        }
         return core::exportMask(m_volume, request, core::Progress());
+    }
+
+    /// One mapping for all exports of a run that ask for the same.
+    std::shared_ptr<const core::Deidentifier> deidentifier(const core::RecipeExport& target)
+    {
+        if (!target.deidentify)
+            return {};
+        return std::make_shared<core::Deidentifier>(*target.deidentify, m_volume.identity,
+            target.secret.isEmpty() ? m_secret : target.secret);
+    }
+
+    static Result<void> addCodes(core::ExportRequest& request, const core::RecipeExport& target)
+    {
+        for (const auto& [name, codes] : target.codes) {
+            const auto segment = std::find_if(request.segments.begin(), request.segments.end(),
+                [&name = name](const core::Segment& each) { return each.name == name; });
+            if (segment == request.segments.end())
+                return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.codes"),
+                    QStringLiteral("no segment '%1' is exported").arg(name));
+            request.seg.codes[segment->label] = codes;
+        }
+        return {};
+    }
+
+    /// The engine has the values; the study's files are where they can be had from exactly.
+    Result<void> readValues()
+    {
+        if (m_study)
+            return {};
+        Result<core::LoadedVolume> study = m_readStudy();
+        if (!study)
+            return tl::unexpected(study.error());
+        m_study = *std::move(study);
+        return {};
+    }
+
+    /// Of the layers that the segments were made of.
+    Result<void> addCoverages(core::ExportRequest& request)
+    {
+        const core::Document& document = m_session.document();
+        for (const auto& [label, id] : core::layersOfSegments(m_session.history(), document)) {
+            if (!m_coverages.contains(id)) {
+                Result<std::vector<std::uint8_t>> bytes = m_session.coverage(std::uint8_t(id));
+                if (!bytes)
+                    return tl::unexpected(bytes.error());
+                m_coverages[id] = *std::move(bytes);
+            }
+            request.coverages.push_back({.label = std::uint8_t(label),
+                .layer = document.layer(id)->name,
+                .coverage = m_coverages[id]});
+        }
+        return {};
     }
 
     Result<core::ExportReport> coverage(const core::RecipeExport& target)
@@ -85,16 +155,15 @@ private:
             std::transform(carved.begin(), carved.end(), bytes->begin(), carved.begin(),
                 [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
         }
-        // The engine has the values; the study's files are where they can be had from exactly.
-        const Result<core::LoadedVolume> study = m_readStudy();
-        if (!study)
-            return tl::unexpected(study.error());
-        return core::exportCarvedVolume(study->volume,
+        if (const Result<void> read = readValues(); !read)
+            return tl::unexpected(read.error());
+        return core::exportCarvedVolume(m_study->volume,
             {.target = target.file,
                 .force = m_force,
                 .coverage = carved,
-                .codes = study->codes,
-                .fill = target.fill},
+                .codes = m_study->codes,
+                .fill = target.fill,
+                .deidentifier = deidentifier(target)},
             core::Progress());
     }
 
@@ -103,6 +172,10 @@ private:
     bool m_force = false;
     const ReadStudy& m_readStudy;
     std::vector<std::uint8_t> m_labels;
+    std::map<int, std::vector<std::uint8_t>> m_coverages; ///< by layer
+    std::optional<core::LoadedVolume> m_study;
+    QByteArray m_secret =
+        QUuid::createUuid().toRfc4122() + QUuid::createUuid().toRfc4122(); ///< of this run
 };
 
 } // namespace

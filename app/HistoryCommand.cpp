@@ -2,15 +2,19 @@
 #include "app/HistoryCommand.h"
 
 #include "app/Arguments.h"
+#include "app/JsonLine.h"
 #include "app/SessionProblems.h"
+#include "core/session/DeidentifySession.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionSalvage.h"
+#include "core/session/SessionStudy.h"
 #include "ui/report/WriteAudit.h"
 
 #include <QJsonDocument>
 
 #include <cstdio>
+#include <optional>
 
 namespace app {
 
@@ -56,11 +60,51 @@ int writeReport(const QString& path, const QString& target, bool force)
     return report->damage.empty() ? 0 : 1;
 }
 
+/// @param dates "remove", "keep" or days to shift by; empty: removed
+std::optional<core::DeidentifyOptions> datesFrom(const QString& dates)
+{
+    core::DeidentifyOptions options;
+    bool isNumber = false;
+    options.shiftDays = dates.toInt(&isNumber);
+    if (isNumber && options.shiftDays != 0)
+        options.dates = core::DeidentifyOptions::Dates::Shift;
+    else if (dates == QLatin1String("keep"))
+        options.dates = core::DeidentifyOptions::Dates::Keep;
+    else if (!dates.isEmpty() && dates != QLatin1String("remove"))
+        return std::nullopt;
+    return options;
+}
+
+int writeDeidentified(
+    const QString& path, const QString& target, bool force, const core::DeidentifyOptions& options)
+{
+    const core::Result<core::SessionContents> contents = core::checkSession(path);
+    if (!contents)
+        return tellFailure(contents.error());
+    core::StudyIdentity patient;
+    const core::Result<core::LoadedVolume> study = core::loadSessionStudy(path, contents->source);
+    if (study)
+        patient = study->volume.identity;
+    else
+        std::fprintf(stderr,
+            "%s: the study is not at hand, so names given by users were not compared with the "
+            "patient's\n",
+            qUtf8Printable(path));
+    const auto done =
+        core::deidentifySession(path, target, force, core::Deidentifier(options, patient));
+    if (!done)
+        return tellFailure(done.error());
+    printJsonLine({{QStringLiteral("export"), target},
+        {QStringLiteral("written"), done->join(QLatin1Char(' '))}});
+    return 0;
+}
+
 } // namespace
 
 int runHistory(const QStringList& words)
 {
-    const Arguments arguments(words, {QStringLiteral("report")},
+    const Arguments arguments(words,
+        {QStringLiteral("report"), QStringLiteral("deidentified"), QStringLiteral("dates")},
         {QStringLiteral("json"), QStringLiteral("as-recipe"), QStringLiteral("force")});
     if (!arguments.problem().isEmpty())
         return tellUsage("history", arguments.problem());
@@ -76,6 +120,16 @@ int runHistory(const QStringList& words)
         return tellUsage("history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
     const QString path = arguments.rest().first();
+    if (arguments.has("deidentified")) {
+        const auto options = datesFrom(arguments.value("dates"));
+        if (!options)
+            return tellUsage("history",
+                QStringLiteral("--dates is remove, keep or a number of days to shift them by"));
+        return writeDeidentified(
+            path, arguments.value("deidentified"), arguments.has("force"), *options);
+    }
+    if (arguments.has("dates"))
+        return tellUsage("history", QStringLiteral("--dates is for --deidentified"));
     if (!target.isEmpty())
         return writeReport(path, target, arguments.has("force"));
     const core::Result<core::SessionContents> checked = core::checkSession(path);

@@ -3,6 +3,7 @@
 
 #include "core/dicom/ConditionChain.h"
 #include "core/dicom/Dcmtk.h"
+#include "core/dicom/Deidentifier.h"
 #include "core/dicom/FrameDecoder.h"
 #include "core/dicom/ImageHeaderReader.h"
 #include "core/dicom/NewUid.h"
@@ -214,6 +215,14 @@ Result<QStringList> writeCarvedSeries(
         putPixels(set, image->layout, std::move(stored), chain);
         if (!chain.good())
             return failure(ErrorCode::Internal, chain.failure());
+        if (series.deidentifier) {
+            if (bytesOf(set, DCM_BurnedInAnnotation).trimmed() == "YES")
+                return failure(ErrorCode::UnsupportedFormat, file,
+                    QStringLiteral(
+                        "its pixels show text (Burned In Annotation), which may name the "
+                        "patient; such images are not de-identified"));
+            series.deidentifier->apply(set);
+        }
         const QString target =
             QStringLiteral("%1/IM%2.dcm").arg(folder).arg(k + 1, 4, 10, QLatin1Char('0'));
         const OFCondition saved =

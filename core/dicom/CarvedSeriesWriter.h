@@ -9,10 +9,13 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace core {
+
+class Deidentifier;
 
 /// A series made from another one by taking voxels away.
 struct CarvedSeries {
@@ -21,6 +24,7 @@ struct CarvedSeries {
     std::span<const std::uint8_t> coverage; ///< x fastest; 128 and more: taken away
     double fill = 0.0; ///< modality units: what stands there instead
     QString unit; ///< of it, for the description; may be empty
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
 };
 
 /// Writes "IM0001.dcm" and so on, one image a slice, explicit VR little endian, into @p folder,

@@ -7,10 +7,9 @@
 
 namespace core {
 
-QString newUid()
+QString uidOf(QByteArray bytes)
 {
     // Long division of the 128 bits by ten.
-    QByteArray bytes = QUuid::createUuid().toRfc4122();
     QString digits;
     while (std::any_of(bytes.begin(), bytes.end(), [](char byte) { return byte != 0; })) {
         int remainder = 0;
@@ -21,7 +20,12 @@ QString newUid()
         }
         digits.prepend(QChar(u'0' + remainder));
     }
-    return QStringLiteral("2.25.") + digits;
+    return QStringLiteral("2.25.") + (digits.isEmpty() ? QStringLiteral("0") : digits);
+}
+
+QString newUid()
+{
+    return uidOf(QUuid::createUuid().toRfc4122());
 }
 
 } // namespace core

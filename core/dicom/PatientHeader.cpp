@@ -187,4 +187,14 @@ tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
     return header;
 }
 
+void completePatientHeader(DcmDataset& set, ConditionChain& chain)
+{
+    for (const DcmTagKey& tag :
+        {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate,
+            DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber}) {
+        if (!set.tagExists(tag))
+            chain(set.insertEmptyElement(tag), "empty attribute");
+    }
+}
+
 } // namespace core

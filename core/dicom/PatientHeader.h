@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/dicom/ConditionChain.h"
+
 #include <tl/expected.hpp>
 
 #include <QStringList>
@@ -19,6 +21,10 @@ namespace core {
 /// @returns the error is the reason why no object may refer to this source
 tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
     DcmDataset& source, QStringList& notes);
+
+/// Adds, without values, what cleanPatientHeader() leaves out where the source has nothing and
+/// every object must have (type 2).
+void completePatientHeader(DcmDataset& set, ConditionChain& chain);
 
 /// Text that DICOM can hold in a single value of at most @p length characters: no control
 /// characters, no backslash, no blanks at the ends.

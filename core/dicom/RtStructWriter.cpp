@@ -3,7 +3,9 @@
 
 #include "core/dicom/ConditionChain.h"
 #include "core/dicom/Dcmtk.h"
+#include "core/dicom/Deidentifier.h"
 #include "core/dicom/DicomText.h"
+#include "core/dicom/ItemWriter.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegSource.h"
@@ -28,41 +30,6 @@ namespace {
 constexpr double finestShare = 1e-3;
 constexpr int leastDecimals = 4;
 constexpr int mostDecimals = 8; // 16 characters, PS3.5 6.2
-
-class Items {
-public:
-    explicit Items(ConditionChain& chain)
-        : m_chain(chain)
-    {
-    }
-
-    DcmItem* append(DcmItem* parent, const DcmTagKey& sequence) const
-    {
-        DcmItem* item = nullptr;
-        if (parent != nullptr)
-            m_chain(parent->findOrCreateSequenceItem(sequence, item, -2), "sequence");
-        return item;
-    }
-    void put(DcmItem* item, const DcmTagKey& tag, const std::string& value) const
-    {
-        if (item != nullptr)
-            m_chain(item->putAndInsertString(tag, value.c_str()), "attribute");
-    }
-    void put(DcmItem* item, const DcmTagKey& tag, const QString& value) const
-    {
-        put(item, tag, value.toStdString());
-    }
-    void refer(DcmItem* item, const SegSlice& slice) const
-    {
-        put(item, DCM_ReferencedSOPClassUID, slice.sopClassUid);
-        put(item, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
-        if (slice.multiFrame)
-            put(item, DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1));
-    }
-
-private:
-    ConditionChain& m_chain;
-};
 
 /// The plane of an image, from the text of its header.
 struct Plane {
@@ -119,18 +86,7 @@ QString roiName(const Segment& segment)
     return name.isEmpty() ? QStringLiteral("Segment") : name;
 }
 
-/// What cleanPatientHeader() leaves out where it is empty, and the object must have (type 2).
-void completePatient(DcmDataset& set, ConditionChain& chain)
-{
-    for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate,
-             DCM_PatientSex, DCM_StudyDate, DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID,
-             DCM_AccessionNumber, DCM_OperatorsName, DCM_PositionReferenceIndicator}) {
-        if (!set.tagExists(tag))
-            chain(set.insertEmptyElement(tag), "empty attribute");
-    }
-}
-
-void describe(DcmDataset& set, const RtStructContent& content, const Items& items)
+void describe(DcmDataset& set, const RtStructContent& content, const ItemWriter& items)
 {
     const QDateTime now = QDateTime::currentDateTime();
     const QString date = now.toString(QStringLiteral("yyyyMMdd"));
@@ -162,7 +118,7 @@ void describe(DcmDataset& set, const RtStructContent& content, const Items& item
 
 /// Names every image of the source, also those without a contour.
 void addReferences(DcmDataset& set, const SegSource& source, const std::string& frame,
-    const std::string& study, const Items& items)
+    const std::string& study, const ItemWriter& items)
 {
     DcmItem* frameItem = items.append(&set, DCM_ReferencedFrameOfReferenceSequence);
     items.put(frameItem, DCM_FrameOfReferenceUID, frame);
@@ -187,7 +143,7 @@ void addReferences(DcmDataset& set, const SegSource& source, const std::string& 
 }
 
 void addRois(DcmDataset& set, const RtStructContent& content, const std::string& frame,
-    const Items& items, std::vector<DcmItem*>& contoursOf)
+    const ItemWriter& items, std::vector<DcmItem*>& contoursOf)
 {
     for (std::size_t i = 0; i < content.segments.size(); ++i) {
         const Segment& segment = content.segments[i];
@@ -212,21 +168,13 @@ void addRois(DcmDataset& set, const RtStructContent& content, const std::string&
         items.put(observation, DCM_ReferencedROINumber, number);
         items.put(observation, DCM_RTROIInterpretedType, std::string());
         items.put(observation, DCM_ROIInterpreter, std::string());
-        const auto fits = [](const QString& text, int length) {
-            return !text.isEmpty() && text == singleValueText(text, length);
-        };
-        const CodedConcept& code = segment.code;
-        if (fits(code.value, 16) && fits(code.scheme, 16) && fits(code.meaning, 64)) {
-            DcmItem* coded = items.append(observation, DCM_RTROIIdentificationCodeSequence);
-            items.put(coded, DCM_CodeValue, code.value);
-            items.put(coded, DCM_CodingSchemeDesignator, code.scheme);
-            items.put(coded, DCM_CodeMeaning, code.meaning);
-        }
+        if (fitsCodeSequence(segment.code))
+            items.putCode(observation, DCM_RTROIIdentificationCodeSequence, segment.code);
     }
 }
 
 Result<void> addContours(const RtStructContent& content, const SegSource& source,
-    const std::vector<DcmItem*>& contoursOf, const Items& items, const Progress& progress)
+    const std::vector<DcmItem*>& contoursOf, const ItemWriter& items, const Progress& progress)
 {
     int segment = -1;
     int number = 0;
@@ -275,8 +223,10 @@ Result<RtStructWritten> writeRtStruct(
         frame = newUid().toStdString();
         chain(set.putAndInsertString(DCM_FrameOfReferenceUID, frame.c_str()), "frame");
     }
-    const Items items(chain);
-    completePatient(set, chain);
+    const ItemWriter items(chain);
+    completePatientHeader(set, chain);
+    for (const DcmTagKey& tag : {DCM_OperatorsName, DCM_PositionReferenceIndicator})
+        chain(set.insertEmptyElement(tag), "empty attribute");
     describe(set, content, items);
     if (!source->bodyPart.empty())
         items.put(&set, DCM_BodyPartExamined, source->bodyPart);
@@ -289,6 +239,8 @@ Result<RtStructWritten> writeRtStruct(
     }
     if (!chain.good())
         return failure(ErrorCode::Internal, chain.failure());
+    if (content.deidentifier)
+        content.deidentifier->apply(set);
     const OFCondition saved =
         format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianImplicit);
     if (saved.bad())

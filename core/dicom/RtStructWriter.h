@@ -15,6 +15,8 @@
 
 namespace core {
 
+class Deidentifier;
+
 /// What goes into an RTSTRUCT. Contours are ordered by segment, then by slice.
 struct RtStructContent {
     struct Contour {
@@ -28,6 +30,7 @@ struct RtStructContent {
     std::shared_ptr<const KeptHeaders> keptHeaders; ///< of these; null: their files are read
     std::vector<Segment> segments; ///< each with a contour
     std::vector<Contour> contours;
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
 };
 
 struct RtStructWritten {

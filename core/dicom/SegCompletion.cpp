@@ -2,6 +2,7 @@
 #include "core/dicom/SegCompletion.h"
 
 #include "core/dicom/PatientHeader.h"
+#include "core/dicom/SegParts.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -39,16 +40,21 @@ void completeText(
             return;
         putText(*item, DCM_SegmentLabel, segmentLabel(segment), chain);
         putText(*item, DCM_TrackingID, segmentLabel(segment), chain);
-        putMeaning(*item, DCM_SegmentedPropertyCategoryCodeSequence, content.category.meaning);
+        const SegCodes codes = segCodesOf(content, segment);
+        putMeaning(*item, DCM_SegmentedPropertyCategoryCodeSequence, codes.category.meaning);
         putMeaning(*item, DCM_SegmentedPropertyTypeCodeSequence, segment.code.meaning);
+        putSegDetails(item, codes, ItemWriter(chain));
+        if (content.settings.algorithm != SegAlgorithm::Manual)
+            putText(*item, DCM_SegmentAlgorithmName,
+                singleValueText(content.settings.algorithmName, 64), chain);
     }
 }
 
 void completeRest(
     DcmDataset& dataset, const SegContent& content, const SegSource& sources, ConditionChain& chain)
 {
-    chain(dataset.putAndInsertUint8Array(
-              DCM_PixelData, content.bits.data(), static_cast<unsigned long>(content.bits.size())),
+    chain(dataset.putAndInsertUint8Array(DCM_PixelData, content.pixels.data(),
+              static_cast<unsigned long>(content.pixels.size())),
         "pixel data");
     chain(dataset.putAndInsertString(DCM_SegmentsOverlap, content.segmentsOverlap ? "YES" : "NO"),
         "segments overlap");

@@ -5,11 +5,11 @@
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegCompletion.h"
+#include "core/dicom/SegParts.h"
 #include "core/dicom/SegSource.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QFile>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -18,12 +18,11 @@
 #include <dcmtk/dcmfg/fgpixmsr.h>
 #include <dcmtk/dcmfg/fgplanor.h>
 #include <dcmtk/dcmfg/fgplanpo.h>
-#include <dcmtk/dcmiod/cielabutil.h>
 #include <dcmtk/dcmseg/segdoc.h>
 #include <dcmtk/dcmseg/segment.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <memory>
 #include <set>
 
@@ -42,40 +41,34 @@ CodeSequenceMacro codeOf(const CodedConcept& coded)
     return {placeholder(coded.value), placeholder(coded.scheme), placeholder(coded.meaning)};
 }
 
-bool codeIsValid(const CodedConcept& coded)
+DcmSegTypes::E_SegmentAlgoType algorithmOf(const SegSettings& settings)
 {
-    const auto holds = [](const QString& text, int length) {
-        return !text.isEmpty() && text == singleValueText(text, length);
-    };
-    return holds(coded.value, 16) && holds(coded.scheme, 16) && holds(coded.meaning, 64)
-        && placeholder(coded.value) == coded.value.toStdString()
-        && placeholder(coded.scheme) == coded.scheme.toStdString();
+    switch (settings.algorithm) {
+    case SegAlgorithm::Manual:
+        return DcmSegTypes::SAT_MANUAL;
+    case SegAlgorithm::Automatic:
+        return DcmSegTypes::SAT_AUTOMATIC;
+    case SegAlgorithm::Semiautomatic:
+        break;
+    }
+    return DcmSegTypes::SAT_SEMIAUTOMATIC;
 }
 
 Result<void> addSegments(DcmSegmentation& seg, const SegContent& content, ConditionChain& chain)
 {
     for (const Segment& segment : content.segments) {
-        if (!codeIsValid(segment.code) || !codeIsValid(content.category))
-            return failure(ErrorCode::InvalidField, QStringLiteral("code"),
-                QStringLiteral(
-                    "DICOM cannot hold the code of segment '%1': scheme and value take 1 "
-                    "to 16 characters, the meaning 1 to 64")
-                    .arg(segment.name));
+        const SegCodes codes = segCodesOf(content, segment);
+        if (const Result<void> valid = checkSegCodes(segment, codes); !valid)
+            return valid;
         const std::string label = placeholder(segmentLabel(segment));
         DcmSegment* made = nullptr;
-        chain(DcmSegment::create(made, label, codeOf(content.category), codeOf(segment.code),
-                  DcmSegTypes::SAT_SEMIAUTOMATIC, "Burin"),
+        chain(DcmSegment::create(made, label, codeOf(codes.category), codeOf(segment.code),
+                  algorithmOf(content.settings), algorithmName(content.settings)),
             "segment");
         if (made == nullptr)
             return {};
-        double l = 0.0, a = 0.0, b = 0.0;
-        IODCIELabUtil::rgb2Lab(l, a, b, double((segment.rgb >> 16) & 255U) / 255.0,
-            double((segment.rgb >> 8) & 255U) / 255.0, double(segment.rgb & 255U) / 255.0);
-        IODCIELabUtil::lab2DicomLab(l, a, b, l, a, b);
-        const auto word = [](double value) {
-            return Uint16(std::clamp(std::lround(value), 0L, 65535L));
-        };
-        chain(made->setRecommendedDisplayCIELabValue(word(l), word(a), word(b)), "colour");
+        const std::array<std::uint16_t, 3> lab = cieLabOf(segment.rgb);
+        chain(made->setRecommendedDisplayCIELabValue(lab[0], lab[1], lab[2]), "colour");
         chain(made->setTrackingID(label), "tracking ID");
         chain(made->setTrackingUID(newUid().toStdString()), "tracking UID");
         Uint16 number = 0;
@@ -217,12 +210,8 @@ void describe(DcmSegmentation& seg, const SegContent& content, const SegSource& 
     chain(common.setInstanceCreationTime(time), "time");
     auto& series = seg.getSeries();
     chain(series.setSeriesInstanceUID(newUid().toStdString()), "Series Instance UID");
-    // Beside the series it was drawn on in a list, and of no scanner's own numbers.
-    bool numbered = false;
-    const int sourceNumber = content.identity.seriesNumber.toInt(&numbered);
-    const int number =
-        1000 + (numbered && sourceNumber > 0 && sourceNumber < 1'000'000 ? sourceNumber : 0);
-    chain(series.setSeriesNumber(std::to_string(number)), "series number");
+    chain(
+        series.setSeriesNumber(std::to_string(segSeriesNumber(content.identity))), "series number");
     chain(series.setSeriesDate(date), "date");
     chain(series.setSeriesTime(time), "time");
     chain(
@@ -249,7 +238,7 @@ Result<SegWritten> writeSeg(
 {
     readyDcmtk();
     constexpr std::size_t longestElement = 0xFFFFFFFE;
-    if (content.bits.size() > longestElement)
+    if (content.pixels.size() > longestElement)
         return failure(ErrorCode::UnsupportedFormat, path,
             QStringLiteral(
                 "its frames fill more than 4 GiB; export the segments in several files"));
@@ -262,9 +251,15 @@ Result<SegWritten> writeSeg(
     const ContentIdentificationMacro identification("1", "SEGMENTATION", "Segmentation", "");
     DcmSegmentation* made = nullptr;
     ConditionChain chain;
-    chain(DcmSegmentation::createBinarySegmentation(
-              made, Uint16(content.rows), Uint16(content.columns), equipment, identification),
-        "segmentation");
+    if (content.type == SegContent::Type::Fractional)
+        chain(DcmSegmentation::createFractionalSegmentation(made, Uint16(content.rows),
+                  Uint16(content.columns), DcmSegTypes::SFT_OCCUPANCY, 255, equipment,
+                  identification),
+            "segmentation");
+    else
+        chain(DcmSegmentation::createBinarySegmentation(
+                  made, Uint16(content.rows), Uint16(content.columns), equipment, identification),
+            "segmentation");
     if (made == nullptr)
         return failure(ErrorCode::Internal, chain.failure());
     const std::unique_ptr<DcmSegmentation> seg(made);
@@ -305,11 +300,7 @@ Result<SegWritten> writeSeg(
         dataset.findAndDeleteElement(DCM_FrameOfReferenceUID);
         dataset.findAndDeleteElement(DCM_PositionReferenceIndicator);
     }
-    const OFCondition saved =
-        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianExplicit);
-    if (saved.bad())
-        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
-    return SegWritten{source->notes};
+    return saveSeg(path, content, format, source->notes);
 }
 
 } // namespace core

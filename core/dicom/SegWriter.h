@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/dicom/SegSettings.h"
 #include "core/document/Document.h"
 #include "core/volume/Volume.h"
 
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace core {
+
+class Deidentifier;
 
 /// Bits of frames one after the other: least significant first, no gap between frames, padded to a
 /// whole number of 16-bit words at the very end (PS3.5 8.1.1). Our own, because dcmseg 3.6.7 loses
@@ -31,8 +34,13 @@ private:
 
 /// What goes into a DICOM SEG. Frames are ordered by segment, then by slice.
 struct SegContent {
+    enum class Type {
+        Binary,
+        Fractional, ///< of type OCCUPANCY, 255 is whole
+        LabelMap, ///< for writeLabelMapSeg()
+    };
     struct Frame {
-        int segment = 0; ///< index into `segments`
+        int segment = 0; ///< index into `segments`; of a label map none
         int slice = 0; ///< index into `sources`
     };
 
@@ -47,7 +55,11 @@ struct SegContent {
     CodedConcept category;
     bool segmentsOverlap = false;
     std::vector<Frame> frames;
-    std::vector<std::uint8_t> bits; ///< FrameBits::take(), in the order of `frames`
+    Type type = Type::Binary;
+    /// In the order of `frames`: FrameBits::take(), of the other types a byte a pixel.
+    std::vector<std::uint8_t> pixels;
+    SegSettings settings{};
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
 };
 
 struct SegWritten {
@@ -55,7 +67,7 @@ struct SegWritten {
     QStringList notes;
 };
 
-/// Writes a BINARY DICOM SEG (PS3.3 A.51) at @p path, which it creates or overwrites.
+/// Writes a BINARY or FRACTIONAL DICOM SEG (PS3.3 A.51) at @p path, which it creates or overwrites.
 ///
 /// Patient, study and frame of reference are those of the source's header; positions, orientations
 /// and spacings are its very text. UIDs are new. Reads the header of every source. Any thread.

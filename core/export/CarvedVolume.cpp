@@ -3,6 +3,7 @@
 
 #include "core/base/StagedFile.h"
 #include "core/dicom/CarvedSeriesWriter.h"
+#include "core/dicom/Deidentifier.h"
 #include "core/export/CheckCarved.h"
 #include "core/export/MaskSelection.h"
 #include "core/nifti/NiftiReader.h"
@@ -73,6 +74,17 @@ Error renamed(Error error, const QString& path, const QString& target)
     for (QString& argument : error.arguments)
         argument.replace(path, target);
     return error;
+}
+
+Result<QString> checkFolderDeidentified(const QString& folder, const Deidentifier& by)
+{
+    const QStringList names = QDir(folder).entryList(QDir::Files);
+    for (const QString& name : names) {
+        if (const auto clean = checkDeidentified(QDir(folder).filePath(name), by); !clean)
+            return clean;
+    }
+    return QStringLiteral("No text and no UID of %1 files tells who the patient is.")
+        .arg(names.size());
 }
 
 /// What stands at a voxel of the carved volume.
@@ -167,7 +179,8 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
             .size = volume.geometry.size,
             .coverage = request.coverage,
             .fill = fill,
-            .unit = volume.unit},
+            .unit = volume.unit,
+            .deidentifier = request.deidentifier},
         progress);
     if (!written)
         return tl::unexpected(renamed(written.error(), staged.path(), request.target));
@@ -175,11 +188,25 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
     report.written += QStringLiteral("A new DICOM series of %1 images in the same study; it was "
                                      "sent nowhere.")
                           .arg(volume.geometry.size.z);
-    const auto checked = checkCarvedSeries(staged.path(), volume,
+    Volume expected = volume;
+    if (request.deidentifier)
+        expected.identity = request.deidentifier->masked(volume.identity);
+    const auto checked = checkCarvedSeries(staged.path(), expected,
         carvedValue(volume, request, fill), volume.encoding.maxError, progress);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), staged.path(), request.target));
     report.checked = *checked;
+    if (request.deidentifier) {
+        const auto clean = checkFolderDeidentified(staged.path(), *request.deidentifier);
+        if (!clean)
+            return tl::unexpected(renamed(clean.error(), staged.path(), request.target));
+        report.checked += *clean;
+        report.written +=
+            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
+                .arg(request.deidentifier->method(), request.deidentifier->patientId());
+        report.cautions += QStringLiteral("A face or body can be recognised in the images "
+                                          "themselves; their voxels are not changed.");
+    }
     if (auto done = staged.commit(); !done)
         return tl::unexpected(done.error());
     return report;

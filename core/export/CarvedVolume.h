@@ -15,7 +15,8 @@ struct CarvedRequest {
     bool force = false; ///< replace a file of that name; a folder is never replaced
     std::span<const std::uint8_t> coverage; ///< of the layers that carve, composed; x fastest
     std::span<const std::uint16_t> codes; ///< of the volume as it was loaded; x fastest
-    std::optional<double> fill; ///< modality units; none: the least value of the volume
+    std::optional<double> fill{}; ///< modality units; none: the least value of the volume
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
 };
 
 /// Writes the volume with the fill value wherever coverage is 128 or more, reads it again and

@@ -11,6 +11,10 @@ struct ExportExpectation {
     std::vector<Segment> segments; ///< those written, in order
     std::span<const LabelPlaneView> planes;
     MeshSpace space = MeshSpace::Lps; ///< of surfaces
+    ExportFormat format = ExportFormat::DicomSeg;
+    std::span<const SegmentCoverage> coverages{}; ///< of a fractional SEG
+    std::span<const std::uint16_t> codes{}; ///< for statistics
+    const Deidentifier* deidentifier = nullptr;
 };
 
 /// Opens a DICOM SEG and the files of the volume's slices, and checks, from their headers alone:
@@ -52,5 +56,12 @@ Result<QStringList> checkRtStructExport(
 /// Returns and errors as above.
 Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
     const ExportExpectation& expected, const Progress& progress);
+
+/// Opens statistics (CSV, JSON or SR) and the source files, and checks every number against those
+/// that are counted anew, voxel by voxel, without the writer's code; of a SR also that patient,
+/// study, source series and the segments of the SEG beside it are the right ones.
+/// Returns and errors as above.
+Result<QStringList> checkStatisticsExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 } // namespace core

@@ -223,7 +223,7 @@ Result<QStringList> checkRtStructExport(
     const auto set = readRtStruct(file);
     if (!set)
         return tl::unexpected(set.error());
-    const auto headers = checkedSourceHeaders(file, expected.volume, progress);
+    const auto headers = checkedSourceHeaders(file, expected, progress);
     if (!headers)
         return tl::unexpected(headers.error());
     Check check{file, expected, *set, *headers, {}};

@@ -3,6 +3,7 @@
 
 #include "core/dicom/SegReader.h"
 #include "core/export/CheckSources.h"
+#include "core/export/Occupancy.h"
 
 #include <QHash>
 
@@ -47,24 +48,82 @@ const LabelPlaneView* planeOf(const ExportExpectation& expected, const Segment& 
     return nullptr;
 }
 
+/// What a pixel must be: 1 or 0, or how much of it is filled.
+class Expected {
+public:
+    Expected(const ExportExpectation& expected, const Segment& segment)
+        : m_plane(planeOf(expected, segment))
+        , m_label(segment.label)
+        , m_fractional(expected.format == ExportFormat::DicomSegFractional)
+    {
+        for (const SegmentCoverage& each : expected.coverages) {
+            if (each.label == segment.label)
+                m_coverage = each.coverage;
+        }
+    }
+    [[nodiscard]] bool fits(std::size_t voxels) const
+    {
+        return m_plane != nullptr && m_plane->labels.size() == voxels
+            && (m_coverage.empty() || m_coverage.size() == voxels);
+    }
+    [[nodiscard]] int at(std::size_t voxel) const
+    {
+        const bool inside = m_plane->labels[voxel] == m_label;
+        if (!m_fractional)
+            return inside ? 1 : 0;
+        return occupancyOf(inside, m_coverage.empty() ? (inside ? 255 : 0) : m_coverage[voxel]);
+    }
+    [[nodiscard]] bool anyIn(std::size_t offset, std::size_t count) const
+    {
+        for (std::size_t i = offset; i < offset + count; ++i) {
+            if (at(i) != 0)
+                return true;
+        }
+        return false;
+    }
+
+private:
+    const LabelPlaneView* m_plane = nullptr;
+    std::span<const std::uint8_t> m_coverage;
+    std::uint8_t m_label = 0;
+    bool m_fractional = false;
+};
+
 /// Compares one frame's pixels with a slice of the labels.
-QString differenceOfPixels(const SegFile& seg, std::size_t frame, const LabelPlaneView& plane,
-    std::uint8_t label, std::size_t sliceOffset)
+QString differenceOfPixels(
+    const SegFile& seg, std::size_t frame, const Expected& expected, std::size_t sliceOffset)
 {
     std::size_t wrong = 0;
     std::size_t i = sliceOffset;
     for (int row = 0; row < seg.rows; ++row) {
         for (int column = 0; column < seg.columns; ++column, ++i)
-            wrong += seg.pixel(frame, column, row) != (plane.labels[i] == label) ? 1U : 0U;
+            wrong += seg.value(frame, column, row) != expected.at(i) ? 1U : 0U;
     }
     return wrong == 0 ? QString() : QStringLiteral("%1 voxels are not as drawn").arg(wrong);
 }
 
-bool holdsLabel(
-    const LabelPlaneView& plane, std::uint8_t label, std::size_t offset, std::size_t count)
+/// Compares one frame of a label map with the labels of all segments.
+QString differenceOfMap(const SegFile& seg, std::size_t frame, const ExportExpectation& expected,
+    std::size_t sliceOffset)
 {
-    const auto slice = plane.labels.subspan(offset, count);
-    return std::find(slice.begin(), slice.end(), label) != slice.end();
+    std::vector<Expected> segments;
+    for (const Segment& segment : expected.segments) {
+        segments.emplace_back(expected, segment);
+        if (!segments.back().fits(expected.volume.geometry.voxelCount()))
+            return QStringLiteral("labels to compare with are missing");
+    }
+    std::size_t wrong = 0;
+    std::size_t i = sliceOffset;
+    for (int row = 0; row < seg.rows; ++row) {
+        for (int column = 0; column < seg.columns; ++column, ++i) {
+            const int number = seg.value(frame, column, row);
+            bool right = number <= int(segments.size());
+            for (std::size_t s = 0; s < segments.size(); ++s)
+                right = right && (segments[s].at(i) != 0) == (number == int(s) + 1);
+            wrong += right ? 0U : 1U;
+        }
+    }
+    return wrong == 0 ? QString() : QStringLiteral("%1 voxels are not as drawn").arg(wrong);
 }
 
 } // namespace
@@ -77,12 +136,20 @@ Result<QStringList> checkSegExport(
     const auto mismatch = [&](const QString& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
-    const auto read = readSeg(file);
+    auto read = readSeg(file);
     if (!read)
         return tl::unexpected(read.error());
-    const SegFile& seg = *read;
-    if (seg.type != SegFile::Type::Binary)
-        return mismatch(QStringLiteral("the type is not BINARY"));
+    SegFile& seg = *read;
+    const bool isMap = expected.format == ExportFormat::DicomSegLabelMap;
+    SegFile::Type type = SegFile::Type::Binary;
+    if (isMap)
+        type = SegFile::Type::LabelMap;
+    else if (expected.format == ExportFormat::DicomSegFractional)
+        type = SegFile::Type::Fractional;
+    if (seg.type != type || (type == SegFile::Type::Fractional && seg.fullPixel != 255))
+        return mismatch(QStringLiteral("the type of the segmentation"));
+    if (isMap && !seg.segments.empty() && seg.segments.front().number == 0)
+        seg.segments.erase(seg.segments.begin()); // the background is none
     if (seg.columns != size.x || seg.rows != size.y)
         return mismatch(QStringLiteral("rows or columns"));
     if (seg.segments.size() != expected.segments.size())
@@ -93,7 +160,7 @@ Result<QStringList> checkSegExport(
             return mismatch(QStringLiteral("number or code of segment %1").arg(i + 1));
     }
 
-    const auto headers = checkedSourceHeaders(file, volume, progress);
+    const auto headers = checkedSourceHeaders(file, expected, progress);
     if (!headers)
         return tl::unexpected(headers.error());
     QHash<QString, int> sliceOfInstance;
@@ -136,25 +203,27 @@ Result<QStringList> checkSegExport(
             return atFrame(what);
         if (seg.studyUid != header.studyUid)
             return atFrame(QStringLiteral("study"));
-        if (frame.segment < 1 || frame.segment > int(expected.segments.size()))
-            return atFrame(QStringLiteral("segment number"));
-        const Segment& segment = expected.segments[std::size_t(frame.segment - 1)];
-        const LabelPlaneView* plane = planeOf(expected, segment);
-        if (plane == nullptr || plane->labels.size() != volume.geometry.voxelCount())
-            return mismatch(QStringLiteral("labels to compare with are missing"));
-        if (const QString what =
-                differenceOfPixels(seg, i, *plane, segment.label, std::size_t(k) * sliceVoxels);
-            !what.isEmpty())
+        const std::size_t offset = std::size_t(k) * sliceVoxels;
+        QString what = isMap ? differenceOfMap(seg, i, expected, offset) : QString();
+        if (!isMap) {
+            if (frame.segment < 1 || frame.segment > int(expected.segments.size()))
+                return atFrame(QStringLiteral("segment number"));
+            const Expected pixels(expected, expected.segments[std::size_t(frame.segment - 1)]);
+            if (!pixels.fits(volume.geometry.voxelCount()))
+                return mismatch(QStringLiteral("labels to compare with are missing"));
+            what = differenceOfPixels(seg, i, pixels, offset);
+        }
+        if (!what.isEmpty())
             return atFrame(what);
-        if (!seen.emplace(frame.segment, k).second)
+        if (!seen.emplace(isMap ? 0 : frame.segment, k).second)
             return atFrame(QStringLiteral("the slice occurs twice"));
     }
     for (std::size_t s = 0; s < expected.segments.size(); ++s) {
-        const LabelPlaneView* plane = planeOf(expected, expected.segments[s]);
+        const Expected pixels(expected, expected.segments[s]);
         for (int k = 0; k < size.z; ++k) {
-            if (seen.count({int(s) + 1, k}) == 0 && plane != nullptr
-                && holdsLabel(
-                    *plane, expected.segments[s].label, std::size_t(k) * sliceVoxels, sliceVoxels))
+            if (seen.count({isMap ? 0 : int(s) + 1, k}) == 0
+                && pixels.fits(volume.geometry.voxelCount())
+                && pixels.anyIn(std::size_t(k) * sliceVoxels, sliceVoxels))
                 return mismatch(QStringLiteral("slice %1 of segment '%2' is missing")
                                     .arg(k + 1)
                                     .arg(expected.segments[s].name));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CheckSources.h"
 
+#include "core/dicom/Deidentifier.h"
+
 #include <algorithm>
 
 namespace core {
@@ -114,6 +116,17 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
         if (!what.isEmpty())
             return failure(ErrorCode::ExportMismatch, file,
                 QStringLiteral("source %1: %2").arg(volume.sources[k].file, what));
+    }
+    return headers;
+}
+
+Result<std::vector<SourceHeader>> checkedSourceHeaders(
+    const QString& file, const ExportExpectation& expected, const Progress& progress)
+{
+    auto headers = checkedSourceHeaders(file, expected.volume, progress);
+    if (headers && expected.deidentifier) {
+        for (SourceHeader& header : *headers)
+            header = expected.deidentifier->masked(header);
     }
     return headers;
 }

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/dicom/SourceHeader.h"
+#include "core/export/CheckExport.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
@@ -18,6 +19,10 @@ namespace core {
 /// Errors: ExportMismatch, and those of reading.
 Result<std::vector<SourceHeader>> checkedSourceHeaders(
     const QString& file, const Volume& volume, const Progress& progress);
+
+/// The same, as the export has to name them: de-identified where that is asked for.
+Result<std::vector<SourceHeader>> checkedSourceHeaders(
+    const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 /// What differs between two patients, as a clause; empty if nothing does.
 [[nodiscard]] QString differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b);

@@ -9,7 +9,21 @@
 
 namespace core {
 
-enum class ExportFormat { DicomSeg, RtStruct, Nifti, SegNrrd, Stl, Obj, Ply, Gltf };
+enum class ExportFormat {
+    DicomSeg,
+    DicomSegFractional,
+    DicomSegLabelMap,
+    RtStruct,
+    Nifti,
+    SegNrrd,
+    Stl,
+    Obj,
+    Ply,
+    Gltf,
+    Csv,
+    Json,
+    Sr
+};
 
 /// Where the axes of a surface point: LPS to the left, posterior and superior, as DICOM has it; RAS
 /// to the right, anterior and superior.
@@ -24,6 +38,8 @@ struct ExportFormatFacts {
     bool anyEnding = false; ///< the name may end as it likes
     bool namesSourceImages = false; ///< only where dicomSegObstacle() is empty
     bool isSurface = false; ///< a MeshSpace is to be chosen
+    bool isSeg = false; ///< a DICOM SEG: SegSettings apply, every segment has a code
+    bool isStatistics = false; ///< numbers about segments: ExportRequest::codes are needed
     const char* title = ""; ///< for a list: "DICOM SEG"
     const char* says = ""; ///< a clause: "one object, references the source images"
 };

@@ -2,16 +2,28 @@
 #include "core/export/ExportMask.h"
 
 #include "core/base/StagedFile.h"
+#include "core/dicom/Deidentifier.h"
 #include "core/export/CheckExport.h"
 #include "core/export/MaskSelection.h"
+#include "core/export/StatisticsText.h"
 
 #include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
+#include <QScopeGuard>
 
 #include <algorithm>
 
 namespace core {
+
+Result<QString> sha256OfFile(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return failure(ErrorCode::FileUnreadable, path, file.errorString());
+    return QString::fromLatin1(hash.result().toHex());
+}
 
 bool isSourceFile(const Volume& volume, const QString& file)
 {
@@ -37,20 +49,13 @@ Error renamed(Error error, const StagedFile& staged, const QString& file)
     return error;
 }
 
-Result<QString> sha256Of(const QString& path)
-{
-    QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-        return failure(ErrorCode::FileUnreadable, path, file.errorString());
-    return QString::fromLatin1(hash.result().toHex());
-}
-
 Result<QStringList> write(const QString& path, const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const Progress& progress, ExportReport& report)
 {
     switch (request.format) {
     case ExportFormat::DicomSeg:
+    case ExportFormat::DicomSegFractional:
+    case ExportFormat::DicomSegLabelMap:
         return writeSegMask(path, volume, request, selection, progress, report);
     case ExportFormat::RtStruct:
         return writeRtStructMask(path, volume, request, selection, progress, report);
@@ -58,6 +63,10 @@ Result<QStringList> write(const QString& path, const Volume& volume, const Expor
         return writeNiftiMask(path, volume, request, selection, report);
     case ExportFormat::SegNrrd:
         return writeSegNrrdMask(path, volume, request, selection, report);
+    case ExportFormat::Csv:
+    case ExportFormat::Json:
+    case ExportFormat::Sr:
+        return writeStatistics(path, volume, request, selection, progress, report);
     case ExportFormat::Stl:
     case ExportFormat::Obj:
     case ExportFormat::Ply:
@@ -67,11 +76,13 @@ Result<QStringList> write(const QString& path, const Volume& volume, const Expor
     return writeSurfaces(path, volume, request, selection, progress, report);
 }
 
-Result<QStringList> check(ExportFormat format, const QString& path,
-    const ExportExpectation& expected, const Progress& progress)
+Result<QStringList> check(
+    const QString& path, const ExportExpectation& expected, const Progress& progress)
 {
-    switch (format) {
+    switch (expected.format) {
     case ExportFormat::DicomSeg:
+    case ExportFormat::DicomSegFractional:
+    case ExportFormat::DicomSegLabelMap:
         return checkSegExport(path, expected, progress);
     case ExportFormat::RtStruct:
         return checkRtStructExport(path, expected, progress);
@@ -79,13 +90,32 @@ Result<QStringList> check(ExportFormat format, const QString& path,
         return checkNiftiExport(path, expected, progress);
     case ExportFormat::SegNrrd:
         return checkSegNrrdExport(path, expected, progress);
+    case ExportFormat::Csv:
+    case ExportFormat::Json:
+    case ExportFormat::Sr:
+        return checkStatisticsExport(path, expected, progress);
     case ExportFormat::Stl:
     case ExportFormat::Obj:
     case ExportFormat::Ply:
     case ExportFormat::Gltf:
         break;
     }
-    return checkSurfaceExport(format, path, expected, progress);
+    return checkSurfaceExport(expected.format, path, expected, progress);
+}
+
+/// What is written in place of names that may say who the patient is.
+ExportRequest neutral(ExportRequest request)
+{
+    if (request.deidentifier) {
+        for (Segment& segment : request.segments)
+            segment.name = request.deidentifier->segmentName(
+                segment.label, segment.name, segment.code.meaning);
+        for (SegmentCoverage& coverage : request.coverages)
+            coverage.layer = request.deidentifier->options().keepDescriptions
+                ? request.deidentifier->cleanText(coverage.layer)
+                : QStringLiteral("its own");
+    }
+    return request;
 }
 
 } // namespace
@@ -125,8 +155,9 @@ QString dicomSegObstacle(const Volume& volume)
 }
 
 Result<ExportReport> exportMask(
-    const Volume& volume, const ExportRequest& request, const Progress& progress)
+    const Volume& volume, const ExportRequest& asked, const Progress& progress)
 {
+    const ExportRequest request = neutral(asked);
     if (factsOf(request.format).namesSourceImages) {
         if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
@@ -137,12 +168,16 @@ Result<ExportReport> exportMask(
     const auto selection = selectMask(volume, request);
     if (!selection)
         return tl::unexpected(selection.error());
-    if (request.format == ExportFormat::DicomSeg) {
+    if (factsOf(request.format).isSeg) {
         for (const Segment& segment : selection->segments) {
             if (!segment.code.isSet())
                 return failure(ErrorCode::SegmentNotCoded, segment.name);
         }
     }
+    if (factsOf(request.format).isStatistics
+        && request.codes.size() != volume.geometry.voxelCount())
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("the values of the study are not at hand"));
     if (isSourceFile(volume, request.file))
         return failure(ErrorCode::FileUnwritable, request.file,
             QStringLiteral("it is a file of the study itself"));
@@ -152,16 +187,44 @@ Result<ExportReport> exportMask(
 
     ExportReport report;
     report.file = request.file;
+    // What a report speaks of goes with it.
+    auto withdraw = qScopeGuard([&request] {
+        if (request.format == ExportFormat::Sr)
+            QFile::remove(segBeside(request.file));
+    });
+    if (request.format == ExportFormat::Sr && !request.force
+        && QFile::exists(segBeside(request.file))) {
+        withdraw.dismiss();
+        return failure(ErrorCode::FileExists, segBeside(request.file));
+    }
     const auto written = write(staged->path(), volume, request, *selection, progress, report);
     if (!written)
         return tl::unexpected(renamed(written.error(), *staged, request.file));
-    report.written = *written;
-    const ExportExpectation expected{volume, selection->segments, request.planes, request.space};
-    const auto checked = check(request.format, staged->path(), expected, progress);
+    report.written += *written;
+    const ExportExpectation expected{.volume = volume,
+        .segments = selection->segments,
+        .planes = request.planes,
+        .space = request.space,
+        .format = request.format,
+        .coverages = request.coverages,
+        .codes = request.codes,
+        .deidentifier = request.deidentifier.get()};
+    const auto checked = check(staged->path(), expected, progress);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), *staged, request.file));
-    report.checked = *checked;
-    const auto sum = sha256Of(staged->path());
+    report.checked += *checked;
+    if (request.deidentifier) {
+        if (factsOf(request.format).namesSourceImages) {
+            const auto clean = checkDeidentified(staged->path(), *request.deidentifier);
+            if (!clean)
+                return tl::unexpected(renamed(clean.error(), *staged, request.file));
+            report.checked += *clean;
+        }
+        report.written +=
+            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
+                .arg(request.deidentifier->method(), request.deidentifier->patientId());
+    }
+    const auto sum = sha256OfFile(staged->path());
     if (!sum)
         return tl::unexpected(renamed(sum.error(), *staged, request.file));
     report.sha256 = *sum;
@@ -176,6 +239,7 @@ Result<ExportReport> exportMask(
     }
     if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
+    withdraw.dismiss();
     return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/dicom/SegSettings.h"
 #include "core/document/Document.h"
 #include "core/export/ExportFormats.h"
 #include "core/volume/Volume.h"
@@ -11,6 +12,7 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +28,16 @@ struct LabelPlaneView {
 /// "Anatomical Structure" (DICOM CID 7150): what a segment is unless something else is said.
 [[nodiscard]] CodedConcept anatomicalStructure();
 
+class Deidentifier;
+
+/// What a segment was made of: a sculpt layer whose coverage says how much of each voxel it fills
+/// (Occupancy.h).
+struct SegmentCoverage {
+    std::uint8_t label = 0;
+    QString layer; ///< its name, for the report
+    std::span<const std::uint8_t> coverage; ///< x fastest
+};
+
 /// What to write, and where.
 struct ExportRequest {
     ExportFormat format = ExportFormat::DicomSeg;
@@ -35,6 +47,10 @@ struct ExportRequest {
     std::vector<LabelPlaneView> planes; ///< every plane that a segment names
     CodedConcept category = anatomicalStructure();
     MeshSpace space = MeshSpace::Lps; ///< of surfaces
+    SegSettings seg{}; ///< of a DICOM SEG
+    std::vector<SegmentCoverage> coverages{}; ///< of a fractional one
+    std::span<const std::uint16_t> codes{}; ///< the volume's, x fastest; for statistics
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
 };
 
 /// What was done, in sentences for a person.
@@ -51,10 +67,16 @@ struct ExportReport {
 /// only after that; on any failure nothing is left behind, and a file of that name is as it was.
 ///
 /// Segments without a voxel are left out and named. DICOM SEG: one BINARY object, empty frames left
-/// out, every frame on its native slice, also where the stack is tilted or uneven. RTSTRUCT: closed
+/// out, every frame on its native slice, also where the stack is tilted or uneven; or a FRACTIONAL
+/// one of type OCCUPANCY, or a LABELMAP. RTSTRUCT: closed
 /// contours along the borders of the voxels, on the native slices. NIfTI: one label
 /// map on the source's grid; the file's name must end in .nii or .nii.gz. 3D Slicer segmentation:
 /// the same map with names, colours and codes in one layer; the name must end in .seg.nrrd.
+/// Statistics: numbers of SegmentStatistics.h; SR also writes the DICOM SEG that it refers to,
+/// beside it ("a-seg.dcm").
+///
+/// De-identified, segments have neutral names, DICOM objects neither patient nor old UIDs; the file
+/// is searched for both.
 ///
 /// Cost: reads every source header twice and the export once. Any thread.
 /// Errors: NothingToExport, SegmentNotCoded (argument 0: the segment), UnknownSegment, FileExists,

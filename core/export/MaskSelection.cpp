@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/MaskSelection.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <map>
@@ -33,6 +34,14 @@ const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segme
             return &plane;
     }
     return nullptr;
+}
+
+const SegmentCoverage* coverageOf(
+    std::span<const SegmentCoverage> coverages, const Segment& segment)
+{
+    const auto found = std::find_if(coverages.begin(), coverages.end(),
+        [&](const SegmentCoverage& each) { return each.label == segment.label; });
+    return found == coverages.end() ? nullptr : &*found;
 }
 
 std::size_t voxelsPerSlice(const Volume& volume)

@@ -20,6 +20,13 @@ const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segme
 
 std::size_t voxelsPerSlice(const Volume& volume);
 
+/// The coverage that a segment was made of; null: none.
+const SegmentCoverage* coverageOf(
+    std::span<const SegmentCoverage> coverages, const Segment& segment);
+
+/// Hexadecimal digits. Errors: FileUnreadable.
+Result<QString> sha256OfFile(const QString& path);
+
 /// Whether a file is one that the volume was read from.
 bool isSourceFile(const Volume& volume, const QString& file);
 
@@ -36,6 +43,10 @@ Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
     ExportReport& report);
 Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
+/// As CSV, JSON or SR, which also writes the SEG that it refers to and names both in the report.
+Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
+    ExportReport& report);
 Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
 

@@ -16,6 +16,7 @@ Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
     content.sources = volume.sources;
     content.keptHeaders = volume.keptHeaders;
     content.segments = selection.segments;
+    content.deidentifier = request.deidentifier;
     const glm::ivec2 size(volume.geometry.size);
     const std::size_t count = voxelsPerSlice(volume);
     std::size_t points = 0;

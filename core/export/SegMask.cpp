@@ -1,30 +1,166 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/LabelMapSegWriter.h"
 #include "core/dicom/SegWriter.h"
 #include "core/export/CheckSources.h"
 #include "core/export/MaskSelection.h"
+#include "core/export/Occupancy.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace core {
 
 namespace {
 
-/// True where two segments share a voxel; only segments of different planes can.
-bool overlap(const ExportRequest& request, const std::vector<Segment>& segments)
+/// What of each voxel of a plane a segment fills.
+class Shares {
+public:
+    Shares(const ExportRequest& request, const Segment& segment)
+        : m_labels(planeOf(request, segment)->labels)
+        , m_label(segment.label)
+    {
+        if (const SegmentCoverage* made = coverageOf(request.coverages, segment))
+            m_coverage = made->coverage;
+    }
+    [[nodiscard]] bool hasCoverage() const { return !m_coverage.empty(); }
+    [[nodiscard]] std::uint8_t at(std::size_t voxel) const
+    {
+        const bool inside = m_labels[voxel] == m_label;
+        if (m_coverage.empty())
+            return inside ? 255 : 0;
+        return occupancyOf(inside, m_coverage[voxel]);
+    }
+
+private:
+    std::span<const std::uint8_t> m_labels;
+    std::span<const std::uint8_t> m_coverage;
+    std::uint8_t m_label;
+};
+
+/// True where two segments share a voxel.
+bool overlap(const ExportRequest& request, const std::vector<Segment>& segments, bool fractional)
 {
     for (std::size_t a = 0; a < segments.size(); ++a) {
         for (std::size_t b = a + 1; b < segments.size(); ++b) {
-            if (segments[a].plane == segments[b].plane)
+            const Shares first(request, segments[a]);
+            const Shares second(request, segments[b]);
+            // Of one plane, only what is filled in part can be filled twice.
+            const bool partial = fractional && (first.hasCoverage() || second.hasCoverage());
+            if (segments[a].plane == segments[b].plane && !partial)
                 continue;
-            const auto first = planeOf(request, segments[a])->labels;
-            const auto second = planeOf(request, segments[b])->labels;
-            for (std::size_t i = 0; i < first.size(); ++i) {
-                if (first[i] == segments[a].label && second[i] == segments[b].label)
+            const std::size_t count = planeOf(request, segments[a])->labels.size();
+            const std::uint8_t least = fractional ? 1 : 128;
+            for (std::size_t i = 0; i < count; ++i) {
+                if (first.at(i) >= least && second.at(i) >= least)
                     return true;
             }
         }
     }
     return false;
+}
+
+/// Frames of bits, of the slices that hold a voxel.
+void addBinary(SegContent& content, const ExportRequest& request, const MaskSelection& selection,
+    std::size_t count)
+{
+    FrameBits bits;
+    for (std::size_t s = 0; s < selection.segments.size(); ++s) {
+        const auto labels = planeOf(request, selection.segments[s])->labels;
+        for (const int k : selection.slices[s]) {
+            content.frames.push_back({.segment = int(s), .slice = k});
+            bits.append(labels.subspan(std::size_t(k) * count, count), selection.segments[s].label);
+        }
+    }
+    content.pixels = bits.take();
+}
+
+/// Frames of bytes, of the slices in which anything is filled.
+void addFractional(SegContent& content, const ExportRequest& request,
+    const MaskSelection& selection, std::size_t count)
+{
+    std::vector<std::uint8_t> frame(count);
+    for (std::size_t s = 0; s < selection.segments.size(); ++s) {
+        const Shares shares(request, selection.segments[s]);
+        for (std::size_t k = 0; k < content.sources.size(); ++k) {
+            bool any = false;
+            for (std::size_t i = 0; i < count; ++i) {
+                frame[i] = shares.at(k * count + i);
+                any = any || frame[i] != 0;
+            }
+            if (!any)
+                continue;
+            content.frames.push_back({.segment = int(s), .slice = int(k)});
+            content.pixels.insert(content.pixels.end(), frame.begin(), frame.end());
+        }
+    }
+    if (content.pixels.size() % 2 != 0)
+        content.pixels.push_back(0);
+}
+
+/// One frame a slice: each pixel the number of its segment, from 1.
+Result<void> addLabelMap(SegContent& content, const ExportRequest& request,
+    const MaskSelection& selection, std::size_t count)
+{
+    std::vector<std::uint8_t> frame(count);
+    for (std::size_t k = 0; k < content.sources.size(); ++k) {
+        std::fill(frame.begin(), frame.end(), std::uint8_t(0));
+        bool any = false;
+        for (std::size_t s = 0; s < selection.segments.size(); ++s) {
+            const Segment& segment = selection.segments[s];
+            const auto labels = planeOf(request, segment)->labels.subspan(k * count, count);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (labels[i] != segment.label)
+                    continue;
+                if (frame[i] != 0)
+                    return failure(ErrorCode::UnsupportedFormat, request.file,
+                        QStringLiteral("a label map holds one segment a voxel, and '%1' shares "
+                                       "some; a binary DICOM SEG holds them")
+                            .arg(segment.name));
+                frame[i] = std::uint8_t(s + 1);
+                any = true;
+            }
+        }
+        if (!any)
+            continue;
+        content.frames.push_back({.segment = 0, .slice = int(k)});
+        content.pixels.insert(content.pixels.end(), frame.begin(), frame.end());
+    }
+    if (content.pixels.size() % 2 != 0)
+        content.pixels.push_back(0);
+    return {};
+}
+
+QString typeText(const SegContent& content)
+{
+    QString text = QStringLiteral("binary");
+    if (content.type == SegContent::Type::Fractional)
+        text = QStringLiteral("fractional (occupancy)");
+    else if (content.type == SegContent::Type::LabelMap)
+        text = QStringLiteral("label map");
+    return content.settings.deflated ? text + QStringLiteral(", deflated") : text;
+}
+
+/// What a fractional SEG says of each segment, as a sentence.
+QString sharesText(const ExportRequest& request, const std::vector<Segment>& segments)
+{
+    QStringList made;
+    QStringList whole;
+    for (const Segment& segment : segments) {
+        if (const SegmentCoverage* from = coverageOf(request.coverages, segment))
+            made += QStringLiteral("'%1' as sculpt layer '%2' covers it")
+                        .arg(segment.name, from->layer);
+        else
+            whole += QStringLiteral("'%1'").arg(segment.name);
+    }
+    QStringList text;
+    if (!made.isEmpty())
+        text +=
+            QStringLiteral("Filled in part: %1; exactly the segment's voxels have 128 and more.")
+                .arg(made.join(QStringLiteral(", ")));
+    if (!whole.isEmpty())
+        text += QStringLiteral("Without partial coverage, every voxel 0 or 255: %1.")
+                    .arg(whole.join(QStringLiteral(", ")));
+    return text.join(QLatin1Char(' '));
 }
 
 } // namespace
@@ -47,30 +183,43 @@ Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
     }
     content.segments = selection.segments;
     content.category = request.category;
-    content.segmentsOverlap = overlap(request, selection.segments);
-    FrameBits bits;
-    const std::size_t count = voxelsPerSlice(volume);
-    for (std::size_t s = 0; s < selection.segments.size(); ++s) {
-        const auto labels = planeOf(request, selection.segments[s])->labels;
-        for (const int k : selection.slices[s]) {
-            content.frames.push_back({.segment = int(s), .slice = k});
-            bits.append(labels.subspan(std::size_t(k) * count, count), selection.segments[s].label);
-        }
+    content.settings = request.seg;
+    content.deidentifier = request.deidentifier;
+    Result<SegWritten> written;
+    if (request.format == ExportFormat::DicomSegLabelMap) {
+        content.type = SegContent::Type::LabelMap;
+        if (const auto added = addLabelMap(content, request, selection, voxelsPerSlice(volume));
+            !added)
+            return tl::unexpected(added.error());
+        written = writeLabelMapSeg(path, content, progress);
+        report.cautions += QStringLiteral(
+            "Label maps are new to DICOM (supplement 243): viewers and archives of before 2024, "
+            "DCMTK 3.6.7 among them, do not know them.");
+    } else {
+        const bool fractional = request.format == ExportFormat::DicomSegFractional;
+        content.type = fractional ? SegContent::Type::Fractional : SegContent::Type::Binary;
+        content.segmentsOverlap = overlap(request, selection.segments, fractional);
+        if (fractional)
+            addFractional(content, request, selection, voxelsPerSlice(volume));
+        else
+            addBinary(content, request, selection, voxelsPerSlice(volume));
+        written = writeSeg(path, content, progress);
     }
-    content.bits = bits.take();
-    const auto written = writeSeg(path, content, progress);
     if (!written)
         return tl::unexpected(written.error());
     report.cautions += written->notes;
     if (volume.identity.frameOfReferenceUid.isEmpty())
         report.cautions += QStringLiteral(
             "The source images have no frame of reference in common; the segmentation names none.");
-    return QStringList{QStringLiteral(
-        "DICOM SEG, binary: %1 in %2 of %3 × %4; slices without a voxel are left out.")
-                           .arg(counted(int(content.segments.size()), "segment"),
-                               counted(int(content.frames.size()), "frame"))
-                           .arg(content.columns)
-                           .arg(content.rows)};
+    QStringList sentences{
+        QStringLiteral("DICOM SEG, %1: %2 in %3 of %4 × %5; slices without a voxel are left out.")
+            .arg(typeText(content), counted(int(content.segments.size()), "segment"),
+                counted(int(content.frames.size()), "frame"))
+            .arg(content.columns)
+            .arg(content.rows)};
+    if (content.type == SegContent::Type::Fractional)
+        sentences += sharesText(request, selection.segments);
+    return sentences;
 }
 
 } // namespace core

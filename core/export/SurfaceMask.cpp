@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CheckSources.h"
 #include "core/export/MaskSelection.h"
+#include "core/export/SegmentStatistics.h"
 #include "core/meshfile/MeshWriter.h"
 #include "core/surface/SegmentSurface.h"
 
@@ -10,20 +11,6 @@
 namespace core {
 
 namespace {
-
-/// Between uneven slices along the line from one to the next, beyond the last as before it.
-glm::dvec3 worldOf(const VolumeGeometry& geometry, const glm::dvec3& index)
-{
-    if (geometry.slicePositions.empty())
-        return geometry.toWorld(index);
-    const int last = int(geometry.slicePositions.size()) - 1;
-    const int k = std::clamp(int(std::floor(index.z)), 0, std::max(0, last - 1));
-    const glm::dvec3 here = geometry.slicePositions[std::size_t(k)];
-    const glm::dvec3 step = last > 0 ? geometry.slicePositions[std::size_t(k + 1)] - here
-                                     : glm::dvec3(geometry.indexToWorld[2]);
-    return here + step * (index.z - k)
-        + glm::dmat3(geometry.indexToWorld) * glm::dvec3(index.x, index.y, 0.0);
-}
 
 double millilitresOf(const MeshPart& part)
 {
@@ -49,7 +36,7 @@ MeshPart partOf(
     // Half a turn about the superior axis leaves what is outside there.
     const glm::dvec3 turn = space == MeshSpace::Ras ? glm::dvec3(-1, -1, 1) : glm::dvec3(1);
     for (glm::vec3& vertex : part.vertices)
-        vertex = glm::vec3(turn * worldOf(geometry, glm::dvec3(vertex)));
+        vertex = glm::vec3(turn * worldBetweenSlices(geometry, glm::dvec3(vertex)));
     if (glm::determinant(glm::dmat3(geometry.indexToWorld)) < 0.0) {
         for (glm::uvec3& triangle : part.triangles)
             std::swap(triangle.y, triangle.z);

@@ -2,11 +2,8 @@
 #include "core/recipe/Recipe.h"
 
 #include "core/edits/DocumentEdits.h"
-#include "core/export/CarvedVolume.h"
-#include "core/nifti/NiftiReader.h"
 #include "core/volume/SurfaceThreshold.h"
 
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -75,34 +72,6 @@ Result<QJsonArray> takeList(QJsonObject& object, const char* name, bool required
     return value.toArray();
 }
 
-Result<QString> takeText(QJsonObject& object, const char* name)
-{
-    const QJsonValue value = object.take(QLatin1String(name));
-    if (!value.isString() || value.toString().isEmpty())
-        return failure(ErrorCode::InvalidField, QStringLiteral("export.") + QLatin1String(name),
-            value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a text"));
-    return value.toString();
-}
-
-/// What a name says about what can be written there.
-QString obstacleOf(const RecipeExport& target, const Volume& volume)
-{
-    const QString ending = QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
-    switch (target.what) {
-    case RecipeExport::What::Coverage:
-        return isNiftiName(target.file) ? QString() : ending;
-    case RecipeExport::What::CarvedVolume:
-        return isNiftiName(target.file) ? QString() : carvedSeriesObstacle(volume);
-    case RecipeExport::What::Segments:
-        break;
-    }
-    if (factsOf(target.format).namesSourceImages) {
-        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
-            return obstacle;
-    }
-    return exportNameObstacle(target.format, target.file);
-}
-
 /// Puts a surface in where a cut names none. @return whether it did
 bool completeSurface(QJsonValue& json)
 {
@@ -119,82 +88,6 @@ bool completeSurface(QJsonValue& json)
 }
 
 } // namespace
-
-Result<RecipeExport> exportFromJson(const QJsonValue& json)
-{
-    if (!json.isObject())
-        return failure(ErrorCode::InvalidField, QStringLiteral("export"),
-            QStringLiteral("an export must be an object"));
-    QJsonObject object = json.toObject();
-    const Result<QString> format = takeText(object, "format");
-    if (!format)
-        return tl::unexpected(format.error());
-    const std::optional<ExportFormat> known = exportFormatNamed(*format);
-    RecipeExport made;
-    if (known)
-        made.format = *known;
-    else if (*format == QLatin1String("coverage"))
-        made.what = RecipeExport::What::Coverage;
-    else if (*format == QLatin1String("carved-volume"))
-        made.what = RecipeExport::What::CarvedVolume;
-    else
-        return failure(ErrorCode::InvalidField, QStringLiteral("export.format"),
-            QStringLiteral("'%1' is not known; known are %2, coverage and carved-volume")
-                .arg(*format, exportFormatNames().join(QStringLiteral(", "))));
-    const Result<QString> file = takeText(object, "file");
-    if (!file)
-        return tl::unexpected(file.error());
-    made.file = *file;
-    if (made.what == RecipeExport::What::Coverage) {
-        const QJsonValue layer = object.take(QStringLiteral("layer"));
-        if (layer.toDouble() != layer.toInt() || layer.toInt() < 1)
-            return failure(ErrorCode::InvalidField, QStringLiteral("export.layer"),
-                layer.isUndefined() ? QStringLiteral("missing")
-                                    : QStringLiteral("must be the number of a sculpt layer"));
-        made.layer = layer.toInt();
-    }
-    if (made.what == RecipeExport::What::Segments && factsOf(made.format).isSurface) {
-        const QString space = object.take(QStringLiteral("space")).toString(QStringLiteral("LPS"));
-        if (space != QLatin1String("LPS") && space != QLatin1String("RAS"))
-            return failure(ErrorCode::InvalidField, QStringLiteral("export.space"),
-                QStringLiteral("must be \"LPS\" or \"RAS\""));
-        made.space = space == QLatin1String("RAS") ? MeshSpace::Ras : MeshSpace::Lps;
-    }
-    if (made.what == RecipeExport::What::CarvedVolume) {
-        const QJsonValue fill = object.take(QStringLiteral("fill"));
-        if (!fill.isUndefined() && !fill.isDouble())
-            return failure(ErrorCode::InvalidField, QStringLiteral("export.fill"),
-                QStringLiteral("must be a number"));
-        if (fill.isDouble())
-            made.fill = fill.toDouble();
-    }
-    if (!object.isEmpty())
-        return failure(ErrorCode::InvalidField,
-            QStringLiteral("export.") + object.constBegin().key(), QStringLiteral("unknown field"));
-    return made;
-}
-
-Result<void> checkExportTarget(
-    const RecipeExport& target, const Volume& volume, bool replaceExisting)
-{
-    const QFileInfo info(target.file);
-    if (const QString obstacle = obstacleOf(target, volume); !obstacle.isEmpty())
-        return failure(ErrorCode::UnsupportedFormat, target.file, obstacle);
-    const bool series =
-        target.what == RecipeExport::What::CarvedVolume && !isNiftiName(target.file);
-    if (series && info.exists() && !(info.isDir() && QDir(target.file).isEmpty()))
-        return failure(ErrorCode::FileExists, target.file); // a folder is never replaced
-    if (!series && info.isDir())
-        return failure(ErrorCode::FileUnwritable, target.file, QStringLiteral("it is a folder"));
-    if (!series && info.exists() && !replaceExisting)
-        return failure(ErrorCode::FileExists, target.file);
-    const QFileInfo folder(info.absolutePath());
-    if (!folder.isDir() || !folder.isWritable())
-        return failure(ErrorCode::FileUnwritable, target.file,
-            folder.isDir() ? QStringLiteral("the folder cannot be written")
-                           : QStringLiteral("there is no folder %1").arg(folder.filePath()));
-    return {};
-}
 
 Error atEdit(Error error, int entry)
 {
@@ -304,8 +197,7 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
                           {QStringLiteral("export.layer"),
                               QStringLiteral("there is no sculpt layer %1").arg(target.layer)}},
                 "export", int(i));
-        if (target.what != RecipeExport::What::Segments || target.format != ExportFormat::DicomSeg
-            || walks)
+        if (target.what != RecipeExport::What::Segments || !factsOf(target.format).isSeg || walks)
             continue;
         for (const int label : seeded) {
             const Segment* segment = document.segment(label);

@@ -3,27 +3,16 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/export/ExportMask.h"
+#include "core/recipe/RecipeExport.h"
 #include "core/recipe/RecipeStep.h"
 #include "core/session/SessionSource.h"
 
-#include <QJsonValue>
 #include <QString>
 
 #include <optional>
 #include <vector>
 
 namespace core {
-
-struct RecipeExport {
-    enum class What { Segments, Coverage, CarvedVolume };
-    What what = What::Segments;
-    ExportFormat format = ExportFormat::DicomSeg; ///< of segments
-    QString file; ///< of a carved volume also a folder that is not there yet
-    int layer = 0; ///< of coverage
-    std::optional<double> fill{}; ///< of a carved volume: modality units
-    MeshSpace space = MeshSpace::Lps; ///< of surfaces
-};
 
 /// What `burin run` carries out: steps, then exports.
 struct Recipe {
@@ -56,14 +45,6 @@ void fillSurfaces(Recipe& recipe, const Volume& volume);
 /// FileUnwritable, SegmentNotCoded (a segment that is seeded and goes into a DICOM SEG).
 [[nodiscard]] Result<void> checkRecipe(
     const Recipe& recipe, Document document, bool replaceExisting);
-
-/// One entry of "export". Errors: InvalidField ("export.layer").
-[[nodiscard]] Result<RecipeExport> exportFromJson(const QJsonValue& json);
-
-/// What a target's name and place say of whether it can be written.
-/// Errors: UnsupportedFormat, FileExists (unless @p replaceExisting), FileUnwritable.
-[[nodiscard]] Result<void> checkExportTarget(
-    const RecipeExport& target, const Volume& volume, bool replaceExisting);
 
 /// The same error, saying by which entry of a recipe's edits: "(edit 3)", counted from 1.
 [[nodiscard]] Error atEdit(Error error, int entry);

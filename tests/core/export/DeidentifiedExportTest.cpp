@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/Deidentifier.h"
+#include "core/dicom/RtStructFile.h"
+#include "core/dicom/SegReader.h"
+#include "core/dicom/SrReader.h"
+#include "core/export/CarvedVolume.h"
+#include "core/export/ExportMask.h"
+#include "core/study/StudyLoader.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/MarkedSeries.h"
+#include "tests/support/Python.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+using namespace core;
+
+namespace {
+
+QString messageOf(const Error& error)
+{
+    return error.arguments.join(QStringLiteral(" | "));
+}
+
+Segment segmentOf(int label, const char* name, const char* value, const char* meaning)
+{
+    Segment segment;
+    segment.label = std::uint8_t(label);
+    segment.name = QString::fromUtf8(name);
+    segment.code = {.scheme = QStringLiteral("SCT"),
+        .value = QLatin1String(value),
+        .meaning = QLatin1String(meaning)};
+    return segment;
+}
+
+QString valueIn(const QString& file, const DcmTagKey& tag)
+{
+    DcmFileFormat format;
+    OFString value;
+    if (format.loadFile(QFile::encodeName(file).constData()).good())
+        format.getDataset()->findAndGetOFStringArray(tag, value);
+    return QString::fromUtf8(value.c_str());
+}
+
+struct Marked {
+    QTemporaryDir folder;
+    LoadedVolume study;
+    std::vector<std::uint8_t> labels;
+    std::vector<std::uint8_t> coverage;
+    std::vector<LabelPlaneView> planes;
+
+    Marked()
+    {
+        const QString images = folder.filePath(QStringLiteral("MARKERPATH"));
+        test::writeSeries(test::markedSeries(), images);
+        Result<LoadedVolume> loaded = loadVolume(images);
+        if (!loaded)
+            qFatal("%s", qPrintable(messageOf(loaded.error())));
+        study = *std::move(loaded);
+        const std::size_t count = study.codes.size();
+        labels.resize(count);
+        coverage.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            labels[i] = i % 7 == 0 ? 1 : i % 11 == 0 ? 2 : 0;
+            coverage[i] = i % 5 == 0 ? 200 : 30;
+        }
+        planes = {{.plane = 0, .labels = labels}};
+        QDir(folder.path()).mkdir(QStringLiteral("out"));
+    }
+    [[nodiscard]] QString out(const QString& name) const
+    {
+        return folder.filePath(QStringLiteral("out/") + name);
+    }
+    [[nodiscard]] std::shared_ptr<const Deidentifier> by(
+        const DeidentifyOptions& options = {}, const QByteArray& secret = "secret") const
+    {
+        return std::make_shared<Deidentifier>(options, study.volume.identity, secret);
+    }
+    [[nodiscard]] Result<ExportReport> write(ExportFormat format, const QString& name,
+        const std::shared_ptr<const Deidentifier>& deidentifier, bool deflated = false) const
+    {
+        ExportRequest request{.format = format,
+            .file = out(name),
+            .force = true,
+            .segments = {segmentOf(1, "Leber MARKERNAME", "10200004", "Liver"),
+                segmentOf(2, "Otto: MARKERID", "64033007", "Kidney")},
+            .planes = planes,
+            .coverages = {{.label = 1,
+                .layer = QStringLiteral("MARKERNAME's layer"),
+                .coverage = coverage}},
+            .codes = study.codes,
+            .deidentifier = deidentifier};
+        request.seg.deflated = deflated;
+        return exportMask(study.volume, request, {});
+    }
+    [[nodiscard]] Result<ExportReport> carve(
+        const QString& name, const std::shared_ptr<const Deidentifier>& deidentifier) const
+    {
+        return exportCarvedVolume(study.volume,
+            {.target = out(name),
+                .coverage = coverage,
+                .codes = study.codes,
+                .fill = -1000.0,
+                .deidentifier = deidentifier},
+            {});
+    }
+};
+
+} // namespace
+
+/// Exports that do not tell who the patient is.
+class DeidentifiedExportTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+    void theSourceIsMarked();
+    void noMarkerAnywhere_data();
+    void noMarkerAnywhere();
+    void whatIsKeptIsSaid();
+    void oneMappingForAll();
+    void namesAreCleaned();
+    void picturesWithTextAreRefused();
+    void aNameThatWasLeftIsFound();
+};
+
+/// What the others look for can be found.
+void DeidentifiedExportTest::theSourceIsMarked()
+{
+    const Marked on;
+    const QByteArrayList found = test::markersIn(on.study.volume.sources.front().file);
+    for (const char* marker :
+        {"MARKERNAME", "MARKERID", "MARKERTEXT", "19330214", "2.25.77007700", "77.0770770"})
+        QVERIFY2(found.contains(marker), marker);
+    QVERIFY(on.write(ExportFormat::DicomSeg, QStringLiteral("named.dcm"), nullptr, true));
+    const QByteArrayList named = test::markersIn(on.out(QStringLiteral("named.dcm")));
+    QVERIFY2(named.contains("MARKERNAME") && named.contains("MARKERID")
+            && named.contains("2.25.77007700"),
+        named.join(' ').constData());
+}
+
+void DeidentifiedExportTest::noMarkerAnywhere_data()
+{
+    QTest::addColumn<bool>("keeping");
+    QTest::newRow("nothing kept") << false;
+    QTest::newRow("descriptions kept, dates shifted") << true;
+}
+
+void DeidentifiedExportTest::noMarkerAnywhere()
+{
+    QFETCH(bool, keeping);
+    const Marked on;
+    const auto by = on.by(
+        {.dates = keeping ? DeidentifyOptions::Dates::Shift : DeidentifyOptions::Dates::Remove,
+            .shiftDays = -77,
+            .keepDescriptions = keeping});
+    const std::initializer_list<std::pair<ExportFormat, const char*>> all{
+        {ExportFormat::DicomSeg, "a.dcm"}, {ExportFormat::DicomSegFractional, "b.dcm"},
+        {ExportFormat::DicomSegLabelMap, "c.dcm"}, {ExportFormat::RtStruct, "d.dcm"},
+        {ExportFormat::Nifti, "e.nii.gz"}, {ExportFormat::SegNrrd, "f.seg.nrrd"},
+        {ExportFormat::Stl, "g.stl"}, {ExportFormat::Obj, "h.obj"}, {ExportFormat::Ply, "i.ply"},
+        {ExportFormat::Gltf, "j.glb"}, {ExportFormat::Csv, "k.csv"}, {ExportFormat::Json, "l.json"},
+        {ExportFormat::Sr, "m.dcm"}};
+    for (const auto& [format, name] : all) {
+        const auto report = on.write(format, QLatin1String(name), by);
+        QVERIFY2(report, qPrintable(report ? QString() : name + messageOf(report.error())));
+        QVERIFY(report->written.join(u' ').contains(QStringLiteral("De-identified")));
+    }
+    QVERIFY(on.write(ExportFormat::DicomSeg, QStringLiteral("z.dcm"), by, true));
+    const auto carved = on.carve(QStringLiteral("series"), by);
+    QVERIFY2(carved, qPrintable(carved ? QString() : messageOf(carved.error())));
+    QVERIFY(carved->cautions.join(u' ').contains(QStringLiteral("face")));
+
+    QStringList files;
+    for (const QString& folder : {on.out({}), on.out(QStringLiteral("series"))}) {
+        for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files | QDir::Hidden))
+            files += file.filePath();
+    }
+    QVERIFY(files.size() >= 15 + 6);
+    for (const QString& file : files) {
+        QByteArrayList found = test::markersIn(file);
+        // A description is text of the hospital: only the patient's own words are taken out of it.
+        if (keeping)
+            found.removeAll("MARKERTEXT");
+        QVERIFY2(found.isEmpty(), (file.toUtf8() + ": " + found.join(' ')).constData());
+        const bool isDicom = file.endsWith(QLatin1String(".dcm"));
+        const bool judged = isDicom && !file.endsWith(QLatin1String("/c.dcm"))
+            && !file.endsWith(QLatin1String("/z.dcm"));
+        if (!isDicom)
+            continue;
+        QCOMPARE(valueIn(file, DCM_PatientIdentityRemoved), QStringLiteral("YES"));
+        QCOMPARE(valueIn(file, DCM_PatientID), by->patientId());
+        QCOMPARE(valueIn(file, DCM_LongitudinalTemporalInformationModified),
+            keeping ? QStringLiteral("MODIFIED") : QStringLiteral("REMOVED"));
+        QCOMPARE(valueIn(file, DCM_StudyDate), keeping ? QStringLiteral("19321129") : QString());
+        if (judged) {
+            const auto valid = test::runProgram(QStringLiteral("dciodvfy"), {file});
+            QVERIFY2(valid.exitCode == 0 && !valid.output.contains("Error"),
+                (file.toUtf8() + "\n" + valid.output).constData());
+        }
+    }
+}
+
+void DeidentifiedExportTest::whatIsKeptIsSaid()
+{
+    const Marked on;
+    QVERIFY(on.write(ExportFormat::DicomSeg, QStringLiteral("a.dcm"),
+        on.by({.dates = DeidentifyOptions::Dates::Keep,
+            .keepDevice = true,
+            .keepDescriptions = true})));
+    DcmFileFormat format;
+    QVERIFY(format.loadFile(QFile::encodeName(on.out(QStringLiteral("a.dcm"))).constData()).good());
+    QStringList codes;
+    DcmItem* code = nullptr;
+    for (long i = 0; format.getDataset()
+                         ->findAndGetSequenceItem(DCM_DeidentificationMethodCodeSequence, code, i)
+                         .good();
+         ++i) {
+        OFString value;
+        code->findAndGetOFString(DCM_CodeValue, value);
+        codes += QString::fromLatin1(value.c_str());
+    }
+    QCOMPARE(codes,
+        (QStringList{QStringLiteral("113100"), QStringLiteral("113105"), QStringLiteral("113106"),
+            QStringLiteral("113109")}));
+    QCOMPARE(valueIn(on.out(QStringLiteral("a.dcm")), DCM_StudyDate), QStringLiteral("19330214"));
+    QVERIFY(valueIn(on.out(QStringLiteral("a.dcm")), DCM_DeidentificationMethod)
+                .contains(QStringLiteral("PS3.15 basic profile")));
+    // The scanner stays where that was asked for.
+    QVERIFY(on.carve(QStringLiteral("kept"), on.by({.keepDevice = true})));
+    QCOMPARE(valueIn(on.out(QStringLiteral("kept/IM0001.dcm")), DCM_DeviceSerialNumber),
+        QStringLiteral("MARKERID"));
+}
+
+void DeidentifiedExportTest::oneMappingForAll()
+{
+    const Marked on;
+    const auto by = on.by();
+    QVERIFY(on.write(ExportFormat::DicomSeg, QStringLiteral("a.dcm"), by));
+    QVERIFY(on.write(ExportFormat::RtStruct, QStringLiteral("b.dcm"), by));
+    QVERIFY(on.write(ExportFormat::Sr, QStringLiteral("c.dcm"), by));
+    QVERIFY(on.carve(QStringLiteral("series"), by));
+    const auto seg = readSeg(on.out(QStringLiteral("a.dcm")));
+    const auto contours = readRtStruct(on.out(QStringLiteral("b.dcm")));
+    const auto report = readSr(on.out(QStringLiteral("c.dcm")));
+    QVERIFY(seg && contours && report);
+    QCOMPARE(contours->studyUid, seg->studyUid);
+    QCOMPARE(report->studyUid, seg->studyUid);
+    QCOMPARE(contours->frameOfReferenceUid, seg->frameOfReferenceUid);
+    QVERIFY(seg->studyUid.startsWith(QStringLiteral("2.25.")) && seg->studyUid.size() > 30);
+    // The report's evidence is the SEG beside it and the images of this one.
+    QVERIFY(report->evidence.contains(
+        valueIn(on.out(QStringLiteral("c-seg.dcm")), DCM_SOPInstanceUID)));
+    for (const QString& instance : seg->referencedSopUids)
+        QVERIFY(report->evidence.contains(instance));
+    const QString image = on.out(QStringLiteral("series/IM0003.dcm"));
+    QCOMPARE(valueIn(image, DCM_StudyInstanceUID), seg->studyUid);
+    QCOMPARE(valueIn(image, DCM_FrameOfReferenceUID), seg->frameOfReferenceUid);
+    DcmFileFormat format;
+    DcmItem* source = nullptr;
+    OFString uid;
+    QVERIFY(format.loadFile(QFile::encodeName(image).constData()).good());
+    QVERIFY(format.getDataset()->findAndGetSequenceItem(DCM_SourceImageSequence, source).good());
+    source->findAndGetOFString(DCM_ReferencedSOPInstanceUID, uid);
+    QVERIFY(seg->referencedSopUids.contains(QString::fromLatin1(uid.c_str())));
+
+    // The same secret: the same; another, or one that is drawn: others.
+    QCOMPARE(on.by()->uid(QStringLiteral("2.25.7700770077001")), seg->studyUid);
+    QVERIFY(on.by({}, "other")->uid(QStringLiteral("2.25.7700770077001")) != seg->studyUid);
+    QVERIFY(on.by({}, {})->patientId() != on.by({}, {})->patientId());
+    QCOMPARE(by->uid(QStringLiteral("1.2.840.10008.5.1.4.1.1.2")),
+        QStringLiteral("1.2.840.10008.5.1.4.1.1.2"));
+}
+
+void DeidentifiedExportTest::namesAreCleaned()
+{
+    StudyIdentity patient;
+    patient.patientName = QStringLiteral("Li^Wang=李^王");
+    patient.patientId = QStringLiteral("P-0815");
+    patient.birthDate = QStringLiteral("1950-01-02");
+    const Deidentifier by({.keepDescriptions = true}, patient, "secret");
+    // A name of two letters is taken out where it is a word, not out of others.
+    QCOMPARE(
+        by.cleanText(QStringLiteral("Liver of Li Wang, P-0815")), QStringLiteral("Liver of ,"));
+    QCOMPARE(by.cleanText(QStringLiteral("born 19500102 / 1950-01-02")), QStringLiteral("born /"));
+    QCOMPARE(by.segmentName(3, QStringLiteral("wang"), QString()), QStringLiteral("Segment 3"));
+    QCOMPARE(
+        by.segmentName(3, QStringLiteral("Leber 王 x"), QString()), QStringLiteral("Leber 王 x"));
+    const Deidentifier strict({}, patient, "secret");
+    QCOMPARE(strict.segmentName(1, QStringLiteral("Mine"), QStringLiteral("Liver")),
+        QStringLiteral("Liver"));
+    QCOMPARE(strict.date(QStringLiteral("20200101")), QString());
+    const Deidentifier shifted(
+        {.dates = DeidentifyOptions::Dates::Shift, .shiftDays = -1}, patient, "secret");
+    QCOMPARE(shifted.date(QStringLiteral("20200301")), QStringLiteral("20200229"));
+    QCOMPARE(shifted.date(QStringLiteral("nonsense")), QString());
+}
+
+void DeidentifiedExportTest::picturesWithTextAreRefused()
+{
+    QTemporaryDir folder;
+    test::SyntheticSeries series = test::markedSeries();
+    const auto mark = series.adjust;
+    series.adjust = [mark](DcmDataset& set, int k) {
+        mark(set, k);
+        set.putAndInsertString(DCM_BurnedInAnnotation, "YES");
+    };
+    test::writeSeries(series, folder.filePath(QStringLiteral("study")));
+    const auto study = loadVolume(folder.filePath(QStringLiteral("study")));
+    QVERIFY(study);
+    const std::vector<std::uint8_t> coverage(study->codes.size(), 255);
+    CarvedRequest request{.target = folder.filePath(QStringLiteral("out")),
+        .coverage = coverage,
+        .codes = study->codes,
+        .fill = -1000.0,
+        .deidentifier =
+            std::make_shared<Deidentifier>(DeidentifyOptions(), study->volume.identity)};
+    const auto made = exportCarvedVolume(study->volume, request, {});
+    QVERIFY(!made);
+    QCOMPARE(made.error().code, ErrorCode::UnsupportedFormat);
+    QVERIFY(!QDir(request.target).exists());
+}
+
+void DeidentifiedExportTest::aNameThatWasLeftIsFound()
+{
+    const Marked on;
+    const auto by = on.by();
+    QVERIFY(on.write(ExportFormat::DicomSeg, QStringLiteral("a.dcm"), by));
+    const QString file = on.out(QStringLiteral("a.dcm"));
+    QVERIFY(checkDeidentified(file, *by));
+    for (const auto& [tag, value] : {std::pair(DCM_SeriesDescription, "Kopf MARKERNAME"),
+             std::pair(DCM_StudyInstanceUID, "2.25.7700770077001")}) {
+        DcmFileFormat format;
+        QVERIFY(format.loadFile(QFile::encodeName(file).constData()).good());
+        format.getDataset()->putAndInsertString(tag, value);
+        const QString changed = on.out(QStringLiteral("changed.dcm"));
+        QVERIFY(format.saveFile(QFile::encodeName(changed).constData()).good());
+        const auto checked = checkDeidentified(changed, *by);
+        QVERIFY(!checked);
+        QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
+    }
+}
+
+QTEST_GUILESS_MAIN(DeidentifiedExportTest)
+#include "DeidentifiedExportTest.moc"

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/SegReader.h"
+#include "core/export/CheckExport.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/Python.h"
+#include "tests/support/SmallSeries.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+namespace {
+
+core::CodedConcept sct(const char* value, const char* meaning)
+{
+    return {.scheme = QStringLiteral("SCT"),
+        .value = QLatin1String(value),
+        .meaning = QLatin1String(meaning)};
+}
+
+core::Segment segmentOf(int label, const char* name)
+{
+    core::Segment segment;
+    segment.label = std::uint8_t(label);
+    segment.name = QString::fromUtf8(name);
+    segment.rgb = 0x3399ff;
+    segment.code = sct("64033007", "Kidney");
+    return segment;
+}
+
+QJsonArray asJson(const core::CodedConcept& code)
+{
+    return {QJsonArray{code.scheme, code.value, code.meaning}};
+}
+
+QString messageOf(const core::Error& error)
+{
+    return QString::number(int(error.code)) + QLatin1Char(' ')
+        + error.arguments.join(QStringLiteral(" | "));
+}
+
+/// A series of uneven width on disk with labels, and the coverage of a layer that segment 1 was
+/// made of, parted from it in some voxels since.
+struct Made {
+    QTemporaryDir folder;
+    QString file = folder.filePath(QStringLiteral("seg.dcm"));
+    core::Volume volume;
+    std::vector<std::uint8_t> labels;
+    std::vector<std::uint8_t> coverage;
+    std::vector<core::LabelPlaneView> planes;
+    std::size_t area = 0;
+
+    Made()
+    {
+        test::SmallSeries series;
+        series.size = {11, 7, 6};
+        series.placeEvenly({0, 0, 10}, {0, 0, 2.5});
+        volume = series.write(folder.filePath(QStringLiteral("images")));
+        area = std::size_t(series.size.x) * std::size_t(series.size.y);
+        std::mt19937 random(7);
+        for (std::size_t i = 0; i < volume.geometry.voxelCount(); ++i) {
+            const std::size_t k = i / area;
+            coverage.push_back(k == 0 || k > 4 ? 0 : std::uint8_t(random() % 256));
+            // The first layer's lower rim is thinner than half a voxel everywhere.
+            if (k == 1)
+                coverage.back() /= 3;
+            const unsigned dice = random() % 10;
+            labels.push_back(coverage.back() >= 128 && dice > 0 ? 1 : 0);
+            if (labels.back() == 0 && dice == 9)
+                labels.back() = k == 0 ? 0 : random() % 2 == 0 ? 1 : 2;
+        }
+        planes = {{.plane = 0, .labels = labels}};
+    }
+
+    [[nodiscard]] core::ExportRequest request(core::ExportFormat format) const
+    {
+        return {.format = format,
+            .file = file,
+            .segments = {segmentOf(1, "Niere"), segmentOf(2, "Übrige")},
+            .planes = planes};
+    }
+    [[nodiscard]] std::uint8_t share(int label, std::size_t i) const
+    {
+        const bool inside = labels[i] == label;
+        if (label != 1)
+            return inside ? 255 : 0;
+        if (inside)
+            return coverage[i] >= 128 ? coverage[i] : 255;
+        return coverage[i] < 128 ? coverage[i] : 0;
+    }
+};
+
+QJsonObject factsOf(const QString& file)
+{
+    const auto read = test::runScript(QStringLiteral("seg_pixels.py"), {file});
+    if (read.exitCode != 0)
+        qWarning("%s", qPrintable(read.errors));
+    return QJsonDocument::fromJson(read.output).object();
+}
+
+QString sha256(const QByteArray& bytes)
+{
+    return QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
+}
+
+} // namespace
+
+/// DICOM SEG beside BINARY: fractional, label maps; deflated; what segments are, in full.
+class ExportSegTypesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+    void fractionalHoldsTheCoverage();
+    void fractionalWithoutCoverageIsWhole();
+    void labelMap();
+    void labelMapHoldsNoOverlap();
+    void deflated_data();
+    void deflated();
+    void codesInFull();
+    void byHandNamesNoAlgorithm();
+    void codeThatDicomCannotHold();
+    void aByteThatIsWrongIsFound_data();
+    void aByteThatIsWrongIsFound();
+
+private:
+    void validate(const QString& file);
+};
+
+void ExportSegTypesTest::validate(const QString& file)
+{
+    const auto result = test::runProgram(QStringLiteral("dciodvfy"), {file});
+    const QByteArray text = result.output;
+    QVERIFY2(result.exitCode == 0 && !text.contains("Error"), text.constData());
+}
+
+void ExportSegTypesTest::fractionalHoldsTheCoverage()
+{
+    const Made on;
+    core::ExportRequest request = on.request(core::ExportFormat::DicomSegFractional);
+    request.coverages = {
+        {.label = 1, .layer = QStringLiteral("Sculpt 1"), .coverage = on.coverage}};
+    const auto report = core::exportMask(on.volume, request, {});
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    QVERIFY(
+        report->written.join(u' ').contains(QStringLiteral("'Niere' as sculpt layer 'Sculpt 1'")));
+    QVERIFY(report->written.join(u' ').contains(QStringLiteral("every voxel 0 or 255: 'Übrige'")));
+
+    const QJsonObject facts = factsOf(on.file);
+    QCOMPARE(facts["type"].toString(), QStringLiteral("FRACTIONAL"));
+    QCOMPARE(facts["fractionalType"].toString(), QStringLiteral("OCCUPANCY"));
+    QCOMPARE(facts["full"].toInt(), 255);
+    QCOMPARE(facts["bits"].toArray(), (QJsonArray{8, 8, 7}));
+    std::size_t frames = 0;
+    bool both = false;
+    for (const int label : {1, 2}) {
+        for (std::size_t k = 0; k < 6; ++k) {
+            QByteArray bytes;
+            for (std::size_t i = k * on.area; i < (k + 1) * on.area; ++i) {
+                bytes += char(on.share(label, i));
+                both = both || (on.share(1, i) != 0 && on.share(2, i) != 0);
+                // Whoever takes half as the border finds the segment.
+                QCOMPARE(on.share(label, i) >= 128, on.labels[i] == label);
+            }
+            if (bytes.count('\0') == bytes.size())
+                continue;
+            const QJsonObject frame = facts["frames"].toArray()[int(frames++)].toObject();
+            QCOMPARE(frame["segment"].toInt(), label);
+            QCOMPARE(frame["z"].toDouble(), 10 + 2.5 * double(k));
+            QCOMPARE(frame["sha256"].toString(), sha256(bytes));
+        }
+    }
+    QCOMPARE(std::size_t(facts["frames"].toArray().size()), frames);
+    QVERIFY(both);
+    QCOMPARE(facts["overlap"].toString(), QStringLiteral("YES"));
+    validate(on.file);
+}
+
+void ExportSegTypesTest::fractionalWithoutCoverageIsWhole()
+{
+    const Made on;
+    const auto report =
+        core::exportMask(on.volume, on.request(core::ExportFormat::DicomSegFractional), {});
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    const auto seg = core::readSeg(on.file);
+    QVERIFY(seg);
+    QCOMPARE(seg->type, core::SegFile::Type::Fractional);
+    for (const std::uint8_t byte : seg->bits)
+        QVERIFY(byte == 0 || byte == 255);
+    QCOMPARE(seg->segmentsOverlap, QStringLiteral("NO"));
+    validate(on.file);
+}
+
+void ExportSegTypesTest::labelMap()
+{
+    const Made on;
+    core::ExportRequest request = on.request(core::ExportFormat::DicomSegLabelMap);
+    const auto report = core::exportMask(on.volume, request, {});
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    QVERIFY(report->cautions.join(u' ').contains(QStringLiteral("supplement 243")));
+    const QJsonObject facts = factsOf(on.file);
+    QCOMPARE(facts["class"].toString(), QStringLiteral("1.2.840.10008.5.1.4.1.1.66.7"));
+    QCOMPARE(facts["type"].toString(), QStringLiteral("LABELMAP"));
+    QCOMPARE(facts["patientName"].toString(), QStringLiteral("Müller^Jörg"));
+    QCOMPARE(facts["dimensions"].toArray(), QJsonArray{QStringLiteral("(0020, 0032)")});
+    const QJsonArray segments = facts["segments"].toArray();
+    QCOMPARE(segments.size(), 3);
+    QCOMPARE(segments[0]["number"].toInt(), 0);
+    QCOMPARE(segments[0]["label"].toString(), QStringLiteral("Background"));
+    QCOMPARE(segments[2]["label"].toString(), QStringLiteral("Übrige"));
+    QCOMPARE(segments[2]["lab"].toArray().size(), 3);
+    int frames = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+        const QByteArray bytes(
+            reinterpret_cast<const char*>(on.labels.data() + k * on.area), qsizetype(on.area));
+        if (bytes.count('\0') == bytes.size())
+            continue;
+        const QJsonObject frame = facts["frames"].toArray()[frames++].toObject();
+        QCOMPARE(frame["segment"].toInt(), 0);
+        QCOMPARE(frame["indices"].toArray(), QJsonArray{int(k) + 1});
+        QCOMPARE(frame["sha256"].toString(), sha256(bytes));
+    }
+    QCOMPARE(facts["frames"].toArray().size(), frames);
+    // It was made before label maps: the class is all that it finds fault with.
+    const auto verified = test::runProgram(QStringLiteral("dciodvfy"), {on.file});
+    for (const QByteArray& line : verified.output.split('\n'))
+        QVERIFY2(!line.contains("Error") || line.contains("SOP Class"), line.constData());
+}
+
+void ExportSegTypesTest::labelMapHoldsNoOverlap()
+{
+    Made on;
+    const std::vector<std::uint8_t> second(on.labels.size(), 2);
+    on.planes.push_back({.plane = 1, .labels = second});
+    core::ExportRequest request = on.request(core::ExportFormat::DicomSegLabelMap);
+    request.segments[1].plane = 1;
+    const auto report = core::exportMask(on.volume, request, {});
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, core::ErrorCode::UnsupportedFormat);
+    QVERIFY(!QFile::exists(on.file));
+}
+
+void ExportSegTypesTest::deflated_data()
+{
+    QTest::addColumn<core::ExportFormat>("format");
+    QTest::newRow("binary") << core::ExportFormat::DicomSeg;
+    QTest::newRow("fractional") << core::ExportFormat::DicomSegFractional;
+    QTest::newRow("label map") << core::ExportFormat::DicomSegLabelMap;
+}
+
+void ExportSegTypesTest::deflated()
+{
+    QFETCH(core::ExportFormat, format);
+    const Made on;
+    core::ExportRequest request = on.request(format);
+    request.coverages = {
+        {.label = 1, .layer = QStringLiteral("Sculpt 1"), .coverage = on.coverage}};
+    QVERIFY(core::exportMask(on.volume, request, {}));
+    const QJsonArray plain = factsOf(on.file)["frames"].toArray();
+    const qint64 size = QFileInfo(on.file).size();
+    request.seg.deflated = true;
+    request.force = true;
+    const auto report = core::exportMask(on.volume, request, {});
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    const QJsonObject facts = factsOf(on.file);
+    QCOMPARE(facts["syntax"].toString(), QStringLiteral("1.2.840.10008.1.2.1.99"));
+    QCOMPARE(facts["frames"].toArray(), plain);
+    QVERIFY(QFileInfo(on.file).size() < size);
+}
+
+void ExportSegTypesTest::codesInFull()
+{
+    const Made on;
+    for (const core::ExportFormat format :
+        {core::ExportFormat::DicomSeg, core::ExportFormat::DicomSegLabelMap}) {
+        core::ExportRequest request = on.request(format);
+        request.force = true;
+        request.seg.algorithm = core::SegAlgorithm::Automatic;
+        request.seg.algorithmName = QStringLiteral("Nierenfänger 2");
+        const core::SegCodes codes{.category = sct("49755003", "Morphologically Altered Structure"),
+            .modifier = sct("24028007", "Right"),
+            .region = sct("10200004", "Liver"),
+            .regionModifier = sct("7771000", "Left")};
+        request.seg.codes[2] = codes;
+        const auto report = core::exportMask(on.volume, request, {});
+        QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+        const QJsonArray segments = factsOf(on.file)["segments"].toArray();
+        const QJsonObject plain = segments[segments.size() - 2].toObject();
+        const QJsonObject full = segments.last().toObject();
+        QCOMPARE(plain["category"].toArray(), asJson(core::anatomicalStructure()));
+        QVERIFY(plain["modifier"].toArray().isEmpty() && plain["region"].toArray().isEmpty());
+        QCOMPARE(full["category"].toArray(), asJson(codes.category));
+        QCOMPARE(full["type"].toArray(), asJson(sct("64033007", "Kidney")));
+        QCOMPARE(full["modifier"].toArray(), asJson(codes.modifier));
+        QCOMPARE(full["region"].toArray(), asJson(codes.region));
+        QCOMPARE(full["regionModifier"].toArray(), asJson(codes.regionModifier));
+        QCOMPARE(full["algorithm"].toArray(),
+            (QJsonArray{QStringLiteral("AUTOMATIC"), QStringLiteral("Nierenfänger 2")}));
+        if (format == core::ExportFormat::DicomSeg)
+            validate(on.file);
+    }
+}
+
+void ExportSegTypesTest::byHandNamesNoAlgorithm()
+{
+    const Made on;
+    core::ExportRequest request = on.request(core::ExportFormat::DicomSeg);
+    request.seg.algorithm = core::SegAlgorithm::Manual;
+    QVERIFY(core::exportMask(on.volume, request, {}));
+    QCOMPARE(factsOf(on.file)["segments"][0]["algorithm"].toArray(),
+        (QJsonArray{QStringLiteral("MANUAL"), QString()}));
+    validate(on.file);
+}
+
+void ExportSegTypesTest::codeThatDicomCannotHold()
+{
+    const Made on;
+    for (const core::ExportFormat format :
+        {core::ExportFormat::DicomSeg, core::ExportFormat::DicomSegLabelMap}) {
+        core::ExportRequest request = on.request(format);
+        request.seg.codes[1].modifier = sct("12345678901234567", "Too long");
+        const auto report = core::exportMask(on.volume, request, {});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, core::ErrorCode::InvalidField);
+        QVERIFY(!QFile::exists(on.file));
+    }
+}
+
+void ExportSegTypesTest::aByteThatIsWrongIsFound_data()
+{
+    deflated_data();
+}
+
+/// The check looks at every voxel: labels that say otherwise in one are enough.
+void ExportSegTypesTest::aByteThatIsWrongIsFound()
+{
+    QFETCH(core::ExportFormat, format);
+    Made on;
+    core::ExportRequest request = on.request(format);
+    request.coverages = {
+        {.label = 1, .layer = QStringLiteral("Sculpt 1"), .coverage = on.coverage}};
+    QVERIFY(core::exportMask(on.volume, request, {}));
+    const core::ExportExpectation right{.volume = on.volume,
+        .segments = request.segments,
+        .planes = request.planes,
+        .format = format,
+        .coverages = request.coverages};
+    QVERIFY(core::checkSegExport(on.file, right, {}));
+    const std::size_t voxel = 2 * on.area + 13;
+    on.labels[voxel] = on.labels[voxel] == 2 ? 0 : 2;
+    const auto checked = core::checkSegExport(on.file, right, {});
+    QVERIFY(!checked);
+    QCOMPARE(checked.error().code, core::ErrorCode::ExportMismatch);
+    QVERIFY(checked.error().arguments.value(1).contains(QStringLiteral("voxels are not as drawn")));
+}
+
+QTEST_GUILESS_MAIN(ExportSegTypesTest)
+#include "ExportSegTypesTest.moc"
