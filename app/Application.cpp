@@ -13,6 +13,7 @@
 #include "ui/MessageBar.h"
 #include "ui/PieceActions.h"
 #include "ui/RecentStudies.h"
+#include "ui/Screenshot.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/CarvedExportDialog.h"
 #include "ui/dialogs/ExportDialog.h"
@@ -172,9 +173,13 @@ void Application::addExport()
                 dialog->open();
             },
         .possible = [this] { return m_workspace->session() != nullptr; }});
+    QAction& picture = m_window->actionTable().add({.id = QStringLiteral("file.savePicture"),
+        .text = QStringLiteral("Save picture of the window …"),
+        .run = [this] { ui::askAndSavePicture(*m_workspace, *m_window); },
+        .possible = [this] { return m_workspace->session() != nullptr; }});
     QMenu& menu = m_window->fileMenu();
-    menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], &action);
-    menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], &carved);
+    for (QAction* each : {&action, &carved, &picture})
+        menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], each);
     m_window->actionTable().refresh();
 }
 

@@ -6,6 +6,7 @@
 #include "core/study/StudyLoader.h"
 #include "ui/ErrorText.h"
 #include "ui/MainWindow.h"
+#include "ui/Screenshot.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
@@ -145,10 +146,9 @@ private:
             m_saving = false;
             return;
         }
-        if (!m_window.grab().save(m_file, "PNG"))
-            QApplication::exit(complain(QStringLiteral("%1: cannot be written").arg(m_file), 1));
-        else
-            QApplication::exit(0);
+        const auto saved =
+            ui::savePicture(m_window.grab().toImage(), m_window.workspace().volume(), m_file);
+        QApplication::exit(saved ? 0 : complain(ui::errorText(saved.error()), 1));
     }
 
     ui::MainWindow& m_window;

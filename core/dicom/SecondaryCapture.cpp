@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/SecondaryCapture.h"
+
+#include "core/dicom/Dcmtk.h"
+#include "core/dicom/DicomFile.h"
+#include "core/dicom/ItemWriter.h"
+#include "core/dicom/NewUid.h"
+#include "core/dicom/PatientAndPlane.h"
+#include "core/dicom/PatientHeader.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+namespace core {
+
+namespace {
+
+constexpr int samples = 3;
+
+void describe(DcmDataset& set, const SecondaryCaptureContent& content, const ItemWriter& items)
+{
+    const QDateTime now = QDateTime::currentDateTime();
+    const QString date = now.toString(QStringLiteral("yyyyMMdd"));
+    const QString time = now.toString(QStringLiteral("HHmmss"));
+    const QString version = QCoreApplication::applicationVersion();
+    bool numbered = false;
+    const int source = content.identity.seriesNumber.toInt(&numbered);
+    items.put(&set, DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
+    items.put(&set, DCM_SOPInstanceUID, newUid());
+    for (const DcmTagKey& tag : {DCM_InstanceCreationDate, DCM_SeriesDate, DCM_ContentDate})
+        items.put(&set, tag, date);
+    for (const DcmTagKey& tag : {DCM_InstanceCreationTime, DCM_SeriesTime, DCM_ContentTime})
+        items.put(&set, tag, time);
+    items.put(&set, DCM_Modality, "OT");
+    items.put(&set, DCM_ConversionType, "WSD");
+    items.put(&set, DCM_ImageType, "DERIVED\\SECONDARY");
+    items.put(&set, DCM_Manufacturer, "Burin");
+    items.put(&set, DCM_ManufacturerModelName, "Burin");
+    items.put(
+        &set, DCM_SoftwareVersions, version.isEmpty() ? QStringLiteral("development") : version);
+    items.put(&set, DCM_SeriesInstanceUID, newUid());
+    items.put(&set, DCM_SeriesNumber,
+        QString::number(5000 + (numbered && source > 0 && source < 1'000'000 ? source : 0)));
+    items.put(&set, DCM_SeriesDescription,
+        singleValueText(QStringLiteral("Screenshot ") + content.identity.seriesDescription, 64));
+    items.put(&set, DCM_InstanceNumber, "1");
+    items.put(&set, DCM_Laterality, "");
+    items.put(&set, DCM_PatientOrientation, "");
+    items.put(&set, DCM_BurnedInAnnotation, content.picture.showsPatient ? "YES" : "NO");
+}
+
+} // namespace
+
+Result<QStringList> writeSecondaryCapture(
+    const QString& path, const SecondaryCaptureContent& content, const Progress& progress)
+{
+    readyDcmtk();
+    const ScreenPicture& picture = content.picture;
+    if (picture.width < 1 || picture.height < 1 || picture.width > 65535 || picture.height > 65535
+        || picture.rgb.size() != std::size_t(picture.width) * std::size_t(picture.height) * samples)
+        return failure(ErrorCode::UnsupportedFormat, path,
+            QStringLiteral("DICOM holds pictures of 1 to 65535 rows and columns"));
+    // One image of the study knows all that a picture takes over.
+    const std::vector<SourceSlice> first(
+        content.sources.begin(), content.sources.begin() + (content.sources.empty() ? 0 : 1));
+    if (first.empty())
+        return failure(ErrorCode::UnsupportedFormat, path,
+            QStringLiteral("the study was not read from DICOM images, whose patient and study a "
+                           "Secondary Capture must name"));
+    const auto source = readSegSource(first, content.keptHeaders.get(), progress);
+    if (!source)
+        return tl::unexpected(source.error());
+    DcmFileFormat format;
+    DcmDataset& set = *format.getDataset();
+    ConditionChain chain;
+    const ItemWriter items(chain);
+    for (DcmObject* object = source->header->nextInContainer(nullptr); object != nullptr;
+         object = source->header->nextInContainer(object))
+        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
+    set.findAndDeleteElement(DCM_FrameOfReferenceUID);
+    completePatientHeader(set, chain);
+    describe(set, content, items);
+    items.putWord(&set, DCM_SamplesPerPixel, samples);
+    items.put(&set, DCM_PhotometricInterpretation, "RGB");
+    items.putWord(&set, DCM_PlanarConfiguration, 0);
+    items.putWord(&set, DCM_Rows, picture.height);
+    items.putWord(&set, DCM_Columns, picture.width);
+    items.putWord(&set, DCM_BitsAllocated, 8);
+    items.putWord(&set, DCM_BitsStored, 8);
+    items.putWord(&set, DCM_HighBit, 7);
+    items.putWord(&set, DCM_PixelRepresentation, 0);
+    std::vector<std::uint8_t> pixels(picture.rgb.begin(), picture.rgb.end());
+    if (pixels.size() % 2 != 0)
+        pixels.push_back(0);
+    chain(set.putAndInsertUint8Array(
+              DCM_PixelData, pixels.data(), static_cast<unsigned long>(pixels.size())),
+        "pixels");
+    if (!chain.good())
+        return failure(ErrorCode::Internal, chain.failure());
+    const OFCondition saved =
+        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianExplicit);
+    if (saved.bad())
+        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    return source->notes;
+}
+
+Result<SecondaryCaptureFile> readSecondaryCapture(const QString& path)
+{
+    if (!QFileInfo::exists(path))
+        return failure(ErrorCode::FileNotFound, path);
+    const Result<DicomFile> file = DicomFile::openWithPixels(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    DcmDataset set;
+    if (const Result<void> parsed = file->readInto(set); !parsed)
+        return tl::unexpected<Error>(parsed.error());
+    const ItemReader reader(&set);
+    if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_SecondaryCaptureImageStorage)
+        || reader.text(DCM_PhotometricInterpretation) != QLatin1String("RGB"))
+        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("no picture in colours"));
+    SecondaryCaptureFile read;
+    read.patient = readHeaderPatient(set);
+    read.studyUid = reader.text(DCM_StudyInstanceUID);
+    read.seriesUid = reader.text(DCM_SeriesInstanceUID);
+    read.width = reader.integer(DCM_Columns).value_or(0);
+    read.height = reader.integer(DCM_Rows).value_or(0);
+    const std::size_t needed = std::size_t(read.width) * std::size_t(read.height) * samples;
+    const DicomFile::Bytes pixels = file->pixels();
+    if (!file->hasPixels() || pixels.size() < needed)
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("pixels are missing"));
+    read.rgb.assign(pixels.begin(), pixels.begin() + std::ptrdiff_t(needed));
+    return read;
+}
+
+} // namespace core

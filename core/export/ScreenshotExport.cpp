@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/ScreenshotExport.h"
+
+#include "core/base/StagedFile.h"
+#include "core/export/CheckSources.h"
+#include "core/export/MaskSelection.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+Result<QStringList> check(const QString& path, const Volume& volume, const ScreenPicture& picture,
+    const Progress& progress)
+{
+    const auto mismatch = [&](const QString& what) {
+        return failure(ErrorCode::ExportMismatch, path, what);
+    };
+    const auto read = readSecondaryCapture(path);
+    if (!read)
+        return tl::unexpected(read.error());
+    const auto headers =
+        readSourceHeaders({volume.sources.front()}, volume.keptHeaders.get(), progress);
+    if (!headers)
+        return tl::unexpected(headers.error());
+    const SourceHeader& header = headers->front();
+    if (const QString what = differenceOfPatients(read->patient, header.patient); !what.isEmpty())
+        return mismatch(what);
+    if (read->studyUid != header.studyUid || read->studyUid != volume.identity.studyUid)
+        return mismatch(QStringLiteral("the study"));
+    if (read->seriesUid == header.seriesUid)
+        return mismatch(QStringLiteral("the series is not a new one"));
+    if (read->width != picture.width || read->height != picture.height
+        || !std::equal(read->rgb.begin(), read->rgb.end(), picture.rgb.begin(), picture.rgb.end()))
+        return mismatch(QStringLiteral("the pixels"));
+    return QStringList{QStringLiteral("All %1 × %2 pixels are those of the picture; patient and "
+                                      "study are those of the images that it shows.")
+                           .arg(picture.width)
+                           .arg(picture.height)};
+}
+
+Error renamed(Error error, const StagedFile& staged, const QString& file)
+{
+    for (QString& argument : error.arguments) {
+        if (argument == staged.path())
+            argument = file;
+    }
+    return error;
+}
+
+} // namespace
+
+Result<ExportReport> exportScreenshot(
+    const Volume& volume, const ScreenshotRequest& request, const Progress& progress)
+{
+    if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("the study does not say to which patient and study a Secondary Capture "
+                           "would belong; a PNG can be written"));
+    if (isSourceFile(volume, request.file))
+        return failure(ErrorCode::FileUnwritable, request.file,
+            QStringLiteral("it is a file of the study itself"));
+    auto staged = StagedFile::create(request.file, request.force);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    const auto notes = writeSecondaryCapture(staged->path(),
+        {.identity = volume.identity,
+            .sources = volume.sources,
+            .keptHeaders = volume.keptHeaders,
+            .picture = request.picture},
+        progress);
+    if (!notes)
+        return tl::unexpected(renamed(notes.error(), *staged, request.file));
+    const auto checked = check(staged->path(), volume, request.picture, progress);
+    if (!checked)
+        return tl::unexpected(renamed(checked.error(), *staged, request.file));
+    ExportReport report;
+    report.file = request.file;
+    report.written += QStringLiteral("DICOM Secondary Capture of %1 × %2 pixels.")
+                          .arg(request.picture.width)
+                          .arg(request.picture.height);
+    report.checked = *checked;
+    report.cautions = *notes;
+    const auto sum = sha256OfFile(staged->path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), *staged, request.file));
+    report.sha256 = *sum;
+    if (auto done = staged->commit(); !done)
+        return tl::unexpected(done.error());
+    return report;
+}
+
+} // namespace core

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/Screenshot.h"
+
+#include "ui/Workspace.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QPixmap>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QWidget>
+
+namespace ui {
+
+bool isDicomPicture(const QString& file)
+{
+    return file.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive);
+}
+
+core::Result<core::ExportReport> savePicture(
+    const QImage& picture, const core::Volume* volume, const QString& file)
+{
+    if (!isDicomPicture(file)) {
+        if (!picture.save(file, "PNG"))
+            return core::failure(core::ErrorCode::FileUnwritable, file);
+        core::ExportReport report;
+        report.file = file;
+        report.written +=
+            QStringLiteral("PNG of %1 × %2 pixels.").arg(picture.width()).arg(picture.height());
+        return report;
+    }
+    if (!volume)
+        return core::failure(core::ErrorCode::UnsupportedFormat, file,
+            QStringLiteral("no study is open, which a DICOM picture would belong to"));
+    // Rows without the padding that images have.
+    const QImage rows = picture.convertToFormat(QImage::Format_RGB888);
+    std::vector<std::uint8_t> rgb;
+    for (int y = 0; y < rows.height(); ++y) {
+        const std::uint8_t* row = rows.constScanLine(y);
+        rgb.insert(rgb.end(), row, row + std::ptrdiff_t(rows.width()) * 3);
+    }
+    return core::exportScreenshot(*volume,
+        {.file = file,
+            .force = true,
+            .picture = {.width = rows.width(), .height = rows.height(), .rgb = rgb}},
+        core::Progress());
+}
+
+void askAndSavePicture(Workspace& workspace, QWidget& window)
+{
+    const QImage picture = window.grab().toImage();
+    const QString folderKey = QStringLiteral("export/folder");
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QDir folder(QSettings().value(folderKey, documents).toString());
+    const bool isDicom =
+        workspace.volume() && core::dicomSegObstacle(*workspace.volume()).isEmpty();
+    const QString png = QObject::tr("PNG picture (*.png)");
+    const QString dicom = QObject::tr("DICOM Secondary Capture, of this patient (*.dcm)");
+    const QString file = QFileDialog::getSaveFileName(&window,
+        QObject::tr("Save picture of the window"), folder.filePath(QStringLiteral("burin.png")),
+        isDicom ? png + QStringLiteral(";;") + dicom : png);
+    if (file.isEmpty())
+        return;
+    QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
+    const auto saved = savePicture(picture, workspace.volume(), file);
+    if (!saved)
+        return workspace.fail(saved.error());
+    workspace.say(saved->checked.isEmpty()
+            ? QObject::tr("Saved: %1").arg(file)
+            : QObject::tr("Saved and checked: %1, SHA-256 %2").arg(file, saved->sha256));
+}
+
+} // namespace ui
