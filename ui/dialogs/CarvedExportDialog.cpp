@@ -7,6 +7,7 @@
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
+#include "ui/dialogs/DeidentifyBox.h"
 
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -121,6 +122,7 @@ void CarvedExportDialog::build()
         m_fill->setSuffix(QLatin1Char(' ') + volume.unit);
     m_fill->setToolTip(tr("The value of the voxels that are carved away; at first the least of the "
                           "study"));
+    m_deidentify = new DeidentifyBox(this);
     m_target = new QLineEdit(this);
     m_target->setObjectName(QStringLiteral("carvedTarget"));
     m_browse = new QPushButton(tr("Browse …"), this);
@@ -161,6 +163,7 @@ void CarvedExportDialog::build()
     layout->addWidget(m_nifti);
     layout->addWidget(m_coverage);
     layout->addLayout(fill);
+    layout->addWidget(m_deidentify);
     layout->addLayout(target);
     layout->addWidget(m_state);
     layout->addWidget(m_progress);
@@ -179,6 +182,7 @@ void CarvedExportDialog::suggestTarget()
         : m_nifti->isChecked()                 ? QStringLiteral("carved.nii.gz")
                                                : QStringLiteral("coverage.nii.gz");
     m_target->setText(QDir(folder).filePath(name));
+    m_deidentify->setVisible(m_series->isChecked());
     m_fill->setEnabled(!m_coverage->isChecked());
     m_fillLabel->setEnabled(!m_coverage->isChecked());
     showState();
@@ -245,28 +249,33 @@ void CarvedExportDialog::write(const std::vector<ExportJob::Plane>& layers)
         });
         return;
     }
-    m_job.start([volume, target, force = m_force, fill = m_fill->value(),
-                    session = m_workspace.session()->file(), bytes = std::move(coverage)](
-                    const core::Progress& progress) -> core::Result<core::ExportReport> {
-        // The engine alone has the values; exactly they are had from where the study lies.
-        const auto study = core::loadSessionStudy(
-            session, core::SessionSource::of(volume), QString(), QString(), progress);
-        if (!study)
-            return tl::unexpected(study.error());
-        return core::exportCarvedVolume(study->volume,
-            {.target = target,
-                .force = force,
-                .coverage = bytes,
-                .codes = study->codes,
-                .fill = fill},
-            progress);
-    });
+    m_job.start(
+        [volume, target, force = m_force, fill = m_fill->value(),
+            deidentifier =
+                m_series->isChecked() ? m_deidentify->deidentifier(volume.identity) : nullptr,
+            session = m_workspace.session()->file(), bytes = std::move(coverage)](
+            const core::Progress& progress) -> core::Result<core::ExportReport> {
+            // The engine alone has the values; exactly they are had from where the study lies.
+            const auto study = core::loadSessionStudy(
+                session, core::SessionSource::of(volume), QString(), QString(), progress);
+            if (!study)
+                return tl::unexpected(study.error());
+            return core::exportCarvedVolume(study->volume,
+                {.target = target,
+                    .force = force,
+                    .coverage = bytes,
+                    .codes = study->codes,
+                    .fill = fill,
+                    .deidentifier = deidentifier},
+                progress);
+        });
 }
 
 void CarvedExportDialog::showRunning(bool isRunning)
 {
     const bool possible = core::carvedSeriesObstacle(*m_workspace.volume()).isEmpty();
-    for (QWidget* input : std::initializer_list<QWidget*>{m_nifti, m_target, m_browse})
+    for (QWidget* input :
+        std::initializer_list<QWidget*>{m_nifti, m_deidentify, m_target, m_browse})
         input->setEnabled(!isRunning);
     m_series->setEnabled(!isRunning && possible);
     m_coverage->setEnabled(!isRunning && activeLayer(m_workspace));

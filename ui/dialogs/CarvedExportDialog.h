@@ -15,6 +15,7 @@ class QRadioButton;
 
 namespace ui {
 
+class DeidentifyBox;
 class Workspace;
 
 /// Writes the study without what is carved away, as a new DICOM series or NIfTI, or the coverage of
@@ -52,6 +53,7 @@ private:
     QDoubleSpinBox* m_fill = nullptr;
     QLabel* m_fillLabel = nullptr;
     QLineEdit* m_target = nullptr;
+    DeidentifyBox* m_deidentify = nullptr; ///< of the series
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
     QLabel* m_report = nullptr;

@@ -3,6 +3,7 @@
 
 #include "ui/SegmentCodes.h"
 #include "ui/Theme.h"
+#include "ui/dialogs/CodeDetails.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -103,6 +104,22 @@ CodeDialog::CodeDialog(const QString& segment, const core::CodedConcept& present
 core::CodedConcept CodeDialog::code() const
 {
     return {QStringLiteral("SCT"), m_value->text().trimmed(), m_meaning->text().trimmed()};
+}
+
+void CodeDialog::askDetails(const core::SegCodes& present)
+{
+    m_details = new CodeDetails(this);
+    m_details->setCodes(present);
+    auto* column = qobject_cast<QVBoxLayout*>(layout());
+    const int at = column->indexOf(m_problem);
+    column->insertWidget(at, m_details);
+    column->insertWidget(at, new QLabel(tr("In this export's DICOM SEG also:"), this));
+    resize(width(), 680);
+}
+
+core::SegCodes CodeDialog::details() const
+{
+    return m_details ? m_details->codes() : core::SegCodes();
 }
 
 void CodeDialog::fillList()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/dicom/SegSettings.h"
 #include "core/document/Document.h"
 
 #include <QDialog>
@@ -11,6 +12,8 @@ class QPushButton;
 class QTreeWidget;
 
 namespace ui {
+
+class CodeDetails;
 
 /// Chooses the SNOMED CT concept of a segment: a short list that a few letters narrow down, or any
 /// other concept by value and meaning.
@@ -24,6 +27,9 @@ public:
 
     /// What was chosen; not set before.
     [[nodiscard]] core::CodedConcept code() const;
+    /// Asks what else an export is to say of the segment, too.
+    void askDetails(const core::SegCodes& present);
+    [[nodiscard]] core::SegCodes details() const;
 
 private:
     void fillList();
@@ -35,6 +41,7 @@ private:
     QTreeWidget* m_list = nullptr;
     QLineEdit* m_value = nullptr;
     QLineEdit* m_meaning = nullptr;
+    CodeDetails* m_details = nullptr; ///< null: not asked for
     QLabel* m_problem = nullptr;
     QPushButton* m_ok = nullptr;
 };

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/export/ExportChoices.h"
 #include "core/export/ExportMask.h"
 #include "ui/dialogs/ExportJob.h"
 #include "ui/dialogs/LabelFetch.h"
 
 #include <QDialog>
 
-#include <bitset>
-
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
-class QTreeWidget;
-class QTreeWidgetItem;
-
-namespace core {
-class EditSession;
-}
 
 namespace ui {
 
+class ExportOptions;
+class ExportSegments;
 class Workspace;
 
 /// Export of chosen segments in one of core::exportFormats(): whose study it is, which segments
@@ -36,37 +28,38 @@ public:
     explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
 
     /// Reading labels, writing or checking.
-    [[nodiscard]] bool running() const { return m_fetch.running() || m_job.running(); }
+    [[nodiscard]] bool running() const
+    {
+        return m_fetch.running() || m_coverageFetch.running() || m_job.running();
+    }
 
 Q_SIGNALS:
     void exported(const QString& file);
 
 private:
+    /// A segment, and the sculpt layer that it was made of.
+    struct MadeOf {
+        std::uint8_t label = 0;
+        std::uint8_t layer = 0;
+        QString name;
+    };
     void build();
     QWidget* identityBlock();
-    void fillFormats();
-    void fillSegments();
     void showState();
     void showFormat();
-    void chooseCode(QTreeWidgetItem* item);
     void browse();
     void start();
-    void write(const std::vector<ExportJob::Plane>& planes);
+    void takeLabels(const std::vector<ExportJob::Plane>& planes);
+    void write(const std::vector<ExportJob::Plane>& coverages);
     void showRunning(bool running);
     void showProgress(const QString& step, int done, int total);
     void showReport(const core::ExportReport& report);
     void showFailure(const core::Error& error);
     void reject() override;
-    [[nodiscard]] core::ExportFormat format() const;
-    [[nodiscard]] std::vector<core::Segment> chosen() const;
 
     Workspace& m_workspace;
-    QTreeWidget* m_segments = nullptr;
-    QComboBox* m_format = nullptr;
-    QLabel* m_formatSays = nullptr;
-    QComboBox* m_space = nullptr; ///< of surfaces
-    QLabel* m_spaceName = nullptr;
-    QLabel* m_obstacle = nullptr;
+    ExportSegments* m_segments = nullptr;
+    ExportOptions* m_options = nullptr;
     QLineEdit* m_file = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
@@ -75,14 +68,12 @@ private:
     QPushButton* m_export = nullptr;
     QPushButton* m_send = nullptr; ///< once there is a DICOM file
     QPushButton* m_close = nullptr;
-    std::bitset<256> m_unticked; ///< labels the user took the tick from, or that began without
-    bool m_filling = false;
     core::ExportRequest m_request; ///< under way; its segments are taken when it is written
+    std::vector<ExportJob::Plane> m_planes;
+    std::vector<MadeOf> m_layers; ///< of a fractional SEG
     LabelFetch m_fetch;
+    LabelFetch m_coverageFetch;
     ExportJob m_job;
 };
-
-/// Segments whose growth may go on: it was seeded and has not been told to be at closure.
-[[nodiscard]] std::bitset<256> growingLabels(core::EditSession& session);
 
 } // namespace ui

@@ -27,18 +27,6 @@ ExportJob::~ExportJob()
         m_thread->wait();
 }
 
-void ExportJob::start(core::Volume volume, core::ExportRequest request, std::vector<Plane> planes)
-{
-    start([volume = std::move(volume), request = std::move(request), planes = std::move(planes)](
-              const core::Progress& progress) {
-        core::ExportRequest whole = request;
-        whole.planes.clear();
-        for (const Plane& plane : planes)
-            whole.planes.push_back({plane.plane, plane.labels});
-        return core::exportMask(volume, whole, progress);
-    });
-}
-
 void ExportJob::start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write)
 {
     if (running())

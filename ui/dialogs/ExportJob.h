@@ -26,9 +26,7 @@ public:
     explicit ExportJob(QObject* parent = nullptr);
     ~ExportJob() override;
 
-    /// @param request its planes are taken from @p planes
-    void start(core::Volume volume, core::ExportRequest request, std::vector<Plane> planes);
-    /// Any other export. @param write called on the job's thread; owns all it needs
+    /// @param write called on the job's thread; owns all it needs
     void start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write);
     void cancel();
     [[nodiscard]] bool running() const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/SegReader.h"
 #include "ui/dialogs/ExportDialog.h"
 
 #include "tests/reference/ReferenceEngine.h"
@@ -191,6 +192,10 @@ private Q_SLOTS:
         QTest::addColumn<int>("format");
         QTest::addColumn<QByteArray>("name");
         QTest::newRow("SEG") << int(core::ExportFormat::DicomSeg) << QByteArray("out.dcm");
+        QTest::newRow("SEG, fractional")
+            << int(core::ExportFormat::DicomSegFractional) << QByteArray("part.dcm");
+        QTest::newRow("SEG, label map")
+            << int(core::ExportFormat::DicomSegLabelMap) << QByteArray("map.dcm");
         QTest::newRow("NIfTI") << int(core::ExportFormat::Nifti) << QByteArray("out.nii.gz");
         QTest::newRow("RTSTRUCT") << int(core::ExportFormat::RtStruct) << QByteArray("rt.dcm");
         QTest::newRow("STL") << int(core::ExportFormat::Stl) << QByteArray("out.stl");
@@ -221,6 +226,36 @@ private Q_SLOTS:
             QCryptographicHash::hash(contents(file), QCryptographicHash::Sha256).toHex();
         QVERIFY2(report.contains(QString::fromLatin1(sum)), qPrintable(report));
         QVERIFY(!dialog.running());
+    }
+
+    /// Options of the formats show where they mean something, and reach the file.
+    void takesThePatientOut()
+    {
+        ExportFixture fixture;
+        fixture.apply(core::ChangeSegment{1, {}, {}, skull});
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        choose(dialog, core::ExportFormat::Nifti);
+        QVERIFY(!button(dialog, "exportDeflated").isVisible());
+        choose(dialog, core::ExportFormat::DicomSeg);
+        QVERIFY(button(dialog, "exportDeflated").isVisible());
+        QVERIFY(!dialog.findChild<QWidget*>(text("deidentifyDates"))->isVisible());
+        button(dialog, "deidentify").click();
+        QVERIFY(dialog.findChild<QWidget*>(text("deidentifyDates"))->isVisible());
+        button(dialog, "exportDeflated").click();
+        const QString file = fixture.path("out.dcm");
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
+        QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
+        button(dialog, "exportStart").click();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
+        const QString report = dialog.findChild<QLabel*>(text("exportReport"))->text();
+        QVERIFY2(report.contains(text("De-identified")) && report.contains(text("deflated")),
+            qPrintable(report));
+        const auto seg = core::readSeg(file);
+        QVERIFY(seg);
+        QCOMPARE(seg->patient.name, text("Anonymous"));
+        QVERIFY(seg->studyUid != fixture.workspace.volume()->identity.studyUid);
+        QCOMPARE(seg->segments.front().label, text("Skull"));
     }
 
     void asksBeforeItReplaces()

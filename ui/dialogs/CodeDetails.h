@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/dicom/SegSettings.h"
+
+#include <QWidget>
+
+class QComboBox;
+
+namespace ui {
+
+/// What a DICOM SEG says of a segment beside its type: category, side, and where a finding lies.
+class CodeDetails : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CodeDetails(QWidget* parent = nullptr);
+
+    void setCodes(const core::SegCodes& codes);
+    [[nodiscard]] core::SegCodes codes() const;
+
+private:
+    QComboBox* m_category = nullptr;
+    QComboBox* m_modifier = nullptr;
+    QComboBox* m_region = nullptr;
+    QComboBox* m_regionModifier = nullptr;
+};
+
+} // namespace ui
