@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/CommandFixture.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/MarkedSeries.h"
+#include "tests/support/SessionFiles.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+using test::burin;
+using test::key;
+using test::Outcome;
+
+namespace {
+
+/// Names of the exports and their formats.
+const std::initializer_list<std::pair<const char*, const char*>> formats{{"a.dcm", "dicom-seg"},
+    {"b.dcm", "dicom-seg-fractional"}, {"c.dcm", "dicom-seg-labelmap"}, {"d.dcm", "rtstruct"},
+    {"e.nii.gz", "nifti"}, {"f.seg.nrrd", "seg-nrrd"}, {"g.obj", "obj"}, {"h.csv", "csv"},
+    {"i.json", "json"}, {"j.dcm", "sr"}};
+
+QJsonObject recipe(const QTemporaryDir& folder)
+{
+    QJsonArray exports;
+    for (const auto& [file, format] : formats)
+        exports.append(QJsonObject{{key("format"), key(format)},
+            {key("file"), folder.filePath(QLatin1String(file))}, {key("deidentify"), true}});
+    const QJsonArray code{key("SCT"), key("10200004"), key("Liver")};
+    const QJsonArray edits{
+        QJsonObject{{key("edit"), key("addSegment")}, {key("name"), key("Leber")},
+            {key("color"), key("#336699")}, {key("code"), code}},
+        QJsonObject{{key("edit"), key("drill")},
+            {key("view"),
+                QJsonObject{{key("eyeLps"), QJsonArray{0, -300, 45}},
+                    {key("targetLps"), QJsonArray{0, 0, 45}}, {key("up"), QJsonArray{0, 0, 1}},
+                    {key("heightMm"), 60}, {key("orthographic"), true}}},
+            {key("mask"), QJsonObject{{key("shape"), key("circle")}, {key("radiusMm"), 4}}},
+            {key("depthMm"), 6}, {key("surface"), QJsonObject{{key("threshold"), -2000}}},
+            {key("samples"), QJsonArray{QJsonArray{0, 0, 1.0, 0.0}}}},
+        QJsonObject{{key("edit"), key("layerToSegment")}, {key("layer"), 1}, {key("segment"), 1}}};
+    return {{key("edits"), edits}, {key("export"), exports}};
+}
+
+/// The same voxels, of somebody else.
+test::SyntheticSeries ofSomebodyElse()
+{
+    test::SyntheticSeries series = test::markedSeries();
+    series.adjust = [](DcmDataset& set, int k) {
+        set.putAndInsertString(DCM_PatientName, "Other^One");
+        set.putAndInsertString(DCM_SOPInstanceUID, ("2.25.4700099" + std::to_string(k)).c_str());
+        set.putAndInsertString(DCM_FrameOfReferenceUID, "2.25.4700098");
+    };
+    return series;
+}
+
+} // namespace
+
+/// Where a patient's name has no business: what the program says, pictures in sessions,
+/// de-identified exports of `burin run`.
+class PatientPrivacyGlTest : public QObject, protected test::CommandFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        makeFolder();
+    }
+
+    void nothingTellsWhoThePatientIs()
+    {
+        const QTemporaryDir studies;
+        const QTemporaryDir out;
+        const QString study = studies.filePath(QStringLiteral("one"));
+        test::writeSeries(test::markedSeries(), study);
+        const Outcome made = burin({key("run"), CommandFixture::recipe("r.json", ::recipe(out)),
+            key("--study"), study, key("--session"), path("a.burin")});
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        for (const QByteArray& marker : test::markers()) {
+            QVERIFY2(!made.output.contains(marker), made.output.constData());
+            QVERIFY2(
+                !made.complaint.contains(QString::fromLatin1(marker)), qPrintable(made.complaint));
+        }
+        const QFileInfoList files = QDir(out.path()).entryInfoList(QDir::Files | QDir::Hidden);
+        QCOMPARE(std::size_t(files.size()), formats.size() + 1);
+        for (const QFileInfo& file : files) {
+            const QByteArrayList found = test::markersIn(file.filePath());
+            QVERIFY2(found.isEmpty(), (file.fileName().toUtf8() + found.join(' ')).constData());
+        }
+
+        const Outcome taken = burin({key("history"), path("a.burin"), key("--deidentified"),
+            path("b.burin"), key("--dates"), key("-10")});
+        QVERIFY2(taken.status == 0, qPrintable(taken.complaint));
+        QVERIFY2(test::markersIn(path("b.burin")).isEmpty(),
+            test::markersIn(path("b.burin")).join(' ').constData());
+        const Outcome verified =
+            burin({key("replay"), path("b.burin"), key("--verify"), key("--study"), study});
+        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
+    }
+
+    /// The pictures that a session shows itself by are those of voxels alone.
+    void picturesInSessionsNameNobody()
+    {
+        const QTemporaryDir studies;
+        const QTemporaryDir out;
+        QByteArrayList pictures;
+        int i = 0;
+        for (const test::SyntheticSeries& series : {test::markedSeries(), ofSomebodyElse()}) {
+            const QString study = studies.filePath(QString::number(i));
+            const QByteArray session = QByteArray::number(i++) + ".burin";
+            test::writeSeries(series, study);
+            QJsonObject content = ::recipe(out);
+            content.remove(key("export"));
+            const Outcome made = burin({key("run"), CommandFixture::recipe("p.json", content),
+                key("--study"), study, key("--session"), path(session.constData())});
+            QVERIFY2(made.status == 0, qPrintable(made.complaint));
+            pictures += test::text(path(session.constData()),
+                QStringLiteral("SELECT group_concat(hex(png)) FROM keyframe"))
+                            .toLatin1();
+        }
+        QVERIFY(pictures[0].size() > 1000);
+        QVERIFY(pictures[0] == pictures[1]);
+    }
+};
+
+QTEST_GUILESS_MAIN(PatientPrivacyGlTest)
+#include "PatientPrivacyGlTest.moc"
