@@ -14,6 +14,8 @@ constexpr const char* explicitLittle = "1.2.840.10008.1.2.1";
 constexpr const char* deflatedLittle = "1.2.840.10008.1.2.1.99";
 constexpr const char* explicitBig = "1.2.840.10008.1.2.2";
 constexpr const char* rle = "1.2.840.10008.1.2.5";
+constexpr const char* jpeg = "1.2.840.10008.1.2.4.70";
+constexpr const char* jpeg2000 = "1.2.840.10008.1.2.4.90";
 constexpr int deep = 100'000;
 
 QByteArray number(std::uint32_t value, int bytes, bool bigEndian = false)
@@ -117,6 +119,28 @@ QByteArray rleHeader(std::initializer_list<std::uint32_t> values)
     return header.append(64 - header.size(), '\0');
 }
 
+/// An honest image with another frame in another syntax.
+QByteArray withFrame(const QByteArray& honest, const char* syntax, const QByteArray& frame)
+{
+    constexpr qsizetype metaAt = 144; // behind preamble, mark and the length of what follows
+    const auto byte = [&](qsizetype at) { return std::uint32_t(std::uint8_t(honest[at])); };
+    const qsizetype begin = metaAt + qsizetype(byte(140) | byte(141) << 8);
+    const qsizetype end = honest.lastIndexOf(tagBytes(0x7fe00010u));
+    return dicomFile(syntax, honest.mid(begin, end - begin) + encapsulated({QByteArray(), frame}));
+}
+
+/// A JPEG 2000 header for 16 × 12 pixels of one component, in tiles of this size (ITU-T T.800 A.5).
+QByteArray jpeg2000Header(std::uint32_t tile, std::uint32_t columns = 16)
+{
+    const auto big = [](std::uint32_t value, int bytes) { return number(value, bytes, true); };
+    QByteArray all = QByteArray::fromHex("ff4fff51") + big(41, 2) + big(0, 2);
+    for (const std::uint32_t value : {columns, 12u, 0u, 0u, tile, tile, 0u, 0u})
+        all += big(value, 4);
+    all += big(1, 2) + QByteArray::fromHex("0f0101");
+    all += QByteArray::fromHex("ff52000c00000001000504040001"); // COD: five levels, blocks of 64²
+    return all + QByteArray::fromHex("ff5c00134080889090989898a0a0a0a8a8a8b0b0b0"); // QCD
+}
+
 QByteArray unsorted(int count)
 {
     QByteArray all;
@@ -169,6 +193,7 @@ std::vector<HostileDicom> hostileDicoms(const QByteArray& honest)
     const QByteArray secret = tagBytes(0x00091001u) + "OB" + number(0, 2) + words({1u << 30});
     const QByteArray large = withValue(withValue(honest, 0x00280010, 65535), 0x00280011, 65535);
     const char* const damagedRle = "damaged RLE data";
+    const QByteArray startOfTile = QByteArray::fromHex("ff90000a0000ffffffff0001ff93");
     return {
         {"nest of 1000", dicomFile(explicitLittle, nest(1000)), "nested"},
         {"nest of 20000", dicomFile(explicitLittle, nest(20'000)), "nested"},
@@ -200,6 +225,23 @@ std::vector<HostileDicom> hostileDicoms(const QByteArray& honest)
         {"elements in no order", dicomFile(implicitLittle, unsorted(60'000)), "no order"},
         {"empty bytes without end", dicomFile(explicitLittle, QByteArray(2 << 20, '\0')),
             "empty bytes"},
+        {"JPEG of markers that hang DCMTK",
+            withFrame(honest, jpeg,
+                QByteArray::fromHex("ffd8") + QByteArray::fromHex("ff01").repeated(500)),
+            "damaged JPEG data", true},
+        {"JPEG of gigabytes in a few bytes",
+            withFrame(withValue(withValue(honest, 0x00280010, 32000), 0x00280011, 32000), jpeg,
+                QByteArray::fromHex("ffd8ffc3000b107d007d0001011100ffd9")),
+            "cannot hold"},
+        {"JPEG 2000 in tiles that are not there",
+            withFrame(honest, jpeg2000, jpeg2000Header(1) + startOfTile), "JPEG 2000", true},
+        {"JPEG 2000 whose tile is noise",
+            withFrame(
+                honest, jpeg2000, jpeg2000Header(16) + startOfTile + QByteArray(3000, '\x5a')),
+            "JPEG 2000", true},
+        {"JPEG 2000 of another size",
+            withFrame(honest, jpeg2000, jpeg2000Header(0x7fffffffu, 0x7fffffffu) + startOfTile),
+            "JPEG 2000", true},
         {"cut pixel data", honest.left(honest.size() - 100), "pixel data are incomplete", true},
     };
 }
