@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/fuzz/FuzzBytes.h"
+
+namespace test {
+
+// Doors of core through which bytes of strangers come: each opens a file of these bytes as the
+// program would, and returns whatever they are. One file holds those that need the same of core.
+
+void fuzzDicom(FuzzBytes bytes);
+void fuzzSeg(FuzzBytes bytes);
+void fuzzRtStruct(FuzzBytes bytes);
+void fuzzNifti(FuzzBytes bytes);
+void fuzzPackedNifti(FuzzBytes bytes);
+void fuzzNrrd(FuzzBytes bytes);
+void fuzzMetaImage(FuzzBytes bytes);
+void fuzzMesh(FuzzBytes bytes);
+void fuzzSession(FuzzBytes bytes);
+void fuzzDelta(FuzzBytes bytes);
+void fuzzRecipe(FuzzBytes bytes);
+
+} // namespace test

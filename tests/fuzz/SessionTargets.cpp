@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/FuzzTargets.h"
+
+#include "core/brick/BrickDelta.h"
+#include "core/session/SessionFile.h"
+#include "core/session/SessionPreview.h"
+#include "core/session/SessionSalvage.h"
+
+namespace test {
+
+using namespace core;
+
+void fuzzSession(FuzzBytes bytes)
+{
+    const ScratchFile file("file.burin", bytes);
+    (void)previewSession(file.path());
+    (void)checkSession(file.path());
+    const auto session = SessionFile::open(file.path(), SessionAccess::SoundPart);
+    if (!session)
+        return;
+    for (const HistoryRow& row : (*session)->contents().rows) {
+        if (const Result<BrickDelta> delta = (*session)->readDelta(row.id))
+            (void)expandDelta(*delta);
+    }
+}
+
+void fuzzDelta(FuzzBytes bytes)
+{
+    BrickDelta delta;
+    delta.pieces.emplace_back(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
+    (void)expandDelta(delta);
+}
+
+} // namespace test

@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""Small real files for the fuzzers to begin with: seeds.py OUT [SHARED_DATA]
+
+OUT/TARGET/… for every target of FuzzTargets.h. From pydicom's test files, the sessions under
+tests/data, the cases that fuzzing found (tests/data/fuzz) and, where they are, the shared studies;
+volumes of these are cropped to a few voxels. Needs python3-pydicom and python3-nibabel.
+"""
+import gzip
+import json
+import pathlib
+import sys
+import tarfile
+
+import nibabel
+import numpy
+import pydicom
+
+LARGEST = 48 * 1024
+HERE = pathlib.Path(__file__).resolve().parent
+out = pathlib.Path(sys.argv[1])
+shared = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+
+
+def put(target, name, content):
+    folder = out / target
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name.replace("/", "_")).write_bytes(content)
+
+
+def put_dicom(name, content):
+    if not 0 < len(content) <= LARGEST:
+        return
+    try:
+        kind = str(pydicom.dcmread(pydicom.filebase.DicomBytesIO(content), force=True,
+                                   stop_before_pixels=True).get("SOPClassUID", ""))
+    except Exception:  # what pydicom cannot read is a seed all the same
+        kind = ""
+    if kind.startswith("1.2.840.10008.5.1.4.1.1.66."):
+        put("seg", name, content)
+    if kind == "1.2.840.10008.5.1.4.1.1.481.3":
+        put("rtstruct", name, content)
+    put("dicom", name, content)
+
+
+def dicom():
+    for path in (pathlib.Path(pydicom.__file__).parent / "data" / "test_files").rglob("*"):
+        if path.is_file() and path.suffix != ".py":
+            put_dicom(path.name, path.read_bytes())
+    if not shared:
+        return
+    taken = {}
+    for path in sorted(shared.rglob("*")):
+        if path.name.endswith(".tar.xz"):
+            with tarfile.open(path) as archive:
+                for member in archive:
+                    # A few of every series: the rest of it is alike.
+                    key = path.parent.name + str(pathlib.PurePath(member.name).parent)
+                    if member.isfile() and member.size <= LARGEST and taken.get(key, 0) < 3:
+                        taken[key] = taken.get(key, 0) + 1
+                        put_dicom(path.parent.name + "_" + member.name,
+                                  archive.extractfile(member).read())
+        elif path.is_file() and path.parent.parent.name.startswith("edge_"):
+            put_dicom(path.name, path.read_bytes())
+
+
+def volumes():
+    cut = numpy.arange(5 * 4 * 3, dtype=numpy.int16).reshape(5, 4, 3)
+    made = [("made", nibabel.Nifti1Image(cut, numpy.diag([1, 2, 3, 1])))]
+    made.append(("floats", nibabel.Nifti1Image(cut.astype(numpy.float64), numpy.eye(4))))
+    made.append(("second", nibabel.Nifti2Image(cut, numpy.eye(4))))
+    made.append(("pair", nibabel.AnalyzeImage(cut, numpy.eye(4))))
+    for path in sorted(shared.rglob("*.nii.gz")) if shared else []:
+        image = nibabel.load(path)
+        middle = [max(0, size // 2 - 3) for size in image.shape[:3]]
+        made.append((path.name, image.slicer[tuple(slice(at, at + 6) for at in middle)]))
+    for name, image in made:
+        if hasattr(image, "to_bytes"):
+            put("nifti", name + ".nii", image.to_bytes())
+            put("niftigz", name + ".nii.gz", gzip.compress(image.to_bytes()))
+    raw = cut.tobytes()
+    header = ("NRRD0005\ntype: short\ndimension: 3\nspace: left-posterior-superior\n"
+              "sizes: 5 4 3\nspace directions: (1,0,0) (0,1,0) (0,0,2)\n"
+              "space origin: (0,0,0)\nkinds: domain domain domain\nendian: little\n")
+    put("nrrd", "raw.nrrd", (header + "encoding: raw\n\n").encode() + raw)
+    put("nrrd", "gzip.nrrd", (header + "encoding: gzip\n\n").encode() + gzip.compress(raw))
+    put("nrrd", "hex.nrrd", (header + "encoding: hex\n\n").encode() + raw.hex().encode())
+    text = " ".join(map(str, cut.flatten()))
+    put("nrrd", "text.nrrd", (header + "encoding: text\n\n" + text).encode())
+    segments = "".join(f"Segment{i}_{key}:={value}\n" for i in (0, 1) for key, value in
+                       (("ID", f"S{i}"), ("Name", f"One {i}"), ("LabelValue", i + 1), ("Layer", 0),
+                        ("Color", "0.5 0.2 0.1"), ("Extent", "0 4 0 3 0 2")))
+    put("nrrd", "seg.nrrd", (header + segments + "encoding: raw\n\n").encode() + raw)
+    for packed in (False, True):
+        head = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+                f"CompressedData = {packed}\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\n"
+                "ElementSpacing = 1 1 2\nDimSize = 5 4 3\nElementType = MET_SHORT\n"
+                "ElementDataFile = LOCAL\n").encode()
+        put("metaimage", f"packed{packed}.mha", head + (gzip.compress(raw) if packed else raw))
+
+
+def meshes():
+    put("mesh", "one.obj", b"o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    put("mesh", "one.ply", b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+        b"property float y\nproperty float z\nelement face 1\n"
+        b"property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    put("mesh", "one.stl", b"x" * 80 + b"\1\0\0\0" + bytes(50))
+    put("mesh", "one.gltf", json.dumps({
+        "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5125, "count": 3, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36},
+                        {"buffer": 0, "byteOffset": 36, "byteLength": 12}],
+        "buffers": [{"byteLength": 48,
+                     "uri": "data:application/octet-stream;base64," + "AAAA" * 16}]}).encode())
+
+
+def recipes():
+    view = {"eyeLps": [0, -400, 20], "targetLps": [0, 0, 20], "up": [0, 0, 1], "heightMm": 300,
+            "orthographic": True}
+    put("recipe", "readme.json", json.dumps({"edits": [
+        {"edit": "addSegment", "name": "Skull", "color": "#e8dcc0",
+         "code": ["SCT", "89546000", "Skull"]},
+        {"edit": "drill", "view": view, "mask": {"shape": "circle", "radiusMm": 12}, "depthMm": 15,
+         "surface": {"threshold": 300}, "samples": [[0, 20, 0.4, 0.0], [8, 24, 1.0, 0.2]]},
+        {"edit": "seed", "segment": 1, "pointsLps": [[0, 70, 60]]},
+        {"edit": "importMask", "file": "mask.nii", "as": "Skull"},
+        {"edit": "grow", "lower": 300, "upper": 3071, "connectivity": 6, "steps": "toClosure"}],
+        "export": [{"format": "dicom-seg", "file": "skull.dcm"},
+                   {"format": "carved-volume", "file": "out", "fill": -1000}]}).encode())
+    put("recipe", "walks.json", json.dumps(
+        {"edits": [{"edit": "undo"}, {"edit": "redo"}, {"edit": "goTo", "seq": 0}]}).encode())
+    # Every edit there is, with its fields: names are what a fuzzer does not guess.
+    if len(sys.argv) > 3:
+        put("recipe", "edits.json", pathlib.Path(sys.argv[3]).read_bytes())
+
+
+def sessions():
+    for path in (HERE.parent / "data" / "sessions").glob("*"):
+        put("delta" if path.suffix == ".bdl" else "session", path.name, path.read_bytes())
+
+
+def found():
+    for path in (HERE.parent / "data" / "fuzz").glob("*/*"):
+        put(path.parent.name, path.name, path.read_bytes())
+
+
+for step in (dicom, volumes, meshes, recipes, sessions, found):
+    step()
+for folder in sorted(out.iterdir()):
+    print(f"{folder.name}: {len(list(folder.iterdir()))}")
