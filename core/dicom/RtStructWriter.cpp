@@ -9,6 +9,7 @@
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegSource.h"
+#include "core/repair/SeriesRepair.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -111,6 +112,8 @@ void describe(DcmDataset& set, const RtStructContent& content, const ItemWriter&
         singleValueText(QStringLiteral("Contours ") + content.identity.seriesDescription, 64));
     items.put(&set, DCM_InstanceNumber, QStringLiteral("1"));
     items.put(&set, DCM_StructureSetLabel, QStringLiteral("SEGMENTATION"));
+    if (const QString stamp = repairStamp(content.repair); !stamp.isEmpty())
+        items.put(&set, DCM_StructureSetDescription, stamp);
     items.put(&set, DCM_StructureSetDate, date);
     items.put(&set, DCM_StructureSetTime, time);
     items.put(&set, DCM_ApprovalStatus, QStringLiteral("UNAPPROVED"));

@@ -7,6 +7,7 @@
 #include "core/dicom/SegCompletion.h"
 #include "core/dicom/SegParts.h"
 #include "core/dicom/SegSource.h"
+#include "core/repair/SeriesRepair.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -131,6 +132,9 @@ void addFrames(
             seg.addForAllFrames(*measuresOf(source.slices.front(), content.sliceDistanceMm, chain)),
             "pixel measures");
 
+    const QString stamp = repairStamp(content.repair);
+    const std::string derivationText =
+        stamp.isEmpty() ? "Segmentation" : "Segmentation. " + stamp.toStdString();
     // dcmseg packs these pixels; ours take their place afterwards.
     std::vector<Uint8> blank(std::size_t(content.rows) * std::size_t(content.columns), 0);
     for (const SegContent::Frame& frame : content.frames) {
@@ -155,7 +159,7 @@ void addFrames(
         OFVector<ImageSOPInstanceReferenceMacro> references;
         references.push_back(*reference);
         const std::unique_ptr<FGDerivationImage> derivation(
-            DcmSegmentation::createDerivationImageFG(references, "Segmentation"));
+            DcmSegmentation::createDerivationImageFG(references, derivationText));
         if (derivation)
             groups.push_back(derivation.get());
         else
@@ -248,7 +252,9 @@ Result<SegWritten> writeSeg(
 
     const std::string version = programVersion();
     const IODGeneralEquipmentModule::EquipmentInfo equipment("Burin", "Burin", "0", version);
-    const ContentIdentificationMacro identification("1", "SEGMENTATION", "Segmentation", "");
+    const QString repaired = QStringLiteral("Repaired series: ") + content.repair;
+    const ContentIdentificationMacro identification("1", "SEGMENTATION",
+        content.repair.isEmpty() ? "Segmentation" : repaired.left(64).toStdString(), "");
     DcmSegmentation* made = nullptr;
     ConditionChain chain;
     if (content.type == SegContent::Type::Fractional)

@@ -8,6 +8,7 @@
 #include "core/export/MaskSelection.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nifti/NiftiWriter.h"
+#include "core/repair/SeriesRepair.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -216,6 +217,9 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
 
 QString carvedSeriesObstacle(const Volume& volume)
 {
+    if (volume.asIs && volume.sources.empty())
+        return QStringLiteral("the series was repaired, so that its voxels are no longer those of "
+                              "its images; NIfTI can be exported");
     if (volume.sourceFormat != QLatin1String("DICOM")
         || volume.sources.size() != std::size_t(volume.geometry.size.z))
         return QStringLiteral("the study was not read from DICOM images; NIfTI can be exported");
@@ -248,6 +252,9 @@ Result<ExportReport> exportCarvedVolume(
                           .arg(carved)
                           .arg(request.coverage.size())
                           .arg(numberText(fill, volume.unit));
+    if (!volume.repair.isEmpty())
+        report.cautions += QStringLiteral("The series was repaired on loading (%1).")
+                               .arg(SeriesRepair::fromText(volume.repair)->inWords());
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
             report.cautions += problem.text;

@@ -4,8 +4,11 @@
 #include "core/base/StagedFile.h"
 #include "core/dicom/Deidentifier.h"
 #include "core/export/CheckExport.h"
+#include "core/export/CheckWayBack.h"
 #include "core/export/MaskSelection.h"
 #include "core/export/StatisticsText.h"
+#include "core/repair/SeriesRepair.h"
+#include "core/repair/WayBack.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -32,9 +35,12 @@ bool isSourceFile(const Volume& volume, const QString& file)
         return false;
     if (QFileInfo(volume.sourcePath).canonicalFilePath() == target)
         return true;
-    return std::any_of(volume.sources.begin(), volume.sources.end(), [&](const SourceSlice& slice) {
+    const auto isIt = [&](const SourceSlice& slice) {
         return QFileInfo(slice.file).canonicalFilePath() == target;
-    });
+    };
+    if (volume.asIs && std::any_of(volume.asIs->sources.begin(), volume.asIs->sources.end(), isIt))
+        return true;
+    return std::any_of(volume.sources.begin(), volume.sources.end(), isIt);
 }
 
 namespace {
@@ -118,6 +124,129 @@ ExportRequest neutral(ExportRequest request)
     return request;
 }
 
+/// Writes and checks on the voxels of @p volume.
+Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request,
+    const Progress& progress, ExportReport report)
+{
+    if (const QString obstacle = exportNameObstacle(request.format, request.file);
+        !obstacle.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
+    const auto selection = selectMask(volume, request);
+    if (!selection)
+        return tl::unexpected(selection.error());
+    if (factsOf(request.format).isSeg) {
+        for (const Segment& segment : selection->segments) {
+            if (!segment.code.isSet())
+                return failure(ErrorCode::SegmentNotCoded, segment.name);
+        }
+    }
+    if (factsOf(request.format).isStatistics
+        && request.codes.size() != volume.geometry.voxelCount())
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("the values of the study are not at hand"));
+    if (isSourceFile(volume, request.file))
+        return failure(ErrorCode::FileUnwritable, request.file,
+            QStringLiteral("it is a file of the study itself"));
+    auto staged = StagedFile::create(request.file, request.force);
+    if (!staged)
+        return tl::unexpected(staged.error());
+
+    // What a report speaks of goes with it.
+    auto withdraw = qScopeGuard([&request] {
+        if (request.format == ExportFormat::Sr)
+            QFile::remove(segBeside(request.file));
+    });
+    if (request.format == ExportFormat::Sr && !request.force
+        && QFile::exists(segBeside(request.file))) {
+        withdraw.dismiss();
+        return failure(ErrorCode::FileExists, segBeside(request.file));
+    }
+    const auto written = write(staged->path(), volume, request, *selection, progress, report);
+    if (!written)
+        return tl::unexpected(renamed(written.error(), *staged, request.file));
+    report.written = *written + report.written;
+    const ExportExpectation expected{.volume = volume,
+        .segments = selection->segments,
+        .planes = request.planes,
+        .space = request.space,
+        .format = request.format,
+        .coverages = request.coverages,
+        .codes = request.codes,
+        .deidentifier = request.deidentifier.get()};
+    const auto checked = check(staged->path(), expected, progress);
+    if (!checked)
+        return tl::unexpected(renamed(checked.error(), *staged, request.file));
+    report.checked = *checked + report.checked;
+    if (request.deidentifier) {
+        if (factsOf(request.format).namesSourceImages) {
+            const auto clean = checkDeidentified(staged->path(), *request.deidentifier);
+            if (!clean)
+                return tl::unexpected(renamed(clean.error(), *staged, request.file));
+            report.checked += *clean;
+        }
+        report.written +=
+            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
+                .arg(request.deidentifier->method(), request.deidentifier->patientId());
+    }
+    const auto sum = sha256OfFile(staged->path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), *staged, request.file));
+    report.sha256 = *sum;
+    if (volume.keptHeaders)
+        report.cautions += QStringLiteral("The study's own files were not at hand; the export was "
+                                          "checked against the headers that the session holds.");
+    for (const QString& name : selection->empty)
+        report.cautions += QStringLiteral("Segment '%1' is empty and was left out.").arg(name);
+    if (!volume.repair.isEmpty())
+        report.cautions += QStringLiteral("The series was repaired on loading (%1).")
+                               .arg(SeriesRepair::fromText(volume.repair)->inWords());
+    for (const VolumeProblem& problem : volume.problems) {
+        if (problem.caution)
+            report.cautions += problem.text;
+    }
+    if (auto done = staged->commit(); !done)
+        return tl::unexpected(done.error());
+    withdraw.dismiss();
+    return report;
+}
+
+/// Labels of the repaired voxels on the slices of the images that they were made of.
+Result<ExportReport> exportOnSlices(const WayBack& back, const Volume& volume,
+    const ExportRequest& request, const Progress& progress)
+{
+    if (factsOf(request.format).isStatistics)
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("a report names the images, on which the repaired voxels do not lie; "
+                           "CSV and JSON can be written"));
+    std::vector<std::vector<std::uint8_t>> labels;
+    ExportRequest onSlices = request;
+    for (SegmentCoverage& coverage : onSlices.coverages) {
+        labels.push_back(back.labels(coverage.coverage));
+        coverage.coverage = labels.back();
+    }
+    for (LabelPlaneView& plane : onSlices.planes) {
+        if (plane.labels.size() != volume.geometry.voxelCount())
+            return failure(ErrorCode::UnknownSegment, QString(),
+                QStringLiteral("its label plane is not there"));
+        labels.push_back(back.labels(plane.labels));
+        plane.labels = labels.back();
+    }
+    if (const QString wrong = differenceOfWayBack(back, volume, onSlices, request);
+        !wrong.isEmpty())
+        return failure(ErrorCode::ExportMismatch, request.file, wrong);
+    ExportReport report;
+    report.file = request.file;
+    report.written = {QStringLiteral("Written on the images' own slices, %1 of them: each of "
+                                     "their voxels takes what the nearest voxel of the repaired "
+                                     "volume holds.")
+                          .arg(back.slices().geometry.size.z)};
+    report.checked = {QStringLiteral("Every voxel of every slice was found again in the repaired "
+                                     "volume by its place in the patient, at most half a voxel "
+                                     "away.")};
+    report.cautions = beyondSlices(back, volume, request);
+    return exportOn(back.slices(), onSlices, progress, std::move(report));
+}
+
 } // namespace
 
 CodedConcept anatomicalStructure()
@@ -129,6 +258,8 @@ CodedConcept anatomicalStructure()
 
 QString dicomSegObstacle(const Volume& volume)
 {
+    if (const std::optional<WayBack> back = WayBack::of(volume))
+        return dicomSegObstacle(back->slices());
     const QString instead = QStringLiteral("; NIfTI can be exported instead");
     if (volume.sourceFormat != QLatin1String("DICOM")
         || volume.sources.size() != std::size_t(volume.geometry.size.z))
@@ -161,86 +292,12 @@ Result<ExportReport> exportMask(
     if (factsOf(request.format).namesSourceImages) {
         if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
+        if (const std::optional<WayBack> back = WayBack::of(volume))
+            return exportOnSlices(*back, volume, request, progress);
     }
-    if (const QString obstacle = exportNameObstacle(request.format, request.file);
-        !obstacle.isEmpty())
-        return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
-    const auto selection = selectMask(volume, request);
-    if (!selection)
-        return tl::unexpected(selection.error());
-    if (factsOf(request.format).isSeg) {
-        for (const Segment& segment : selection->segments) {
-            if (!segment.code.isSet())
-                return failure(ErrorCode::SegmentNotCoded, segment.name);
-        }
-    }
-    if (factsOf(request.format).isStatistics
-        && request.codes.size() != volume.geometry.voxelCount())
-        return failure(ErrorCode::UnsupportedFormat, request.file,
-            QStringLiteral("the values of the study are not at hand"));
-    if (isSourceFile(volume, request.file))
-        return failure(ErrorCode::FileUnwritable, request.file,
-            QStringLiteral("it is a file of the study itself"));
-    auto staged = StagedFile::create(request.file, request.force);
-    if (!staged)
-        return tl::unexpected(staged.error());
-
     ExportReport report;
     report.file = request.file;
-    // What a report speaks of goes with it.
-    auto withdraw = qScopeGuard([&request] {
-        if (request.format == ExportFormat::Sr)
-            QFile::remove(segBeside(request.file));
-    });
-    if (request.format == ExportFormat::Sr && !request.force
-        && QFile::exists(segBeside(request.file))) {
-        withdraw.dismiss();
-        return failure(ErrorCode::FileExists, segBeside(request.file));
-    }
-    const auto written = write(staged->path(), volume, request, *selection, progress, report);
-    if (!written)
-        return tl::unexpected(renamed(written.error(), *staged, request.file));
-    report.written += *written;
-    const ExportExpectation expected{.volume = volume,
-        .segments = selection->segments,
-        .planes = request.planes,
-        .space = request.space,
-        .format = request.format,
-        .coverages = request.coverages,
-        .codes = request.codes,
-        .deidentifier = request.deidentifier.get()};
-    const auto checked = check(staged->path(), expected, progress);
-    if (!checked)
-        return tl::unexpected(renamed(checked.error(), *staged, request.file));
-    report.checked += *checked;
-    if (request.deidentifier) {
-        if (factsOf(request.format).namesSourceImages) {
-            const auto clean = checkDeidentified(staged->path(), *request.deidentifier);
-            if (!clean)
-                return tl::unexpected(renamed(clean.error(), *staged, request.file));
-            report.checked += *clean;
-        }
-        report.written +=
-            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
-                .arg(request.deidentifier->method(), request.deidentifier->patientId());
-    }
-    const auto sum = sha256OfFile(staged->path());
-    if (!sum)
-        return tl::unexpected(renamed(sum.error(), *staged, request.file));
-    report.sha256 = *sum;
-    if (volume.keptHeaders)
-        report.cautions += QStringLiteral("The study's own files were not at hand; the export was "
-                                          "checked against the headers that the session holds.");
-    for (const QString& name : selection->empty)
-        report.cautions += QStringLiteral("Segment '%1' is empty and was left out.").arg(name);
-    for (const VolumeProblem& problem : volume.problems) {
-        if (problem.caution)
-            report.cautions += problem.text;
-    }
-    if (auto done = staged->commit(); !done)
-        return tl::unexpected(done.error());
-    withdraw.dismiss();
-    return report;
+    return exportOn(volume, request, progress, std::move(report));
 }
 
 } // namespace core

@@ -25,6 +25,13 @@ double unevennessMm(const VolumeGeometry& geometry)
 
 } // namespace
 
+QString gridName(const Volume& volume)
+{
+    return volume.asIs && volume.sources.empty()
+        ? QStringLiteral("the repaired grid (%1)").arg(volume.repair)
+        : QStringLiteral("the source's grid");
+}
+
 Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report)
 {

@@ -13,6 +13,9 @@ struct LabelMap {
     QStringList names; ///< "3 Skull", in the order of the segments
 };
 
+/// "the source's grid", or that of its repair.
+[[nodiscard]] QString gridName(const Volume& volume);
+
 /// For formats that have one number a voxel and one step for all slices. What slices that lie
 /// unevenly mean for the reader goes into the report.
 /// @param format for the sentences

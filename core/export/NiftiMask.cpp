@@ -15,7 +15,9 @@ Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     const auto written = writeNiftiAt(path,
         {.geometry = geometry,
             .voxels = map->labels,
-            .description = QStringLiteral("Burin: ") + names});
+            .description = volume.repair.isEmpty()
+                ? QStringLiteral("Burin: ") + names
+                : QStringLiteral("Burin, repaired %1: %2").arg(volume.repair, names)});
     if (!written)
         return tl::unexpected(written.error());
     if (!written->qform && geometry.shearAngleDegrees() > 0.01)
@@ -23,11 +25,11 @@ Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
             QStringLiteral("The slices are tilted by %1°: only the sform says so, and "
                            "some programs refuse such files.")
                 .arg(geometry.shearAngleDegrees(), 0, 'f', 2);
-    return QStringList{QStringLiteral("NIfTI label map, %1 × %2 × %3, on the source's grid: %4.")
+    return QStringList{QStringLiteral("NIfTI label map, %1 × %2 × %3, on %4: %5.")
                            .arg(geometry.size.x)
                            .arg(geometry.size.y)
                            .arg(geometry.size.z)
-                           .arg(names)};
+                           .arg(gridName(volume), names)};
 }
 
 } // namespace core

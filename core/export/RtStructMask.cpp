@@ -13,6 +13,7 @@ Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
 {
     RtStructContent content;
     content.identity = volume.identity;
+    content.repair = volume.repair;
     content.sources = volume.sources;
     content.keptHeaders = volume.keptHeaders;
     content.segments = selection.segments;

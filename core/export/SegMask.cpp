@@ -172,6 +172,7 @@ Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
     const VolumeGeometry& geometry = volume.geometry;
     SegContent content;
     content.identity = volume.identity;
+    content.repair = volume.repair;
     content.sources = volume.sources;
     content.keptHeaders = volume.keptHeaders;
     content.columns = geometry.size.x;

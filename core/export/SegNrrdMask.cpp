@@ -71,6 +71,8 @@ KeyValues keyValuesOf(
         if (segment.code.isSet())
             put("Tags", tagsText(request.category, segment.code));
     }
+    if (!volume.repair.isEmpty())
+        keyValues.emplace_back("Burin_Repair", volume.repair.toUtf8());
     keyValues.emplace_back("Segmentation_ContainedRepresentationNames", "Binary labelmap|");
     keyValues.emplace_back("Segmentation_ConversionParameters", "");
     // Older versions of 3D Slicer look for the first of these two names, newer ones for either.
@@ -99,12 +101,11 @@ Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
         report.cautions += QStringLiteral("The slices are tilted by %1°: the file says so, and "
                                           "some programs refuse such files.")
                                .arg(geometry.shearAngleDegrees(), 0, 'f', 2);
-    return QStringList{
-        QStringLiteral("3D Slicer segmentation, %1 × %2 × %3, on the source's grid: %4.")
-            .arg(geometry.size.x)
-            .arg(geometry.size.y)
-            .arg(geometry.size.z)
-            .arg(map->names.join(QStringLiteral(", ")))};
+    return QStringList{QStringLiteral("3D Slicer segmentation, %1 × %2 × %3, on %4: %5.")
+                           .arg(geometry.size.x)
+                           .arg(geometry.size.y)
+                           .arg(geometry.size.z)
+                           .arg(gridName(volume), map->names.join(QStringLiteral(", ")))};
 }
 
 } // namespace core

@@ -3,6 +3,8 @@
 
 #include "core/export/CheckSources.h"
 #include "core/export/NiftiImage.h"
+#include "core/repair/RepairLattice.h"
+#include "core/repair/WayBack.h"
 #include "core/study/FileFormats.h"
 
 #include <QFile>
@@ -75,6 +77,17 @@ Result<GridCorners> sourceCorners(
     const QString& file, const Volume& volume, const Progress& progress)
 {
     const glm::ivec3 size = volume.geometry.size;
+    if (const std::optional<WayBack> back = WayBack::of(volume)) {
+        // The images lie where their slices are; from these the lattice is laid once more.
+        if (const auto headers = checkedSourceHeaders(file, back->slices(), progress); !headers)
+            return tl::unexpected(headers.error());
+        const VolumeGeometry lattice =
+            repairedGeometry(volume.asIs->geometry, *SeriesRepair::fromText(volume.repair));
+        if (lattice.size != size)
+            return failure(ErrorCode::ExportMismatch, file,
+                QStringLiteral("the repair of the source gives another grid"));
+        return cornersOf(lattice.indexToWorld, size);
+    }
     if (volume.sources.empty()) {
         const Result<VolumeGeometry> source = gridOfFile(volume);
         if (!source)
