@@ -75,6 +75,8 @@ Result<KeptHeaders> headersOf(const Volume& volume, const Progress& progress)
 {
     if (volume.keptHeaders)
         return *volume.keptHeaders;
+    if (volume.asIs)
+        return keepHeaders(volume.asIs->sources, progress);
     if (!volume.sources.empty())
         return keepHeaders(volume.sources, progress);
     KeptHeaders headers;

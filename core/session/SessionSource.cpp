@@ -34,6 +34,7 @@ SessionSource SessionSource::of(const Volume& volume)
         .seriesDescription = volume.identity.seriesDescription,
         .modality = volume.identity.modality,
         .studyDate = volume.identity.studyDate,
+        .repair = volume.repair,
         .size = volume.geometry.size,
         .indexToWorld = volume.geometry.indexToWorld,
         .voxelsSha256 = volume.voxelsSha256,
@@ -59,6 +60,8 @@ QJsonObject SessionSource::toJson() const
         {QStringLiteral("indexToWorld"), matrix},
         {QStringLiteral("voxelsSha256"), QString::fromLatin1(voxelsSha256)},
     };
+    if (!repair.isEmpty())
+        json[QStringLiteral("repair")] = repair;
     if (!codesSha256.isEmpty())
         json[QStringLiteral("codesSha256")] = QString::fromLatin1(codesSha256);
     return json;
@@ -78,6 +81,7 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
     source.seriesDescription = json.value(QStringLiteral("seriesDescription")).toString();
     source.modality = json.value(QStringLiteral("modality")).toString();
     source.studyDate = json.value(QStringLiteral("studyDate")).toString();
+    source.repair = json.value(QStringLiteral("repair")).toString();
     source.voxelsSha256 = json.value(QStringLiteral("voxelsSha256")).toString().toLatin1();
     source.codesSha256 = json.value(QStringLiteral("codesSha256")).toString().toLatin1();
     for (int axis = 0; axis < 3; ++axis)
@@ -89,6 +93,12 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
 
 QString SessionSource::differenceFrom(const Volume& volume) const
 {
+    const auto repairText = [](const QString& words) {
+        return words.isEmpty() ? QStringLiteral("as it is") : QStringLiteral("repaired: ") + words;
+    };
+    if (volume.repair != repair)
+        return QStringLiteral("its series is repaired otherwise (%1; the session's is %2)")
+            .arg(repairText(volume.repair), repairText(repair));
     if (volume.geometry.size != size)
         return QStringLiteral("its size is another (%1 voxels; the session was made on %2)")
             .arg(sizeText(volume.geometry.size), sizeText(size));

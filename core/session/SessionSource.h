@@ -19,6 +19,7 @@ struct SessionSource {
     QString seriesDescription;
     QString modality;
     QString studyDate; ///< YYYY-MM-DD
+    QString repair; ///< how its series was repaired on loading (Volume::repair); empty: not at all
     glm::ivec3 size{0};
     glm::dmat4 indexToWorld{1.0};
     QByteArray voxelsSha256; ///< hex; empty if the loader did not tell

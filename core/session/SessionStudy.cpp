@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionStudy.h"
 
+#include "core/repair/RepairLattice.h"
 #include "core/session/SessionImages.h"
 #include "core/study/StudyLoader.h"
 
@@ -26,6 +27,19 @@ QString longestEndIn(const QDir& folder, const QString& path)
     return {};
 }
 
+/// Whether an entry, repaired as the session's series was, has its size as far as headers tell.
+bool mayGive(const SeriesEntry& entry, const SessionSource& source)
+{
+    const std::optional<SeriesRepair> repair = SeriesRepair::fromText(source.repair);
+    if (!repair || repair->isNone())
+        return entry.geometry.size == source.size;
+    const VolumeGeometry& slices = repair->duplicates != SeriesRepair::Duplicates::Keep
+        ? entry.undoubled.value_or(entry.geometry)
+        : entry.geometry;
+    return repairObstacle(slices, *repair).isEmpty()
+        && repairedGeometry(slices, *repair).size == source.size;
+}
+
 /// The keys of what may be the session's volume, as far as headers tell.
 QStringList keysOf(const StudyListing& listing, const SessionSource& source, const QString& series)
 {
@@ -37,12 +51,12 @@ QStringList keysOf(const StudyListing& listing, const SessionSource& source, con
             // One UID may hold several volumes, of which only the first has it as its key.
             const bool named =
                 wanted.isEmpty() || entry.key == wanted || entry.identity.seriesUid == wanted;
-            if (!named || entry.geometry.size != source.size)
+            if (!named || !mayGive(entry, source))
                 continue;
             // Of a series in time the session does not say which point it was made on.
             for (int time = 0; time < std::max(1, int(entry.times.size())); ++time) {
                 if (series.isEmpty() || choice.series == series || time == choice.time)
-                    keys += entry.keyAtTime(time);
+                    keys += withRepair(entry.keyAtTime(time), source.repair);
             }
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/VolumeJson.h"
 
+#include "core/repair/RepairLattice.h"
+
 #include <QJsonArray>
 
 #include <array>
@@ -35,12 +37,13 @@ struct ProblemName {
     VolumeProblem::Kind kind;
     const char* name;
 };
-const std::array<ProblemName, 10> problemNames{{
+const std::array<ProblemName, 11> problemNames{{
     {VolumeProblem::Kind::MissingSlices, "missingSlices"},
     {VolumeProblem::Kind::UnevenSpacing, "unevenSpacing"},
     {VolumeProblem::Kind::Tilt, "tilt"},
     {VolumeProblem::Kind::AssumedSpacing, "assumedSpacing"},
     {VolumeProblem::Kind::MixedSlices, "mixedSlices"},
+    {VolumeProblem::Kind::DoubledSlices, "doubledSlices"},
     {VolumeProblem::Kind::DuplicateSlices, "duplicateSlices"},
     {VolumeProblem::Kind::DamagedSlice, "damagedSlice"},
     {VolumeProblem::Kind::LossyCompression, "lossyCompression"},
@@ -168,8 +171,12 @@ QJsonArray problemsToJson(const std::vector<VolumeProblem>& problems)
             if (name.kind == problem.kind)
                 kind = key(name.name);
         }
-        list.append(QJsonObject{
-            {key("kind"), kind}, {key("text"), problem.text}, {key("caution"), problem.caution}});
+        QJsonArray slices;
+        for (const SliceSpan& span : problem.slices)
+            slices.append(QJsonArray{span.first, span.last});
+        list.append(QJsonObject{{key("kind"), kind}, {key("text"), problem.text},
+            {key("caution"), problem.caution}, {key("slices"), slices},
+            {key("repairedBy"), problem.repairedBy}});
     }
     return list;
 }
@@ -181,7 +188,12 @@ std::vector<VolumeProblem> problemsFromJson(const QJsonArray& list)
         const QJsonObject json = value.toObject();
         VolumeProblem problem{.kind = VolumeProblem::Kind::Other,
             .text = json[key("text")].toString(),
-            .caution = json[key("caution")].toBool()};
+            .caution = json[key("caution")].toBool(),
+            .slices = {},
+            .repairedBy = json[key("repairedBy")].toString()};
+        for (const QJsonValue& span : json[key("slices")].toArray())
+            problem.slices.push_back(
+                {.first = span.toArray().at(0).toInt(), .last = span.toArray().at(1).toInt()});
         for (const ProblemName& name : problemNames) {
             if (json[key("kind")].toString() == key(name.name))
                 problem.kind = name.kind;
@@ -211,11 +223,19 @@ Histogram histogramFromJson(const QJsonObject& json)
     return histogram;
 }
 
+/// Whether a repair of such slices gives a grid of this size: the way back relies on it.
+bool isGridOf(const VolumeGeometry& geometry, const VolumeGeometry& slices, const QString& repair)
+{
+    const std::optional<SeriesRepair> read = SeriesRepair::fromText(repair);
+    return read && repairObstacle(slices, *read).isEmpty()
+        && repairedGeometry(slices, *read).size == geometry.size;
+}
+
 } // namespace
 
 QJsonObject volumeToJson(const Volume& volume)
 {
-    return {
+    QJsonObject json{
         {key("identity"), identityToJson(volume.identity)},
         {key("geometry"), geometryToJson(volume.geometry)},
         {key("encoding"), encodingToJson(volume.encoding)},
@@ -234,6 +254,12 @@ QJsonObject volumeToJson(const Volume& volume)
         {key("codesSha256"), QString::fromLatin1(volume.codesSha256)},
         {key("problems"), problemsToJson(volume.problems)},
     };
+    if (volume.asIs) {
+        json[key("repair")] = volume.repair;
+        json[key("asIs")] = QJsonObject{{key("geometry"), geometryToJson(volume.asIs->geometry)},
+            {key("sources"), sourcesToJson(volume.asIs->sources)}};
+    }
+    return json;
 }
 
 std::optional<Volume> volumeFromJson(const QJsonObject& json)
@@ -263,6 +289,17 @@ std::optional<Volume> volumeFromJson(const QJsonObject& json)
     volume.voxelsSha256 = json[key("voxelsSha256")].toString().toLatin1();
     volume.codesSha256 = json[key("codesSha256")].toString().toLatin1();
     volume.problems = problemsFromJson(json[key("problems")].toArray());
+    if (const QString repair = json[key("repair")].toString(); !repair.isEmpty()) {
+        const QJsonObject asIs = json[key("asIs")].toObject();
+        std::optional<VolumeGeometry> slices = geometryFromJson(asIs[key("geometry")].toObject());
+        std::vector<SourceSlice> sources = sourcesFromJson(asIs[key("sources")].toArray());
+        if (!slices || sources.size() != std::size_t(slices->size.z)
+            || !isGridOf(volume.geometry, *slices, repair))
+            return {};
+        volume.repair = repair;
+        volume.asIs = std::make_shared<const SeriesAsIs>(
+            SeriesAsIs{.geometry = *std::move(slices), .sources = std::move(sources)});
+    }
     const bool sensible =
         volume.sources.empty() || volume.sources.size() == std::size_t(volume.geometry.size.z);
     return sensible ? std::optional(std::move(volume)) : std::nullopt;
