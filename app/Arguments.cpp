@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/Arguments.h"
 
+#include "core/repair/SeriesRepair.h"
 #include "ui/ErrorText.h"
 
 #include <cstdio>
@@ -39,6 +40,13 @@ bool Arguments::has(const char* option) const
     return m_options.contains(QLatin1String(option));
 }
 
+QString seriesOf(const Arguments& arguments, const QString& repair)
+{
+    const QString wanted = arguments.has("repair") ? arguments.value("repair") : repair;
+    return core::withRepair(
+        arguments.value("series"), wanted == QLatin1String("none") ? QString() : wanted);
+}
+
 int tellFailure(const core::Error& error, const QString& about)
 {
     const QString prefix = about.isEmpty() ? QString() : about + QStringLiteral(": ");
@@ -59,8 +67,13 @@ void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sess
 
 void tellProblems(const core::Volume& volume, const QString& study)
 {
-    for (const core::VolumeProblem& problem : volume.problems)
-        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(study), qUtf8Printable(problem.text));
+    for (const core::VolumeProblem& problem : volume.problems) {
+        const QString repaired = problem.repairedBy.isEmpty()
+            ? QString()
+            : QStringLiteral(" Repaired: %1.").arg(problem.repairedBy);
+        std::fprintf(stderr, "%s: %s%s\n", qUtf8Printable(study), qUtf8Printable(problem.text),
+            qUtf8Printable(repaired));
+    }
 }
 
 int tellUsage(const char* command, const QString& problem)

@@ -30,6 +30,9 @@ private:
     QString m_problem;
 };
 
+/// The series that --series and --repair name together (core::withRepair()).
+/// @param repair where --repair is not given; "none" stands for none
+[[nodiscard]] QString seriesOf(const Arguments& arguments, const QString& repair = {});
 /// Tells a failure in one line on stderr. @return the exit status of a command that failed
 int tellFailure(const core::Error& error, const QString& about = {});
 /// Tells on stderr, where it is so, that the study's images came out of a session file.

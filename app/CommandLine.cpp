@@ -59,10 +59,13 @@ std::span<const Command> commands()
             "what was done in a session, branches included; as a recipe for burin run; as an audit"
             " report; as a session without the patient, for others",
             false, runHistory, "--report"},
-        {"info", "PATH [--json] | --gl", "what a file or folder holds: studies, volumes, problems",
+        {"info", "PATH [--series UID] [--repair REPAIRS] [--json] | --gl",
+            "what a file or folder holds: studies, volumes, what is wrong with them and which"
+            " repairs there are; with --repair how they would open",
             false, runInfo},
         {"open",
-            "[PATH [--series UID] | FILE.burin [--study PATH] | --demo] [--screenshot FILE.png]"
+            "[PATH [--series UID] [--repair REPAIRS] | FILE.burin [--study PATH] | --demo]"
+            " [--screenshot FILE.png]"
             " [--size WxH]",
             "the workstation's window with a study, or with a session that goes on; --screenshot"
             " saves it, fully refined, as PNG or (.dcm) as Secondary Capture of the study, and "
@@ -80,10 +83,13 @@ std::span<const Command> commands()
             " without it the least)",
             false, runReplay},
         {"run",
-            "RECIPE.json --study PATH [--series UID] --session FILE.burin [--force | --append]"
-            " [--with-images] [--apply-elsewhere] [--author NAME]",
+            "RECIPE.json --study PATH [--series UID] [--repair REPAIRS] --session FILE.burin"
+            " [--force | --append] [--with-images] [--apply-elsewhere] [--author NAME]",
             "carries out a recipe without a window (burin edits: what it can hold); --with-images"
-            " puts the study's images, and with them who the patient is, into the session",
+            " puts the study's images, and with them who the patient is, into the session;"
+            " --repair, here and in info and open: what is done to the series on loading it, of"
+            " tilt, spacing=even, gap=fill, gap=split:NUMBER, duplicates=first, duplicates=last,"
+            " with commas between; none: nothing",
             false, runRecipe},
         {"send", "SOURCE PATH... [--json]", "stores DICOM files, or those of folders, at a source",
             false, runSend},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/InfoCommand.h"
 
+#include "app/Arguments.h"
+#include "core/repair/SeriesFindings.h"
 #include "core/study/StudyLoader.h"
 #include "core/study/VolumeFacts.h"
 #include "gpu/GpuEngine.h"
@@ -40,6 +42,13 @@ const std::vector<core::VolumeProblem>& problemsOf(const core::VolumeFacts& fact
     return facts.loaded ? facts.loaded->volume.problems : facts.entry.problems;
 }
 
+std::vector<core::SeriesFinding> findingsOf(
+    const core::Study& study, const core::VolumeFacts& facts)
+{
+    return facts.loaded ? core::seriesFindings(facts.loaded->volume)
+                        : core::seriesFindings(study.listing(), facts.entry);
+}
+
 QStringList problemTexts(const core::VolumeFacts& facts)
 {
     QStringList texts;
@@ -62,7 +71,41 @@ QJsonArray json(const std::vector<core::TimeFacts>& times)
     return list;
 }
 
-QJsonObject json(const core::VolumeFacts& facts)
+QJsonObject json(const core::RepairOffer& offer)
+{
+    const core::VolumeGeometry& grid = offer.result;
+    QJsonObject object{{QStringLiteral("title"), offer.title},
+        {QStringLiteral("effect"), offer.effect},
+        {QStringLiteral("size"), QJsonArray{grid.size.x, grid.size.y, grid.size.z}},
+        {QStringLiteral("spacingMm"), array(grid.spacingMm())}};
+    if (offer.repair.isEmpty())
+        object.insert(QStringLiteral("series"), offer.series);
+    else
+        object.insert(QStringLiteral("repair"), offer.repair);
+    return object;
+}
+
+QJsonArray json(const std::vector<core::SeriesFinding>& findings)
+{
+    QJsonArray list;
+    for (const core::SeriesFinding& finding : findings) {
+        QJsonArray slices;
+        for (const core::SliceSpan& span : finding.problem.slices)
+            slices.append(QJsonArray{span.first, span.last});
+        QJsonArray repairs;
+        for (const core::RepairOffer& offer : finding.offers)
+            repairs.append(json(offer));
+        QJsonObject object{{QStringLiteral("text"), finding.problem.text},
+            {QStringLiteral("caution"), finding.problem.caution},
+            {QStringLiteral("slices"), slices}, {QStringLiteral("repairs"), repairs}};
+        if (!finding.problem.repairedBy.isEmpty())
+            object.insert(QStringLiteral("repairedBy"), finding.problem.repairedBy);
+        list.append(object);
+    }
+    return list;
+}
+
+QJsonObject json(const core::Study& study, const core::VolumeFacts& facts)
 {
     const core::VolumeGeometry& geometry = geometryOf(facts);
     const glm::dmat3 axes = geometry.direction();
@@ -78,7 +121,10 @@ QJsonObject json(const core::VolumeFacts& facts)
         {QStringLiteral("spacingMm"), array(geometry.spacingMm())},
         {QStringLiteral("originLps"), array(geometry.originLps())},
         {QStringLiteral("directionLps"), direction}, {QStringLiteral("unit"), facts.entry.unit},
-        {QStringLiteral("problems"), QJsonArray::fromStringList(problemTexts(facts))}};
+        {QStringLiteral("problems"), QJsonArray::fromStringList(problemTexts(facts))},
+        {QStringLiteral("findings"), json(findingsOf(study, facts))}};
+    if (facts.loaded && !facts.loaded->volume.repair.isEmpty())
+        object.insert(QStringLiteral("repair"), facts.loaded->volume.repair);
     if (facts.loaded) {
         object.insert(QStringLiteral("min"), facts.minimum);
         object.insert(QStringLiteral("max"), facts.maximum);
@@ -90,14 +136,28 @@ QJsonObject json(const core::VolumeFacts& facts)
     return object;
 }
 
+/// What of it is looked at, and how it is repaired.
+struct Asked {
+    const core::Study& study;
+    QString series; ///< empty: all of them
+    QString repair;
+
+    [[nodiscard]] bool covers(const core::SeriesEntry& entry) const
+    {
+        return series.isEmpty() || entry.key == series || entry.identity.seriesUid == series;
+    }
+};
+
 /// Loads volume after volume, one at a time in memory.
-bool forEachVolume(const core::Study& study,
+bool forEachVolume(const Asked& asked,
     const std::function<void(const core::StudyEntry&, const core::VolumeFacts&)>& visit)
 {
     bool sound = true;
-    for (const core::StudyEntry& one : study.listing().studies) {
+    for (const core::StudyEntry& one : asked.study.listing().studies) {
         for (const core::SeriesEntry& entry : one.series) {
-            const core::VolumeFacts facts = core::volumeFacts(study, entry);
+            if (!asked.covers(entry))
+                continue;
+            const core::VolumeFacts facts = core::volumeFacts(asked.study, entry, asked.repair);
             sound = sound && facts.loaded.has_value();
             visit(one, facts);
         }
@@ -122,7 +182,7 @@ QStringList refusals(const core::StudyListing& listing)
     return lines;
 }
 
-int printJson(const core::Study& source)
+int printJson(const Asked& asked)
 {
     QJsonArray studies;
     const core::StudyEntry* current = nullptr;
@@ -135,20 +195,49 @@ int printJson(const core::Study& source)
         series = {};
     };
     const bool sound =
-        forEachVolume(source, [&](const core::StudyEntry& study, const core::VolumeFacts& facts) {
+        forEachVolume(asked, [&](const core::StudyEntry& study, const core::VolumeFacts& facts) {
             if (&study != current)
                 close();
             current = &study;
-            series.append(json(facts));
+            series.append(json(asked.study, facts));
         });
     close();
     const QJsonDocument document(QJsonObject{{QStringLiteral("studies"), studies},
-        {QStringLiteral("problems"), QJsonArray::fromStringList(refusals(source.listing()))}});
+        {QStringLiteral("problems"), QJsonArray::fromStringList(refusals(asked.study.listing()))}});
     std::fputs(document.toJson(QJsonDocument::Indented).constData(), stdout);
     return sound ? 0 : 1;
 }
 
-void printVolume(const core::VolumeFacts& facts)
+void printOffer(const core::RepairOffer& offer)
+{
+    const core::VolumeGeometry& grid = offer.result;
+    const QString option = offer.repair.isEmpty() ? QStringLiteral("--series %1").arg(offer.series)
+                                                  : QStringLiteral("--repair %1").arg(offer.repair);
+    print(stdout,
+        QStringLiteral("    repair   %1: %2; %3 × %4 × %5, slices %6 mm apart")
+            .arg(option, offer.title)
+            .arg(grid.size.x)
+            .arg(grid.size.y)
+            .arg(grid.size.z)
+            .arg(grid.spacingMm().z, 0, 'g', 4));
+}
+
+void printFinding(const core::SeriesFinding& finding)
+{
+    const core::VolumeProblem& problem = finding.problem;
+    const char* kind = problem.caution ? "caution  "
+        : problem.repairedBy.isEmpty() ? "note     "
+                                       : "repaired ";
+    print(stdout, QStringLiteral("    %1%2").arg(QLatin1String(kind), problem.text));
+    if (!problem.repairedBy.isEmpty())
+        print(stdout, QStringLiteral("             by --repair %1").arg(problem.repairedBy));
+    for (const core::RepairOffer& offer : finding.offers) {
+        if (problem.repairedBy.isEmpty())
+            printOffer(offer);
+    }
+}
+
+void printVolume(const core::Study& study, const core::VolumeFacts& facts)
 {
     const core::StudyIdentity& identity = facts.entry.identity;
     const core::VolumeGeometry& geometry = geometryOf(facts);
@@ -184,20 +273,17 @@ void printVolume(const core::VolumeFacts& facts)
                 .arg(time.maximum)
                 .arg(time.label));
     }
-    for (const core::VolumeProblem& problem : problemsOf(facts)) {
-        print(stdout,
-            QStringLiteral("    %1%2")
-                .arg(QLatin1String(problem.caution ? "caution  " : "note     "), problem.text));
-    }
+    for (const core::SeriesFinding& finding : findingsOf(study, facts))
+        printFinding(finding);
     if (!facts.loaded)
         print(stdout, QStringLiteral("    failed   %1").arg(ui::errorText(facts.loaded.error())));
 }
 
-int printText(const core::Study& source)
+int printText(const Asked& asked)
 {
     const core::StudyEntry* current = nullptr;
     const bool sound =
-        forEachVolume(source, [&](const core::StudyEntry& study, const core::VolumeFacts& facts) {
+        forEachVolume(asked, [&](const core::StudyEntry& study, const core::VolumeFacts& facts) {
             if (&study != current) {
                 const core::StudyIdentity& of = facts.entry.identity;
                 print(stdout,
@@ -210,9 +296,9 @@ int printText(const core::Study& source)
                             of.studyDescription));
             }
             current = &study;
-            printVolume(facts);
+            printVolume(asked.study, facts);
         });
-    for (const QString& line : refusals(source.listing()))
+    for (const QString& line : refusals(asked.study.listing()))
         print(stdout, line);
     return sound ? 0 : 1;
 }
@@ -240,39 +326,31 @@ int printGraphics()
 
 } // namespace
 
-int runInfo(const QStringList& arguments)
+int runInfo(const QStringList& words)
 {
-    bool asJson = false;
-    bool graphics = false;
-    QString path;
-    for (const QString& argument : arguments) {
-        if (argument == QLatin1String("--gl")) {
-            graphics = true;
-        } else if (argument == QLatin1String("--json")) {
-            asJson = true;
-        } else if (argument.startsWith(QLatin1String("--")) || !path.isEmpty()) {
-            print(stderr, QStringLiteral("burin info: unexpected argument '%1'").arg(argument));
-            return 2;
-        } else {
-            path = argument;
-        }
-    }
-    if (graphics && (asJson || !path.isEmpty())) {
-        print(stderr, QStringLiteral("burin info: --gl stands alone"));
-        return 2;
-    }
-    if (graphics)
+    const Arguments arguments(words, {QStringLiteral("series"), QStringLiteral("repair")},
+        {QStringLiteral("gl"), QStringLiteral("json")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("info", arguments.problem());
+    const QStringList& paths = arguments.rest();
+    if (arguments.has("gl")) {
+        if (words.size() > 1)
+            return tellUsage("info", QStringLiteral("--gl stands alone"));
         return printGraphics();
-    if (path.isEmpty()) {
-        print(stderr, QStringLiteral("burin info: PATH is missing"));
-        return 2;
     }
-    const core::Result<core::Study> study = core::Study::scan(path);
-    if (!study) {
-        print(stderr, QStringLiteral("burin: ") + ui::errorText(study.error()));
-        return 1;
-    }
-    return asJson ? printJson(*study) : printText(*study);
+    if (paths.size() != 1)
+        return tellUsage("info",
+            paths.isEmpty() ? QStringLiteral("PATH is missing")
+                            : QStringLiteral("unexpected argument '%1'").arg(paths[1]));
+    const core::Result<core::Study> study = core::Study::scan(paths.front());
+    if (!study)
+        return tellFailure(study.error());
+    const core::SeriesChoice choice = study->listing().choice(seriesOf(arguments));
+    const Asked asked{.study = *study, .series = choice.series, .repair = choice.repair};
+    if (!asked.series.isEmpty() && study->listing().matching(asked.series).empty())
+        return tellFailure(
+            {core::ErrorCode::SeriesNotFound, {paths.front(), arguments.value("series")}});
+    return arguments.has("json") ? printJson(asked) : printText(asked);
 }
 
 } // namespace app

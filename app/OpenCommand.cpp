@@ -2,6 +2,7 @@
 #include "app/OpenCommand.h"
 
 #include "app/Application.h"
+#include "core/repair/SeriesRepair.h"
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "ui/ErrorText.h"
@@ -23,7 +24,7 @@ namespace {
 
 struct OpenArguments {
     QString path;
-    QString series;
+    QString series; ///< with the repair behind it
     QString study; ///< of a session that says another place
     QString screenshot;
     QSize size;
@@ -42,17 +43,20 @@ std::optional<QSize> sizeFrom(const QString& text)
 /// @return what is wrong, or nothing
 QString parse(const QStringList& arguments, OpenArguments& parsed)
 {
+    QString repair;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
         const QString& argument = arguments[i];
         const bool takesValue = argument == QLatin1String("--series")
-            || argument == QLatin1String("--study") || argument == QLatin1String("--screenshot")
-            || argument == QLatin1String("--size");
+            || argument == QLatin1String("--repair") || argument == QLatin1String("--study")
+            || argument == QLatin1String("--screenshot") || argument == QLatin1String("--size");
         if (takesValue && i + 1 == arguments.size())
             return QStringLiteral("%1 needs a value").arg(argument);
         if (argument == QLatin1String("--demo")) {
             parsed.demonstration = true;
         } else if (argument == QLatin1String("--series")) {
             parsed.series = arguments[++i];
+        } else if (argument == QLatin1String("--repair")) {
+            repair = arguments[++i];
         } else if (argument == QLatin1String("--study")) {
             parsed.study = arguments[++i];
         } else if (argument == QLatin1String("--screenshot")) {
@@ -74,8 +78,14 @@ QString parse(const QStringList& arguments, OpenArguments& parsed)
     if (parsed.demonstration && !parsed.path.isEmpty())
         return QStringLiteral("--demo opens no path");
     const bool isSession = core::SessionFile::isNamedAt(parsed.path);
-    if (isSession && !parsed.series.isEmpty())
-        return QStringLiteral("--series is for studies; a session knows its own");
+    if (isSession && !(parsed.series.isEmpty() && repair.isEmpty()))
+        return QStringLiteral("--series and --repair are for studies; a session knows its own");
+    QString wrong;
+    if (repair == QLatin1String("none"))
+        repair.clear();
+    if (!core::SeriesRepair::fromText(repair, &wrong))
+        return QStringLiteral("--repair: %1").arg(wrong);
+    parsed.series = core::withRepair(parsed.series, repair);
     if (!isSession && !parsed.study.isEmpty())
         return QStringLiteral("--study says where the study of a session is; name a session");
     return {};

@@ -105,11 +105,12 @@ std::optional<std::vector<core::RecipeElsewhere::LeftOut>> tellElsewhere(
     return {};
 }
 
-Result<core::LoadedVolume> load(
-    const Arguments& arguments, const std::optional<core::SessionContents>& goesOn)
+/// @param repair of the series, where the recipe says that it was recorded on a repaired one
+Result<core::LoadedVolume> load(const Arguments& arguments,
+    const std::optional<core::SessionContents>& goesOn, const QString& repair = {})
 {
     if (!goesOn)
-        return core::loadVolume(arguments.value("study"), arguments.value("series"));
+        return core::loadVolume(arguments.value("study"), seriesOf(arguments, repair));
     return core::loadSessionStudy(arguments.value("session"), goesOn->source,
         arguments.value("study"), arguments.value("series"));
 }
@@ -186,7 +187,10 @@ int run(core::Recipe recipe, const Arguments& arguments)
         if (!goesOn->leftOpen.isEmpty())
             tellFailure({core::ErrorCode::SessionDamaged, {file, goesOn->leftOpen}});
     }
-    Result<core::LoadedVolume> loaded = load(arguments, goesOn);
+    // What another study was recorded with may make no sense on this one.
+    const QString repair =
+        recipe.study && !arguments.has("apply-elsewhere") ? recipe.study->repair : QString();
+    Result<core::LoadedVolume> loaded = load(arguments, goesOn, repair);
     if (!loaded)
         return tellFailure(loaded.error());
     tellNotFromStudy(loaded->notFromStudy, file);
@@ -274,8 +278,8 @@ int run(core::Recipe recipe, const Arguments& arguments)
 int runRecipe(const QStringList& words)
 {
     const Arguments arguments(words,
-        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("session"),
-            QStringLiteral("author")},
+        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
+            QStringLiteral("session"), QStringLiteral("author")},
         {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere"),
             QStringLiteral("with-images")});
     if (!arguments.problem().isEmpty())
@@ -285,6 +289,10 @@ int runRecipe(const QStringList& words)
     const bool append = arguments.has("append");
     if (append && arguments.has("force"))
         return tellUsage("run", QStringLiteral("--append and --force exclude each other"));
+    if (append && arguments.has("repair"))
+        return tellUsage("run",
+            QStringLiteral("--repair is for a new session; one that goes on "
+                           "keeps the repair that it was made with"));
     if (append && arguments.has("with-images"))
         return tellUsage("run",
             QStringLiteral("--with-images is for a new session; one that goes on keeps what it "

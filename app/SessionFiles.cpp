@@ -22,6 +22,8 @@ QString sessionFile(const core::Volume& volume)
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(volume.identity.seriesUid.toUtf8());
     hash.addData(volume.voxelsSha256);
+    // Repairs that come to the same voxels keep their own names in exports.
+    hash.addData(volume.repair.toUtf8());
     const QString name = QString::fromLatin1(hash.result().toHex().left(24));
     return sessionFolder() + QLatin1Char('/') + name + QStringLiteral(".burin");
 }
