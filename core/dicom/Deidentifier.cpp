@@ -263,8 +263,9 @@ void Deidentifier::applyToItem(DcmItem& item, const Pass& pass) const
                 setText(element, tag == DCM_ContentTime ? QStringLiteral("000000") : QString());
             break;
         case TagFate::Device:
-            if (!pass.ours && !m_options.keepDevice)
-                setText(element, {});
+            if (!pass.ours)
+                setText(element,
+                    m_options.keepDevice ? without(textOf(element), pass.words) : QString());
             break;
         case TagFate::Description:
             goes = !m_options.keepDescriptions;
@@ -288,6 +289,7 @@ void Deidentifier::apply(DcmDataset& set, const QStringList& settled) const
 
     ConditionChain chain;
     const ItemWriter items(chain);
+    completePatientHeader(set, chain);
     items.put(&set, DCM_SpecificCharacterSet, "ISO_IR 192");
     items.put(&set, DCM_PatientName, patientName());
     items.put(&set, DCM_PatientID, patientId());

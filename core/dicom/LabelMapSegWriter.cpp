@@ -107,8 +107,11 @@ Result<void> addSegments(DcmDataset& set, const SegContent& content, const ItemW
         items.putWord(item, DCM_SegmentNumber, int(i) + 1);
         items.put(item, DCM_SegmentLabel, segmentLabel(segment));
         items.put(item, DCM_SegmentAlgorithmType, algorithmTypeText(content.settings));
-        if (const std::string name = algorithmName(content.settings); !name.empty())
-            items.put(item, DCM_SegmentAlgorithmName, name);
+        if (content.settings.algorithm != SegAlgorithm::Manual) {
+            const QString name = singleValueText(content.settings.algorithmName, 64);
+            items.put(
+                item, DCM_SegmentAlgorithmName, name.isEmpty() ? QStringLiteral("Burin") : name);
+        }
         items.putCode(item, DCM_SegmentedPropertyTypeCodeSequence, segment.code);
         const std::array<std::uint16_t, 3> lab = cieLabOf(segment.rgb);
         if (item != nullptr)

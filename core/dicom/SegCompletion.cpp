@@ -44,9 +44,9 @@ void completeText(
         putMeaning(*item, DCM_SegmentedPropertyCategoryCodeSequence, codes.category.meaning);
         putMeaning(*item, DCM_SegmentedPropertyTypeCodeSequence, segment.code.meaning);
         putSegDetails(item, codes, ItemWriter(chain));
-        if (content.settings.algorithm != SegAlgorithm::Manual)
-            putText(*item, DCM_SegmentAlgorithmName,
-                singleValueText(content.settings.algorithmName, 64), chain);
+        const QString algorithm = singleValueText(content.settings.algorithmName, 64);
+        if (content.settings.algorithm != SegAlgorithm::Manual && !algorithm.isEmpty())
+            putText(*item, DCM_SegmentAlgorithmName, algorithm, chain);
     }
 }
 

@@ -25,9 +25,9 @@ void mark(DcmDataset& set, int k)
              DCM_PerformingPhysicianName, DCM_PatientBirthName, DCM_PatientMotherBirthName,
              DCM_PhysiciansOfRecord, DCM_RequestingPhysician, DCM_NameOfPhysiciansReadingStudy})
         put(set, tag, "MARKERNAME^Otto");
-    for (const DcmTagKey& tag : {DCM_PatientID, DCM_AccessionNumber, DCM_StudyID,
-             DCM_RETIRED_OtherPatientIDs, DCM_StationName, DCM_DeviceSerialNumber,
-             DCM_PerformedProcedureStepID, DCM_ScheduledProcedureStepID})
+    for (const DcmTagKey& tag :
+        {DCM_PatientID, DCM_AccessionNumber, DCM_StudyID, DCM_RETIRED_OtherPatientIDs,
+            DCM_PerformedProcedureStepID, DCM_ScheduledProcedureStepID})
         put(set, tag, "MARKERID");
     for (const DcmTagKey& tag : {DCM_PatientComments, DCM_InstitutionName, DCM_InstitutionAddress,
              DCM_PatientAddress, DCM_AdditionalPatientHistory, DCM_ImageComments, DCM_Allergies,
@@ -41,6 +41,8 @@ void mark(DcmDataset& set, int k)
         {DCM_PatientBirthDate, DCM_StudyDate, DCM_SeriesDate, DCM_AcquisitionDate, DCM_ContentDate,
             DCM_InstanceCreationDate, DCM_PerformedProcedureStepStartDate})
         put(set, tag, "19330214");
+    for (const DcmTagKey& tag : {DCM_StationName, DCM_DeviceSerialNumber})
+        put(set, tag, "MARKERDEV");
     put(set, DCM_AcquisitionDateTime, "19330214101112");
     put(set, DCM_PatientAge, "077Y");
     put(set, DCM_PatientWeight, "77.0770770770");
@@ -79,8 +81,8 @@ SyntheticSeries markedSeries()
 
 QByteArrayList markers()
 {
-    return {"MARKERNAME", "MARKERID", "MARKERTEXT", "MARKERPATH", "MARKERUSER", "19330214",
-        "1933-02-14", "2.25.77007700", "77.0770770"};
+    return {"MARKERNAME", "MARKERID", "MARKERTEXT", "MARKERDEV", "MARKERPATH", "MARKERUSER",
+        "19330214", "1933-02-14", "2.25.77007700", "77.0770770"};
 }
 
 QByteArrayList markersIn(const QString& file)
