@@ -3,6 +3,7 @@
 
 #include "app/DemonstrationStudy.h"
 #include "app/SessionFiles.h"
+#include "core/repair/SeriesRepair.h"
 #include "core/session/SessionSalvage.h"
 #include "core/session/SessionUse.h"
 #include "gpu/GpuEngine.h"
@@ -25,6 +26,7 @@
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/PiecesPanel.h"
 #include "ui/panels/SegmentsPanel.h"
+#include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/BarrierTool.h"
 #include "ui/tools/CarveBrushTool.h"
@@ -115,6 +117,7 @@ void Application::makeWindow()
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
 
+    addDoctor();
     window.addPanel(new ui::SegmentsPanel(*m_workspace));
     auto* growth = new ui::GrowthPanel(*m_workspace);
     window.addPanel(growth);
@@ -145,6 +148,21 @@ void Application::makeWindow()
     connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
     connect(&window.opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
     window.offerSessionsIn(sessionFolder());
+}
+
+void Application::addDoctor()
+{
+    auto* doctor = new ui::SeriesDoctorPanel(*m_workspace);
+    m_window->addPanel(doctor);
+    connect(doctor, &ui::SeriesDoctorPanel::reopenAsked, this,
+        [this](
+            const QString& path, const QString& series) { m_window->opener().open(path, series); });
+    QAction& action = m_window->actionTable().add({.id = QStringLiteral("file.seriesDoctor"),
+        .text = QStringLiteral("Series doctor …"),
+        .run = [this, doctor] { m_window->bringUp(*doctor); },
+        .possible = [doctor] { return doctor->hasSomething(); }});
+    m_window->fileMenu().insertAction(
+        &m_window->actionTable()[QStringLiteral("file.importMask")], &action);
 }
 
 void Application::addExport()
@@ -192,7 +210,7 @@ void Application::openDemonstration()
 void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path)
 {
     const QString file = sessionFile(loaded->volume);
-    const QString series = loaded->volume.identity.seriesUid;
+    const QString series = core::withRepair(loaded->volume.seriesKey, loaded->volume.repair);
     // The study may be the open one: its session is closed before it is looked into.
     core::Result<void> begun = makeRoom();
     if (begun && QFileInfo::exists(file)) {

@@ -43,6 +43,7 @@ public:
 private:
     explicit Application(std::unique_ptr<gpu::GpuEngine> engine);
     void makeWindow();
+    void addDoctor();
     void addExport();
     /// The study's own working session: continued, or begun.
     void openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);

@@ -294,6 +294,12 @@ void MainWindow::addPanel(Panel* panel)
     m_panelsMenu->addAction(&action);
 }
 
+void MainWindow::bringUp(const Panel& panel)
+{
+    showPanels(true);
+    m_panels->bringUp(panel);
+}
+
 bool MainWindow::panelsShown() const
 {
     return m_panelsWanted;

@@ -46,6 +46,8 @@ public:
     /// The panel appears in the right column, below those before it, and in the View menu. The
     /// window owns it.
     void addPanel(Panel* panel);
+    /// Shows the panels, and this one of them unfolded.
+    void bringUp(const Panel& panel);
     [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }
     [[nodiscard]] QMenu& editMenu() const { return *m_editMenu; }
     [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }

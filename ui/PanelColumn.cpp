@@ -52,6 +52,7 @@ PanelSection& PanelColumn::add(ui::Panel* panel)
     connect(section, &PanelSection::folded, this, [this, section, panel](bool folded) {
         m_layout->setStretchFactor(section, panel->stretches() && !folded ? 1 : 0);
     });
+    connect(panel, &Panel::hasSomethingChanged, this, &PanelColumn::update);
     connect(section, &PanelSection::floatAsked, this,
         [this, section](bool floating) { setFloating(*section, floating); });
     return *section;
@@ -101,6 +102,19 @@ void PanelColumn::setFloating(PanelSection& section, bool floating)
     update();
 }
 
+void PanelColumn::bringUp(const ui::Panel& panel)
+{
+    for (Place& place : m_places) {
+        if (&place.section->panel() != &panel)
+            continue;
+        place.wanted = true;
+        place.section->setFolded(false);
+        update();
+        if (!place.section->isFloating())
+            ensureWidgetVisible(place.section, 0, 0);
+    }
+}
+
 void PanelColumn::showAll(bool shown)
 {
     m_shown = shown;
@@ -122,8 +136,9 @@ void PanelColumn::update()
 {
     bool any = false;
     for (const Place& place : m_places) {
-        place.section->setVisible(place.wanted && (m_shown || !place.section->isFloating()));
-        any = any || (place.wanted && !place.section->isFloating());
+        const bool wanted = place.wanted && place.section->panel().hasSomething();
+        place.section->setVisible(wanted && (m_shown || !place.section->isFloating()));
+        any = any || (wanted && !place.section->isFloating());
     }
     setVisible(m_shown && any);
     Q_EMIT changed();

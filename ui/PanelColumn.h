@@ -32,6 +32,8 @@ public:
     void setWanted(PanelSection& section, bool wanted);
     [[nodiscard]] bool isWanted(const PanelSection& section) const;
     void setFloating(PanelSection& section, bool floating);
+    /// Wanted, unfolded and in sight.
+    void bringUp(const ui::Panel& panel);
     /// All wanted ones at once; the column hides when it holds none.
     void showAll(bool shown);
     /// As at the first start.

@@ -20,11 +20,14 @@ public:
     [[nodiscard]] virtual bool stretches() const { return false; }
     /// Until the user unfolds it.
     [[nodiscard]] virtual bool foldedAtFirst() const { return false; }
+    /// A panel that has nothing takes no place.
+    [[nodiscard]] virtual bool hasSomething() const { return true; }
 
 Q_SIGNALS:
     void summaryChanged(const QString& summary);
     /// What was done in the header is to be seen.
     void unfoldAsked();
+    void hasSomethingChanged();
 };
 
 } // namespace ui

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/SeriesDoctorPanel.h"
+
+#include "core/repair/RepairLattice.h"
+#include "core/session/EditSession.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+#include "ui/panels/FindingBox.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <optional>
+
+namespace ui {
+
+namespace {
+
+QString gridText(const core::VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const QString apart = geometry.slicePositions.empty()
+        ? QString::number(spacing.z, 'g', 4)
+        : QStringLiteral("≈ ") + QString::number(spacing.z, 'g', 3);
+    return QStringLiteral("%1 × %2 × %3\n%4 × %5 × %6 mm")
+        .arg(geometry.size.x)
+        .arg(geometry.size.y)
+        .arg(geometry.size.z)
+        .arg(QString::number(spacing.x, 'g', 3), QString::number(spacing.y, 'g', 3), apart);
+}
+
+QLabel* smallText(QWidget* parent, const QString& text = {})
+{
+    auto* label = new QLabel(text, parent);
+    label->setFont(theme::smallFont());
+    label->setProperty("role", QStringLiteral("secondary"));
+    return label;
+}
+
+} // namespace
+
+SeriesDoctorPanel::SeriesDoctorPanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+{
+    build();
+    connect(m_apply, &QPushButton::clicked, this, &SeriesDoctorPanel::apply);
+    connect(m_openTime, &QPushButton::clicked, this, &SeriesDoctorPanel::openTime);
+    connect(m_time, &QSlider::valueChanged, this, &SeriesDoctorPanel::showTimes);
+    connect(&workspace, &Workspace::sessionChanged, this, &SeriesDoctorPanel::showVolume);
+    connect(&workspace, &Workspace::cautionAcceptedChanged, this, &SeriesDoctorPanel::showChoice);
+    showVolume();
+}
+
+void SeriesDoctorPanel::build()
+{
+    m_list = new QVBoxLayout;
+    m_list->setSpacing(theme::padding);
+
+    m_decision = new QWidget(this);
+    auto* grids = new QGridLayout;
+    grids->setHorizontalSpacing(theme::smallPadding);
+    grids->addWidget(smallText(m_decision, tr("Now")), 0, 0);
+    grids->addWidget(smallText(m_decision, tr("Then")), 0, 1);
+    m_now = new QLabel(m_decision);
+    m_now->setObjectName(QStringLiteral("gridNow"));
+    m_after = new QLabel(m_decision);
+    m_after->setObjectName(QStringLiteral("gridAfter"));
+    grids->addWidget(m_now, 1, 0, Qt::AlignTop);
+    grids->addWidget(m_after, 1, 1, Qt::AlignTop);
+    m_note = smallText(m_decision);
+    m_note->setWordWrap(true);
+    m_apply = new QPushButton(m_decision);
+    m_apply->setObjectName(QStringLiteral("applyRepair"));
+    m_apply->setProperty("role", QStringLiteral("primary"));
+    auto* decision = new QVBoxLayout(m_decision);
+    decision->setContentsMargins(0, 0, 0, 0);
+    decision->setSpacing(theme::smallPadding);
+    decision->addLayout(grids);
+    decision->addWidget(m_note);
+    decision->addWidget(m_apply);
+
+    m_times = new QWidget(this);
+    m_timeText = smallText(m_times);
+    m_timeText->setObjectName(QStringLiteral("timeText"));
+    m_timeText->setWordWrap(true);
+    m_time = new QSlider(Qt::Horizontal, m_times);
+    m_time->setObjectName(QStringLiteral("timeSlider"));
+    m_time->setAccessibleName(tr("Point in time"));
+    m_openTime = new QPushButton(tr("Open"), m_times);
+    m_openTime->setObjectName(QStringLiteral("openTime"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_time, 1);
+    row->addWidget(m_openTime);
+    auto* times = new QVBoxLayout(m_times);
+    times->setContentsMargins(0, 0, 0, 0);
+    times->setSpacing(4);
+    times->addLayout(row);
+    times->addWidget(m_timeText);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
+    layout->setSpacing(theme::padding);
+    layout->addLayout(m_list);
+    layout->addWidget(m_decision);
+    layout->addWidget(m_times);
+}
+
+QString SeriesDoctorPanel::title() const
+{
+    return tr("Series doctor");
+}
+
+QString SeriesDoctorPanel::summary() const
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (volume == nullptr)
+        return {};
+    if (!volume->repair.isEmpty())
+        return tr("repaired");
+    return m_boxes.size() == 1 ? tr("1 finding") : tr("%1 findings").arg(m_boxes.size());
+}
+
+bool SeriesDoctorPanel::hasSomething() const
+{
+    return !m_boxes.empty();
+}
+
+void SeriesDoctorPanel::showVolume()
+{
+    qDeleteAll(m_boxes);
+    m_boxes.clear();
+    const core::Volume* volume = m_workspace.volume();
+    bool anyOffer = false;
+    if (volume != nullptr) {
+        for (const core::SeriesFinding& finding : core::seriesFindings(*volume)) {
+            anyOffer = anyOffer || !finding.offers.empty() || finding.problem.caution;
+            auto* box = new FindingBox(finding, volume->alternatives != nullptr, this);
+            m_boxes.push_back(box);
+            m_list->addWidget(box);
+            connect(box, &FindingBox::chosenChanged, this, &SeriesDoctorPanel::showChoice);
+        }
+    }
+    m_decision->setVisible(anyOffer);
+    const bool hasTimes = volume != nullptr && volume->alternatives != nullptr
+        && volume->alternatives->times.size() > 1;
+    m_times->setVisible(hasTimes);
+    if (hasTimes) {
+        const QSignalBlocker blocker(m_time);
+        m_time->setRange(0, int(volume->alternatives->times.size()) - 1);
+        m_time->setValue(volume->alternatives->time);
+        showTimes();
+    }
+    showChoice();
+    Q_EMIT summaryChanged(summary());
+    Q_EMIT hasSomethingChanged();
+    if (volume != nullptr && volume->needsCaution())
+        Q_EMIT unfoldAsked();
+}
+
+const core::RepairOffer* SeriesDoctorPanel::otherStack() const
+{
+    for (const FindingBox* box : m_boxes) {
+        if (const core::RepairOffer* offer = box->chosen(); offer && !offer->series.isEmpty())
+            return offer;
+    }
+    return nullptr;
+}
+
+QString SeriesDoctorPanel::chosenRepair() const
+{
+    QStringList words;
+    for (const FindingBox* box : m_boxes) {
+        if (const core::RepairOffer* offer = box->chosen(); offer && !offer->repair.isEmpty())
+            words += offer->repair;
+    }
+    const auto repair = core::SeriesRepair::fromText(words.join(u','));
+    return repair ? repair->toText() : QString();
+}
+
+void SeriesDoctorPanel::showChoice()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (volume == nullptr)
+        return;
+    const QString chosen = chosenRepair();
+    const core::RepairOffer* stack = otherStack();
+    const bool changes = stack != nullptr || chosen != volume->repair;
+    m_now->setText(gridText(volume->geometry));
+    std::optional<core::VolumeGeometry> after;
+    if (stack != nullptr) {
+        after = stack->result;
+    } else if (changes) {
+        const core::SeriesRepair repair =
+            core::SeriesRepair::fromText(chosen).value_or(core::SeriesRepair());
+        core::VolumeGeometry slices = volume->asIs ? volume->asIs->geometry : volume->geometry;
+        if (repair.duplicates != core::SeriesRepair::Duplicates::Keep && volume->alternatives)
+            slices = volume->alternatives->undoubled.value_or(slices);
+        if (core::repairObstacle(slices, repair).isEmpty())
+            after = core::repairedGeometry(slices, repair);
+    }
+    m_after->setText(after ? gridText(*after) : tr("the same"));
+
+    const bool drawnOn =
+        m_workspace.session() != nullptr && !m_workspace.session()->history().rows().empty();
+    const bool atHand = volume->alternatives != nullptr;
+    QString note;
+    if (!atHand)
+        note = tr("The study's files are not at hand; only they can be opened otherwise.");
+    else if (changes && drawnOn)
+        note = tr("Opens the study anew. What was drawn stays in its own session, on the series as "
+                  "it is now.");
+    else if (changes)
+        note = tr("Opens the study anew; its files stay as they are.");
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
+    const bool accept = !changes && volume->needsCaution() && !m_workspace.cautionAccepted();
+    m_apply->setText(accept && !changes                       ? tr("Keep as it is")
+            : chosen.isEmpty() && changes && stack == nullptr ? tr("Open as it is")
+                                                              : tr("Apply"));
+    m_apply->setEnabled(accept || (changes && atHand));
+}
+
+void SeriesDoctorPanel::apply()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (volume == nullptr)
+        return;
+    if (const core::RepairOffer* stack = otherStack())
+        Q_EMIT reopenAsked(volume->sourcePath, stack->series);
+    else if (const QString chosen = chosenRepair(); chosen != volume->repair)
+        Q_EMIT reopenAsked(volume->sourcePath, core::withRepair(volume->seriesKey, chosen));
+    else
+        m_workspace.acceptCaution();
+}
+
+void SeriesDoctorPanel::showTimes()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (volume == nullptr || volume->alternatives == nullptr)
+        return;
+    const core::SeriesAlternatives& alternatives = *volume->alternatives;
+    const QString label = alternatives.times.value(m_time->value());
+    const QString point = tr("Point %1 of %2%3.")
+                              .arg(m_time->value() + 1)
+                              .arg(alternatives.times.size())
+                              .arg(label.isEmpty() ? QString() : QStringLiteral(", ") + label);
+    const bool isOther = m_time->value() != alternatives.time;
+    m_timeText->setText(isOther ? point + tr(" Masks stay with the point that they were drawn on.")
+                                : point + tr(" This one is open."));
+    m_openTime->setEnabled(isOther);
+}
+
+void SeriesDoctorPanel::openTime()
+{
+    const core::Volume* volume = m_workspace.volume();
+    const core::SeriesAlternatives& alternatives = *volume->alternatives;
+    const int time = m_time->value();
+    const QString key =
+        time == 0 ? alternatives.key : QStringLiteral("%1@%2").arg(alternatives.key).arg(time + 1);
+    Q_EMIT reopenAsked(volume->sourcePath, core::withRepair(key, volume->repair));
+}
+
+} // namespace ui
