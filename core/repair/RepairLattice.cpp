@@ -87,8 +87,9 @@ void growInPlane(RepairLattice& lattice, std::int64_t LatticePlace::*axis, int c
 {
     const auto [least, greatest] = std::minmax_element(lattice.places.begin(), lattice.places.end(),
         [axis](const LatticePlace& a, const LatticePlace& b) { return a.*axis < b.*axis; });
-    const std::int64_t low = floorVoxel((*least).*axis);
-    const std::int64_t high = floorVoxel((*greatest).*axis + wholeVoxel - 1);
+    // As far as the nearest voxel of every slice's: positions that wander by less add none.
+    const std::int64_t low = floorVoxel((*least).*axis + wholeVoxel / 2);
+    const std::int64_t high = floorVoxel((*greatest).*axis + wholeVoxel / 2);
     VolumeGeometry& geometry = lattice.geometry;
     geometry.size[column] += int(high - low);
     const glm::dvec4 shift = geometry.indexToWorld[column] * double(low);

@@ -65,8 +65,8 @@ RepairOffer latticeOffer(const VolumeGeometry& slices, SeriesRepair::Lattice lat
     const QString distance = millimetres(even.result.spacingMm().z);
     if (lattice == SeriesRepair::Lattice::Filled) {
         even.title = made == 1 ? QStringLiteral("Fill the gap") : QStringLiteral("Fill the gaps");
-        even.effect = QStringLiteral("%1 interpolated between their neighbours, %2 keep their "
-                                     "values; all lie %3 mm apart.")
+        even.effect = QStringLiteral("%1 interpolated from the neighbouring slices, %2 keep "
+                                     "their values; all lie %3 mm apart.")
                           .arg(made == 1 ? QStringLiteral("1 slice is")
                                          : QStringLiteral("%1 slices are").arg(made))
                           .arg(kept)
