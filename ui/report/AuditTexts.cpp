@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/AuditTexts.h"
 
+#include "core/repair/SeriesRepair.h"
 #include "ui/CountText.h"
 
 #include <QCoreApplication>
@@ -72,7 +73,7 @@ std::vector<AuditTexts::Fact> studyFacts(const core::SessionSource& source)
     };
     QStringList series{source.seriesDescription, source.modality, source.studyDate};
     series.removeAll(QString());
-    return {
+    std::vector<AuditTexts::Fact> facts{
         {tr("Series"), known(series.join(QStringLiteral(" · ")))},
         {tr("Study UID"), known(source.studyUid)},
         {tr("Series UID"), known(source.seriesUid)},
@@ -87,6 +88,11 @@ std::vector<AuditTexts::Fact> studyFacts(const core::SessionSource& source)
                                           : QString::fromLatin1(source.voxelsSha256),
             !source.voxelsSha256.isEmpty()},
     };
+    if (const auto repair = core::SeriesRepair::fromText(source.repair);
+        repair && !repair->isNone())
+        facts.push_back({tr("Repaired on loading"),
+            QStringLiteral("%1 (%2)").arg(repair->inWords(), source.repair)});
+    return facts;
 }
 
 QString periodText(const core::AuditReport& report)
