@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/ExportMask.h"
+#include "core/repair/SeriesRepair.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionImages.h"
 #include "core/session/SessionSalvage.h"

@@ -78,7 +78,7 @@ private Q_SLOTS:
         m_fixture->edit(test::addSegment("On the series as it is"));
         find<QRadioButton>("repairChoice1")->click();
         QVERIFY(find<QLabel>("repairEffect")->isVisible());
-        QVERIFY(find<QLabel>("gridAfter")->text().startsWith(QLatin1String("24 × 22 × 10")));
+        QVERIFY(find<QLabel>("gridAfter")->text().startsWith(QStringLiteral("24 × 22 × 10")));
         pressAndWait("applyRepair");
         QCOMPARE(volume().repair, QStringLiteral("tilt"));
         QVERIFY(!volume().needsCaution());
