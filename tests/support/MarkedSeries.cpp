@@ -37,6 +37,7 @@ void mark(DcmDataset& set, int k)
              DCM_ContrastBolusAgent, DCM_EthnicGroup, DCM_MedicalAlerts, DCM_Manufacturer,
              DCM_ManufacturerModelName, DCM_SoftwareVersions})
         put(set, tag, tag == DCM_EthnicGroup ? "MARKERTEXT" : "Kopf MARKERTEXT von MARKERNAME");
+    put(set, DCM_Manufacturer, "Werk 7 MARKERNAME");
     for (const DcmTagKey& tag :
         {DCM_PatientBirthDate, DCM_StudyDate, DCM_SeriesDate, DCM_AcquisitionDate, DCM_ContentDate,
             DCM_InstanceCreationDate, DCM_PerformedProcedureStepStartDate})

@@ -16,6 +16,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QProcess>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -354,23 +355,17 @@ void DicomWebRoundTripTest::tls()
     if (files.serverKey.isEmpty())
         QSKIP("openssl is not installed");
     // Not Orthanc: Debian's falls at the first connection by TLS.
-    const int port = test::freePort();
-    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("dicom-web")));
-    QFile answer(folder.filePath(QStringLiteral("dicom-web/studies?limit=1")));
-    QVERIFY(answer.open(QIODevice::WriteOnly));
-    answer.write("HTTP/1.0 200 OK\r\nContent-Type: application/dicom+json\r\n\r\n[]");
-    answer.close();
     QProcess server;
-    server.setWorkingDirectory(folder.path());
-    server.start(QStringLiteral("openssl"),
-        {QStringLiteral("s_server"), QStringLiteral("-accept"), QString::number(port),
-            QStringLiteral("-cert"), files.serverCertificate, QStringLiteral("-key"),
-            files.serverKey, QStringLiteral("-HTTP"), QStringLiteral("-Verify"),
-            QStringLiteral("1"), QStringLiteral("-verify_return_error"), QStringLiteral("-CAfile"),
-            files.clientCertificate});
+    server.start(QStringLiteral("/usr/bin/python3"),
+        {QStringLiteral(BURIN_SOURCE_DIR "/tests/support/python/https_server.py"),
+            files.serverCertificate, files.serverKey, files.clientCertificate});
     QVERIFY(server.waitForStarted());
-    QByteArray said;
-    QTRY_VERIFY((said += server.readAllStandardOutput()).contains("ACCEPT"));
+    const auto stop = qScopeGuard([&server] {
+        server.kill();
+        server.waitForFinished();
+    });
+    QVERIFY(server.waitForReadyRead());
+    const int port = server.readLine().trimmed().toInt();
 
     core::WebNode node;
     node.url = QUrl(QStringLiteral("https://localhost:%1/dicom-web").arg(port));
@@ -390,8 +385,6 @@ void DicomWebRoundTripTest::tls()
     VERIFY_ERROR(core::echoNode(node, core::Progress()), ErrorCode::NodeUnreachable);
     node.authorityFile = files.serverKey;
     VERIFY_ERROR(core::echoNode(node, core::Progress()), ErrorCode::InvalidField);
-    server.kill();
-    server.waitForFinished();
 }
 
 QTEST_GUILESS_MAIN(DicomWebRoundTripTest)

@@ -237,7 +237,7 @@ void DeidentifiedExportTest::whatIsKeptIsSaid()
     QCOMPARE(valueIn(on.out(QStringLiteral("kept/IM0001.dcm")), DCM_DeviceSerialNumber),
         QStringLiteral("MARKERDEV"));
     QCOMPARE(valueIn(on.out(QStringLiteral("kept/IM0001.dcm")), DCM_Manufacturer),
-        QStringLiteral("Kopf MARKERTEXT von"));
+        QStringLiteral("Werk 7"));
 }
 
 void DeidentifiedExportTest::oneMappingForAll()

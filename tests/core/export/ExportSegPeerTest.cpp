@@ -85,7 +85,8 @@ void ExportSegPeerTest::thousandFrames()
     QCOMPARE(mine->frames.size(), std::size_t(series.size.z));
     QCOMPARE(other->frames.size(), mine->frames.size());
     QVERIFY(other->bits == mine->bits);
-    QVERIFY(bytes("ours.dcm") < bytes("theirs.dcm") * 11 / 10);
+    // Each frame says more of itself: which image it was derived from, and how.
+    QVERIFY(bytes("ours.dcm") < bytes("theirs.dcm") + qint64(256) * series.size.z);
     QVERIFY(bytes("deflated.dcm") < bytes("ours.dcm") / 4);
 }
 
