@@ -57,8 +57,9 @@ void InfoCommandTest::jsonHoldsTheFacts()
     const QJsonObject facts = list[0].toObject();
     QStringList keys = facts.keys();
     QCOMPARE(keys.join(QLatin1Char(' ')),
-        QStringLiteral("description directionLps max min modality originLps problems seriesUid "
-                       "size spacingMm unit voxelsSha256"));
+        QStringLiteral(
+            "description directionLps findings max min modality originLps problems seriesUid "
+            "size spacingMm unit voxelsSha256"));
     const auto array = [&](const char* key) { return facts[QLatin1String(key)].toArray(); };
     QCOMPARE(facts[QStringLiteral("seriesUid")].toString(), series.seriesUid);
     QCOMPARE(facts[QStringLiteral("modality")].toString(), QStringLiteral("CT"));
