@@ -3,14 +3,13 @@
 
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/ItemWriter.h"
+#include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegCompletion.h"
 #include "core/dicom/SegParts.h"
 #include "core/dicom/SegSource.h"
 
-#include <QCoreApplication>
-#include <QDateTime>
 #include <QFile>
 
 #include <dcmtk/config/osconfig.h>
@@ -30,26 +29,17 @@ constexpr const char* labelMapStorage = "1.2.840.10008.5.1.4.1.1.66.7";
 void describe(
     DcmDataset& set, const SegContent& content, const SegSource& source, const ItemWriter& items)
 {
-    const QDateTime now = QDateTime::currentDateTime();
-    const QString date = now.toString(QStringLiteral("yyyyMMdd"));
-    const QString time = now.toString(QStringLiteral("HHmmss"));
-    const QString version = QCoreApplication::applicationVersion();
-    items.put(&set, DCM_SOPClassUID, labelMapStorage);
-    items.put(&set, DCM_SOPInstanceUID, newUid());
-    for (const DcmTagKey& tag : {DCM_InstanceCreationDate, DCM_SeriesDate, DCM_ContentDate})
-        items.put(&set, tag, date);
-    for (const DcmTagKey& tag : {DCM_InstanceCreationTime, DCM_SeriesTime, DCM_ContentTime})
-        items.put(&set, tag, time);
-    items.put(&set, DCM_Modality, "SEG");
-    items.put(&set, DCM_Manufacturer, "Burin");
-    items.put(&set, DCM_ManufacturerModelName, "Burin");
+    const MadeAt made = describeMadeObject(&set,
+        {.sopClassUid = labelMapStorage,
+            .modality = "SEG",
+            .seriesNumber = segSeriesNumber(content.identity),
+            .seriesDescription = seriesDescription(content)},
+        items);
+    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
+        items.put(&set, tag, made.date);
+    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
+        items.put(&set, tag, made.time);
     items.put(&set, DCM_DeviceSerialNumber, "0");
-    items.put(
-        &set, DCM_SoftwareVersions, version.isEmpty() ? QStringLiteral("development") : version);
-    items.put(&set, DCM_SeriesInstanceUID, newUid());
-    items.put(&set, DCM_SeriesNumber, QString::number(segSeriesNumber(content.identity)));
-    items.put(&set, DCM_SeriesDescription, seriesDescription(content));
-    items.put(&set, DCM_InstanceNumber, "1");
     items.put(&set, DCM_ImageType, "DERIVED\\PRIMARY");
     items.put(&set, DCM_ContentLabel, "SEGMENTATION");
     items.put(&set, DCM_ContentDescription, "Segmentation");

@@ -6,13 +6,12 @@
 #include "core/dicom/Deidentifier.h"
 #include "core/dicom/DicomText.h"
 #include "core/dicom/ItemWriter.h"
+#include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegSource.h"
 #include "core/repair/SeriesRepair.h"
 
-#include <QCoreApplication>
-#include <QDateTime>
 #include <QFile>
 
 #include <dcmtk/config/osconfig.h>
@@ -89,33 +88,17 @@ QString roiName(const Segment& segment)
 
 void describe(DcmDataset& set, const RtStructContent& content, const ItemWriter& items)
 {
-    const QDateTime now = QDateTime::currentDateTime();
-    const QString date = now.toString(QStringLiteral("yyyyMMdd"));
-    const QString time = now.toString(QStringLiteral("HHmmss"));
-    const QString version = QCoreApplication::applicationVersion();
-    bool numbered = false;
-    const int source = content.identity.seriesNumber.toInt(&numbered);
-    items.put(&set, DCM_SOPClassUID, std::string(UID_RTStructureSetStorage));
-    items.put(&set, DCM_SOPInstanceUID, newUid());
-    items.put(&set, DCM_InstanceCreationDate, date);
-    items.put(&set, DCM_InstanceCreationTime, time);
-    items.put(&set, DCM_Modality, QStringLiteral("RTSTRUCT"));
-    items.put(&set, DCM_Manufacturer, QStringLiteral("Burin"));
-    items.put(&set, DCM_ManufacturerModelName, QStringLiteral("Burin"));
-    items.put(
-        &set, DCM_SoftwareVersions, version.isEmpty() ? QStringLiteral("development") : version);
-    items.put(&set, DCM_SeriesInstanceUID, newUid());
-    // Beside the series it was drawn on in a list, and of no scanner's own numbers.
-    items.put(&set, DCM_SeriesNumber,
-        QString::number(3000 + (numbered && source > 0 && source < 1'000'000 ? source : 0)));
-    items.put(&set, DCM_SeriesDescription,
-        singleValueText(QStringLiteral("Contours ") + content.identity.seriesDescription, 64));
-    items.put(&set, DCM_InstanceNumber, QStringLiteral("1"));
+    const MadeAt made = describeMadeObject(&set,
+        {.sopClassUid = UID_RTStructureSetStorage,
+            .modality = "RTSTRUCT",
+            .seriesNumber = madeSeriesNumber(3000, content.identity),
+            .seriesDescription = QStringLiteral("Contours ") + content.identity.seriesDescription},
+        items);
     items.put(&set, DCM_StructureSetLabel, QStringLiteral("SEGMENTATION"));
     if (const QString stamp = repairStamp(content.repair); !stamp.isEmpty())
         items.put(&set, DCM_StructureSetDescription, stamp);
-    items.put(&set, DCM_StructureSetDate, date);
-    items.put(&set, DCM_StructureSetTime, time);
+    items.put(&set, DCM_StructureSetDate, made.date);
+    items.put(&set, DCM_StructureSetTime, made.time);
     items.put(&set, DCM_ApprovalStatus, QStringLiteral("UNAPPROVED"));
 }
 

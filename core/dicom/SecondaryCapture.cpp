@@ -4,12 +4,11 @@
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/ItemWriter.h"
+#include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientAndPlane.h"
 #include "core/dicom/PatientHeader.h"
 
-#include <QCoreApplication>
-#include <QDateTime>
 #include <QFile>
 #include <QFileInfo>
 
@@ -24,31 +23,19 @@ constexpr int samples = 3;
 
 void describe(DcmDataset& set, const SecondaryCaptureContent& content, const ItemWriter& items)
 {
-    const QDateTime now = QDateTime::currentDateTime();
-    const QString date = now.toString(QStringLiteral("yyyyMMdd"));
-    const QString time = now.toString(QStringLiteral("HHmmss"));
-    const QString version = QCoreApplication::applicationVersion();
-    bool numbered = false;
-    const int source = content.identity.seriesNumber.toInt(&numbered);
-    items.put(&set, DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
-    items.put(&set, DCM_SOPInstanceUID, newUid());
-    for (const DcmTagKey& tag : {DCM_InstanceCreationDate, DCM_SeriesDate, DCM_ContentDate})
-        items.put(&set, tag, date);
-    for (const DcmTagKey& tag : {DCM_InstanceCreationTime, DCM_SeriesTime, DCM_ContentTime})
-        items.put(&set, tag, time);
-    items.put(&set, DCM_Modality, "OT");
+    const MadeAt made = describeMadeObject(&set,
+        {.sopClassUid = UID_SecondaryCaptureImageStorage,
+            .modality = "OT",
+            .seriesNumber = madeSeriesNumber(5000, content.identity),
+            .seriesDescription =
+                QStringLiteral("Screenshot ") + content.identity.seriesDescription},
+        items);
+    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
+        items.put(&set, tag, made.date);
+    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
+        items.put(&set, tag, made.time);
     items.put(&set, DCM_ConversionType, "WSD");
     items.put(&set, DCM_ImageType, "DERIVED\\SECONDARY");
-    items.put(&set, DCM_Manufacturer, "Burin");
-    items.put(&set, DCM_ManufacturerModelName, "Burin");
-    items.put(
-        &set, DCM_SoftwareVersions, version.isEmpty() ? QStringLiteral("development") : version);
-    items.put(&set, DCM_SeriesInstanceUID, newUid());
-    items.put(&set, DCM_SeriesNumber,
-        QString::number(5000 + (numbered && source > 0 && source < 1'000'000 ? source : 0)));
-    items.put(&set, DCM_SeriesDescription,
-        singleValueText(QStringLiteral("Screenshot ") + content.identity.seriesDescription, 64));
-    items.put(&set, DCM_InstanceNumber, "1");
     items.put(&set, DCM_Laterality, "");
     items.put(&set, DCM_PatientOrientation, "");
     items.put(&set, DCM_BurnedInAnnotation, content.picture.showsPatient ? "YES" : "NO");

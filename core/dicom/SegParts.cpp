@@ -2,6 +2,7 @@
 #include "core/dicom/SegParts.h"
 
 #include "core/dicom/Deidentifier.h"
+#include "core/dicom/MadeObject.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegCompletion.h"
 
@@ -94,9 +95,7 @@ std::array<std::uint16_t, 3> cieLabOf(std::uint32_t rgb)
 
 int segSeriesNumber(const StudyIdentity& source)
 {
-    bool numbered = false;
-    const int number = source.seriesNumber.toInt(&numbered);
-    return 1000 + (numbered && number > 0 && number < 1'000'000 ? number : 0);
+    return madeSeriesNumber(1000, source);
 }
 
 Result<SegWritten> saveSeg(

@@ -4,12 +4,11 @@
 #include "core/dicom/Dcmtk.h"
 #include "core/dicom/Deidentifier.h"
 #include "core/dicom/ItemWriter.h"
+#include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
 #include "core/dicom/SegReader.h"
 
-#include <QCoreApplication>
-#include <QDateTime>
 #include <QFile>
 
 #include <dcmtk/config/osconfig.h>
@@ -124,30 +123,18 @@ CodedConcept quantityOf(const SrContent& content)
 
 void describe(DcmDataset& set, const SrContent& content, const ItemWriter& items)
 {
-    const QDateTime now = QDateTime::currentDateTime();
-    const QString date = now.toString(QStringLiteral("yyyyMMdd"));
-    const QString time = now.toString(QStringLiteral("HHmmss"));
-    const QString version = QCoreApplication::applicationVersion();
-    bool numbered = false;
-    const int source = content.identity.seriesNumber.toInt(&numbered);
-    items.put(&set, DCM_SOPClassUID, UID_EnhancedSRStorage);
-    items.put(&set, DCM_SOPInstanceUID, newUid());
-    for (const DcmTagKey& tag : {DCM_InstanceCreationDate, DCM_SeriesDate, DCM_ContentDate})
-        items.put(&set, tag, date);
-    for (const DcmTagKey& tag : {DCM_InstanceCreationTime, DCM_SeriesTime, DCM_ContentTime})
-        items.put(&set, tag, time);
-    items.put(&set, DCM_Modality, "SR");
-    items.put(&set, DCM_Manufacturer, "Burin");
-    items.put(&set, DCM_ManufacturerModelName, "Burin");
+    const MadeAt made = describeMadeObject(&set,
+        {.sopClassUid = UID_EnhancedSRStorage,
+            .modality = "SR",
+            .seriesNumber = madeSeriesNumber(4000, content.identity),
+            .seriesDescription =
+                QStringLiteral("Measurements ") + content.identity.seriesDescription},
+        items);
+    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
+        items.put(&set, tag, made.date);
+    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
+        items.put(&set, tag, made.time);
     items.put(&set, DCM_DeviceSerialNumber, "0");
-    items.put(
-        &set, DCM_SoftwareVersions, version.isEmpty() ? QStringLiteral("development") : version);
-    items.put(&set, DCM_SeriesInstanceUID, newUid());
-    items.put(&set, DCM_SeriesNumber,
-        QString::number(4000 + (numbered && source > 0 && source < 1'000'000 ? source : 0)));
-    items.put(&set, DCM_SeriesDescription,
-        singleValueText(QStringLiteral("Measurements ") + content.identity.seriesDescription, 64));
-    items.put(&set, DCM_InstanceNumber, "1");
     items.put(&set, DCM_CompletionFlag, "COMPLETE");
     items.put(&set, DCM_VerificationFlag, "UNVERIFIED");
     set.insertEmptyElement(DCM_ReferencedPerformedProcedureStepSequence);
