@@ -31,7 +31,7 @@ struct GrowSettings {
     Limit majority{.on = false, .value = 14};
     Limit passage{}; ///< mm
     /// Stops at leaks: the value is how many times as wide as a narrow place a front may get.
-    Limit guard{.on = false, .value = 2.0};
+    Limit guard{.on = true, .value = 2.0};
     bool onlyVisible = false;
     bool boxed = false;
     std::optional<core::GrowBox> box{}; ///< none was ever chosen

@@ -116,21 +116,24 @@ private Q_SLOTS:
         ui::LeakSection section(fixture.workspace);
         auto& guard = *section.findChild<QCheckBox*>(QStringLiteral("growGuard"));
         auto& factor = *section.findChild<QDoubleSpinBox*>(QStringLiteral("growGuardFactor"));
-        QVERIFY(!guard.isChecked() && !factor.isEnabled());
+        // A growth is watched unless the user says that it is not to be.
+        QVERIFY(guard.isChecked() && factor.isEnabled());
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 2.0);
+        guard.click();
+        QVERIFY(!factor.isEnabled());
         QVERIFY(!ui::growthOf(fixture.workspace.growSettings()).guard.factor);
         guard.click();
-        QVERIFY(factor.isEnabled());
-        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 2.0);
         factor.setValue(3.5);
         QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 3.5);
 
         // The session keeps it, and what another window kept is shown.
         const QByteArray kept =
             QJsonDocument(ui::growSettingsJson(fixture.workspace.growSettings())).toJson();
-        fixture.workspace.setGrowSettings({});
+        ui::GrowSettings settings;
+        settings.guard.on = false;
+        fixture.workspace.setGrowSettings(settings);
         QVERIFY(!guard.isChecked());
         QCOMPARE(factor.value(), 2.0);
-        ui::GrowSettings settings;
         ui::readGrowSettings(QJsonDocument::fromJson(kept).object(), settings);
         fixture.workspace.setGrowSettings(settings);
         QVERIFY(guard.isChecked());
