@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/CommandLine.h"
 
+#include "app/CompareCommand.h"
 #include "app/DemoCommand.h"
 #include "app/EchoCommand.h"
 #include "app/EditsCommand.h"
@@ -30,6 +31,13 @@ namespace {
 std::span<const Command> commands()
 {
     static const std::vector<Command> table{
+        {"compare",
+            "MASK REFERENCE --study PATH [--series UID] [--repair REPAIRS] [--segment NAME]"
+            " [--reference NAME] [--json]",
+            "how far a mask is from the one that is held for the truth: relative volume error,"
+            " Dice, distances of the surfaces in mm; masks of any format, on the study's grid;"
+            " with --json a line for each pair of segments",
+            false, runCompare},
         {"demo", "DIR", "writes the demonstration study: a CT of a head, made by formulas", false,
             runDemo},
         {"echo", "SOURCE [--own-title TITLE] [--login-file FILE] [--timeout SECONDS] [--json]",

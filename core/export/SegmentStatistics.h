@@ -37,12 +37,4 @@ struct SegmentStatistics {
 [[nodiscard]] Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress);
 
-/// How thick each slice counts, mm: half the way to either neighbour; the outermost as if the next
-/// were as far beyond.
-[[nodiscard]] std::vector<double> sliceThicknessesMm(const VolumeGeometry& geometry);
-
-/// Between uneven slices along the line from one to the next, beyond the last as before it.
-[[nodiscard]] glm::dvec3 worldBetweenSlices(
-    const VolumeGeometry& geometry, const glm::dvec3& index);
-
 } // namespace core

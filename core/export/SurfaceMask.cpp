@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CheckSources.h"
 #include "core/export/MaskSelection.h"
-#include "core/export/SegmentStatistics.h"
 #include "core/meshfile/MeshWriter.h"
 #include "core/surface/SegmentSurface.h"
+#include "core/volume/UnevenSlices.h"
 
 #include <algorithm>
 #include <cmath>

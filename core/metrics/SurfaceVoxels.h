@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/VoxelRuns.h"
+#include "core/volume/VolumeGeometry.h"
+
+#include <vector>
+
+namespace core {
+
+/// Centres, LPS mm, of the voxels that have one of their six neighbours outside the mask or beyond
+/// the volume; ascending, x fastest. Cost ∝ the mask's voxels.
+[[nodiscard]] std::vector<glm::dvec3> surfaceVoxels(
+    const VoxelRuns& mask, const VolumeGeometry& geometry);
+
+} // namespace core
