@@ -29,16 +29,12 @@ constexpr const char* labelMapStorage = "1.2.840.10008.5.1.4.1.1.66.7";
 void describe(
     DcmDataset& set, const SegContent& content, const SegSource& source, const ItemWriter& items)
 {
-    const MadeAt made = describeMadeObject(&set,
+    describeMadeContent(&set,
         {.sopClassUid = labelMapStorage,
             .modality = "SEG",
             .seriesNumber = segSeriesNumber(content.identity),
             .seriesDescription = seriesDescription(content)},
         items);
-    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
-        items.put(&set, tag, made.date);
-    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
-        items.put(&set, tag, made.time);
     items.put(&set, DCM_DeviceSerialNumber, "0");
     items.put(&set, DCM_ImageType, "DERIVED\\PRIMARY");
     items.put(&set, DCM_ContentLabel, "SEGMENTATION");
@@ -230,10 +226,7 @@ Result<SegWritten> writeLabelMapSeg(
     DcmDataset& set = *format.getDataset();
     ConditionChain chain;
     const ItemWriter items(chain);
-    for (DcmObject* object = source->header->nextInContainer(nullptr); object != nullptr;
-         object = source->header->nextInContainer(object))
-        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
-    completePatientHeader(set, chain);
+    takePatientAndStudy(set, *source->header, chain);
     if (content.identity.frameOfReferenceUid.isEmpty())
         set.findAndDeleteElement(DCM_FrameOfReferenceUID);
     else

@@ -41,4 +41,21 @@ MadeAt describeMadeObject(DcmItem* item, const MadeObject& object, const ItemWri
     return made;
 }
 
+void describeMadeContent(DcmItem* item, const MadeObject& object, const ItemWriter& items)
+{
+    const MadeAt made = describeMadeObject(item, object, items);
+    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
+        items.put(item, tag, made.date);
+    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
+        items.put(item, tag, made.time);
+}
+
+void takePatientAndStudy(DcmDataset& set, DcmDataset& header, ConditionChain& chain)
+{
+    for (DcmObject* object = header.nextInContainer(nullptr); object != nullptr;
+         object = header.nextInContainer(object))
+        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
+    completePatientHeader(set, chain);
+}
+
 } // namespace core

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/dicom/ConditionChain.h"
 #include "core/dicom/ItemWriter.h"
 #include "core/volume/Volume.h"
+
+class DcmDataset;
 
 namespace core {
 
@@ -27,5 +30,10 @@ struct MadeAt {
 /// The attributes that all of them begin with: a new instance, the only one of a new series, made
 /// now, by this program (PS3.3 C.12.1, C.7.3.1, C.7.5.1).
 MadeAt describeMadeObject(DcmItem* item, const MadeObject& object, const ItemWriter& items);
+/// The same of one that says when its series and its content were made, too.
+void describeMadeContent(DcmItem* item, const MadeObject& object, const ItemWriter& items);
+
+/// Copies what cleanPatientHeader() left of a source, and what every object must have besides.
+void takePatientAndStudy(DcmDataset& set, DcmDataset& header, ConditionChain& chain);
 
 } // namespace core

@@ -197,9 +197,7 @@ Result<RtStructWritten> writeRtStruct(
     DcmFileFormat format;
     DcmDataset& set = *format.getDataset();
     ConditionChain chain;
-    for (DcmObject* object = source->header->nextInContainer(nullptr); object != nullptr;
-         object = source->header->nextInContainer(object))
-        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
+    takePatientAndStudy(set, *source->header, chain);
     OFString study;
     OFString frame;
     set.findAndGetOFString(DCM_StudyInstanceUID, study);
@@ -210,7 +208,6 @@ Result<RtStructWritten> writeRtStruct(
         chain(set.putAndInsertString(DCM_FrameOfReferenceUID, frame.c_str()), "frame");
     }
     const ItemWriter items(chain);
-    completePatientHeader(set, chain);
     for (const DcmTagKey& tag : {DCM_OperatorsName, DCM_PositionReferenceIndicator})
         chain(set.insertEmptyElement(tag), "empty attribute");
     describe(set, content, items);

@@ -7,7 +7,6 @@
 #include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientAndPlane.h"
-#include "core/dicom/PatientHeader.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -23,17 +22,13 @@ constexpr int samples = 3;
 
 void describe(DcmDataset& set, const SecondaryCaptureContent& content, const ItemWriter& items)
 {
-    const MadeAt made = describeMadeObject(&set,
+    describeMadeContent(&set,
         {.sopClassUid = UID_SecondaryCaptureImageStorage,
             .modality = "OT",
             .seriesNumber = madeSeriesNumber(5000, content.identity),
             .seriesDescription =
                 QStringLiteral("Screenshot ") + content.identity.seriesDescription},
         items);
-    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
-        items.put(&set, tag, made.date);
-    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
-        items.put(&set, tag, made.time);
     items.put(&set, DCM_ConversionType, "WSD");
     items.put(&set, DCM_ImageType, "DERIVED\\SECONDARY");
     items.put(&set, DCM_Laterality, "");
@@ -66,11 +61,8 @@ Result<QStringList> writeSecondaryCapture(
     DcmDataset& set = *format.getDataset();
     ConditionChain chain;
     const ItemWriter items(chain);
-    for (DcmObject* object = source->header->nextInContainer(nullptr); object != nullptr;
-         object = source->header->nextInContainer(object))
-        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
+    takePatientAndStudy(set, *source->header, chain);
     set.findAndDeleteElement(DCM_FrameOfReferenceUID);
-    completePatientHeader(set, chain);
     describe(set, content, items);
     items.putWord(&set, DCM_SamplesPerPixel, samples);
     items.put(&set, DCM_PhotometricInterpretation, "RGB");

@@ -123,17 +123,13 @@ CodedConcept quantityOf(const SrContent& content)
 
 void describe(DcmDataset& set, const SrContent& content, const ItemWriter& items)
 {
-    const MadeAt made = describeMadeObject(&set,
+    describeMadeContent(&set,
         {.sopClassUid = UID_EnhancedSRStorage,
             .modality = "SR",
             .seriesNumber = madeSeriesNumber(4000, content.identity),
             .seriesDescription =
                 QStringLiteral("Measurements ") + content.identity.seriesDescription},
         items);
-    for (const DcmTagKey& tag : {DCM_SeriesDate, DCM_ContentDate})
-        items.put(&set, tag, made.date);
-    for (const DcmTagKey& tag : {DCM_SeriesTime, DCM_ContentTime})
-        items.put(&set, tag, made.time);
     items.put(&set, DCM_DeviceSerialNumber, "0");
     items.put(&set, DCM_CompletionFlag, "COMPLETE");
     items.put(&set, DCM_VerificationFlag, "UNVERIFIED");
@@ -241,11 +237,8 @@ Result<QStringList> writeSr(const QString& path, const SrContent& content, const
     DcmDataset& set = *format.getDataset();
     ConditionChain chain;
     const ItemWriter items(chain);
-    for (DcmObject* object = source->header->nextInContainer(nullptr); object != nullptr;
-         object = source->header->nextInContainer(object))
-        chain(set.insert(static_cast<DcmElement*>(object->clone()), OFTrue), "patient and study");
+    takePatientAndStudy(set, *source->header, chain);
     set.findAndDeleteElement(DCM_FrameOfReferenceUID);
-    completePatientHeader(set, chain);
     OFString study;
     set.findAndGetOFString(DCM_StudyInstanceUID, study);
     describe(set, content, items);
