@@ -158,7 +158,10 @@ bool forEachVolume(const Asked& asked,
             if (!asked.covers(entry))
                 continue;
             const core::VolumeFacts facts = core::volumeFacts(asked.study, entry, asked.repair);
-            sound = sound && facts.loaded.has_value();
+            if (!facts.loaded) {
+                sound = false;
+                tellFailure(facts.loaded.error());
+            }
             visit(one, facts);
         }
     }

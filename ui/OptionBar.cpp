@@ -18,7 +18,7 @@ namespace ui {
 namespace {
 
 constexpr int barHeight = 36;
-constexpr int longestNamePixels = 170;
+constexpr int longestNamePixels = 260;
 constexpr int shortestNamePixels = 90; ///< that is cut; less of it tells nothing
 constexpr int iconPixels = 30; ///< a button without a name, and what surrounds a name
 

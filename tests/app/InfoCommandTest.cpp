@@ -124,6 +124,23 @@ void InfoCommandTest::failuresAreOneLine()
     QCOMPARE(nothing.exitCode, 1);
     QCOMPARE(nothing.errors.count('\n'), 1);
     QVERIFY(nothing.errors.contains(empty.path().toUtf8()));
+    // One volume of two that does not open: the other is told, and why the status is not 0.
+    const QTemporaryDir two;
+    const QByteArray packed = test::nrrd::gzipped(test::nrrd::storedAs<std::int16_t>(false));
+    const QByteArray header =
+        test::nrrd::start + test::nrrd::shape + test::nrrd::place + "encoding: gzip\n\n";
+    for (const auto& [name, bytes] : {std::pair("sound.nrrd", test::nrrd::soundFile()),
+             std::pair("torn.nrrd", header + packed.chopped(12))}) {
+        QFile file(two.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    const Output one = burin({QStringLiteral("info"), two.path(), QStringLiteral("--json")});
+    QCOMPARE(one.exitCode, 1);
+    QVERIFY2(
+        one.errors.count('\n') == 1 && one.errors.contains("torn.nrrd"), one.errors.constData());
+    const QJsonValue told = QJsonDocument::fromJson(one.out).object()[QStringLiteral("studies")];
+    QCOMPARE(told[0][QStringLiteral("series")].toArray().size(), 2);
     QCOMPARE(burin({QStringLiteral("info")}).exitCode, 2);
     QCOMPARE(burin({QStringLiteral("info"), QStringLiteral("--what")}).exitCode, 2);
 }
