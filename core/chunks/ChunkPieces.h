@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/chunks/ChunkField.h"
+#include "core/chunks/PieceJoining.h"
+
+namespace core {
+
+/// A box cut into small pieces: in cells of 4³ voxels, those of one owner that hang together by
+/// steps of at most one and a half mean deviations.
+struct ChunkPieces {
+    static constexpr std::uint32_t none = ~std::uint32_t(0);
+
+    std::vector<std::uint32_t> ofVoxel; ///< none: it is left out
+    std::vector<PieceJoining::Piece> pieces;
+    std::vector<std::uint8_t> owners; ///< by piece
+    /// Between pieces of one owner that touch, with the faces at which they do; ascending.
+    std::vector<PieceJoining::Contact> contacts;
+};
+
+[[nodiscard]] ChunkPieces chunkPieces(const ChunkSource& source, const ChunkField& field);
+
+} // namespace core

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/chunks/ChunkTree.h"
+
+#include "core/chunks/ChunkPieces.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace core {
+
+namespace {
+
+/// Which piece holds each of those at the beginning, while they are joined.
+class Holders {
+public:
+    explicit Holders(std::size_t pieces)
+        : m_holder(pieces)
+    {
+        std::iota(m_holder.begin(), m_holder.end(), std::uint32_t(0));
+    }
+    void join(const PieceJoining::Joined& joined)
+    {
+        m_holder.push_back(joined.piece);
+        m_holder[joined.first] = joined.piece;
+        m_holder[joined.second] = joined.piece;
+    }
+    [[nodiscard]] std::uint32_t of(std::uint32_t piece)
+    {
+        while (m_holder[piece] != piece) {
+            m_holder[piece] = m_holder[m_holder[piece]];
+            piece = m_holder[piece];
+        }
+        return piece;
+    }
+
+private:
+    std::vector<std::uint32_t> m_holder;
+};
+
+constexpr std::uint32_t joinsBetweenReports = 4096;
+
+} // namespace
+
+Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progress)
+{
+    const std::size_t voxels =
+        std::size_t(source.size.x) * std::size_t(source.size.y) * std::size_t(source.size.z);
+    if (voxels == 0 || source.codes.size() != voxels || source.owners.size() != voxels)
+        return failure(ErrorCode::InvalidField, QStringLiteral("chunks"),
+            QStringLiteral("a box of another size"));
+    const Result<ChunkField> field = ChunkField::of(source, progress);
+    if (!field)
+        return tl::unexpected(field.error());
+    ChunkPieces cut = chunkPieces(source, *field);
+    PieceJoining joining(std::move(cut.pieces), cut.contacts, field->noise());
+    Holders holders(cut.owners.size());
+    const std::uint32_t pieces = joining.left();
+
+    // What is finer than the finest division is nobody's to choose.
+    while (joining.left() > std::uint32_t(mostChunks)) {
+        const auto joined = joining.next();
+        if (!joined)
+            break;
+        holders.join(*joined);
+        if (joining.left() % joinsBetweenReports == 0) {
+            if (progress.cancelled())
+                return failure(ErrorCode::Cancelled);
+            progress.report(QStringLiteral("Joining what hangs together"),
+                int(pieces - joining.left()), int(pieces));
+        }
+    }
+    ChunkTree tree;
+    std::vector<std::uint32_t> chunkOfPiece(std::size_t(pieces) * 2, none);
+    tree.m_leafOfVoxel.assign(voxels, none);
+    for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
+        const std::uint32_t piece = cut.ofVoxel[voxel];
+        if (piece == ChunkPieces::none)
+            continue;
+        const std::uint32_t holder = holders.of(piece);
+        std::uint32_t& leaf = chunkOfPiece[holder];
+        if (leaf == none) {
+            leaf = tree.m_leaves++;
+            tree.m_owners.push_back(cut.owners[piece]);
+            const PieceJoining::Piece& sums = joining.piece(holder);
+            tree.m_likelihoods.push_back(std::int16_t(sums.likelihoods / sums.voxels));
+        }
+        tree.m_leafOfVoxel[voxel] = leaf;
+    }
+    tree.m_parents.assign(tree.m_leaves, none);
+    while (const auto joined = joining.next()) {
+        const auto chunk = std::uint32_t(tree.m_parents.size());
+        const Join join{chunkOfPiece[joined->first], chunkOfPiece[joined->second]};
+        tree.m_joins.push_back(join);
+        tree.m_parents[join.first] = chunk;
+        tree.m_parents[join.second] = chunk;
+        tree.m_parents.push_back(none);
+        tree.m_owners.push_back(tree.m_owners[join.first]);
+        const PieceJoining::Piece& sums = joining.piece(joined->piece);
+        tree.m_likelihoods.push_back(std::int16_t(sums.likelihoods / sums.voxels));
+        chunkOfPiece[joined->piece] = chunk;
+    }
+    tree.order();
+    return tree;
+}
+
+/// Lays the voxels so that those of every chunk stand beside each other.
+void ChunkTree::order()
+{
+    m_spans.assign(m_parents.size(), {});
+    std::uint32_t all = 0;
+    for (const std::uint32_t leaf : m_leafOfVoxel) {
+        if (leaf != none) {
+            ++m_spans[leaf].count;
+            ++all;
+        }
+    }
+    for (std::size_t i = 0; i < m_joins.size(); ++i)
+        m_spans[m_leaves + i].count =
+            m_spans[m_joins[i].first].count + m_spans[m_joins[i].second].count;
+    std::uint32_t begin = 0;
+    for (std::size_t chunk = 0; chunk < m_spans.size(); ++chunk) {
+        if (m_parents[chunk] == none) {
+            m_spans[chunk].begin = begin;
+            begin += m_spans[chunk].count;
+        }
+    }
+    for (std::size_t i = m_joins.size(); i-- > 0;) {
+        const Join& join = m_joins[i];
+        m_spans[join.first].begin = m_spans[m_leaves + i].begin;
+        m_spans[join.second].begin = m_spans[join.first].begin + m_spans[join.first].count;
+    }
+    m_voxels.resize(all);
+    std::vector<std::uint32_t> next(m_leaves);
+    for (std::uint32_t leaf = 0; leaf < m_leaves; ++leaf)
+        next[leaf] = m_spans[leaf].begin;
+    for (std::size_t voxel = 0; voxel < m_leafOfVoxel.size(); ++voxel) {
+        if (m_leafOfVoxel[voxel] != none)
+            m_voxels[next[m_leafOfVoxel[voxel]]++] = std::uint32_t(voxel);
+    }
+}
+
+std::uint32_t ChunkTree::firstUnmade(int count) const
+{
+    return m_leaves + m_leaves - std::uint32_t(std::clamp(count, fewest(), finest()));
+}
+
+std::vector<ChunkTree::Chunk> ChunkTree::division(int count) const
+{
+    const std::uint32_t unmade = firstUnmade(count);
+    std::vector<Chunk> chunks;
+    for (Chunk chunk = 0; chunk < unmade; ++chunk) {
+        if (m_parents[chunk] >= unmade)
+            chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+std::optional<ChunkTree::Chunk> ChunkTree::chunkAt(std::size_t voxel, int count) const
+{
+    const std::uint32_t unmade = firstUnmade(count);
+    Chunk chunk = m_leafOfVoxel[voxel];
+    if (chunk == none)
+        return std::nullopt;
+    while (m_parents[chunk] < unmade)
+        chunk = m_parents[chunk];
+    return chunk;
+}
+
+std::span<const std::uint32_t> ChunkTree::voxels(Chunk chunk) const
+{
+    return std::span(m_voxels).subspan(m_spans[chunk].begin, m_spans[chunk].count);
+}
+
+std::uint8_t ChunkTree::owner(Chunk chunk) const
+{
+    return m_owners[chunk];
+}
+
+int ChunkTree::likelihood(Chunk chunk) const
+{
+    return m_likelihoods[chunk];
+}
+
+} // namespace core

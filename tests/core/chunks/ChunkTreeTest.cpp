@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/chunks/ChunkTree.h"
+
+#include "core/chunks/BoxWalk.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+
+namespace {
+
+using core::ChunkSource;
+using core::ChunkTree;
+
+constexpr std::uint8_t outside = ChunkSource::outside;
+
+/// A box that is filled voxel by voxel.
+struct Box {
+    glm::ivec3 size{0};
+    std::vector<std::uint16_t> codes;
+    std::vector<std::uint8_t> owners;
+
+    Box(const glm::ivec3& sides, const std::function<std::uint8_t(const glm::dvec3&)>& ownerAt,
+        const std::function<int(const glm::dvec3&)>& codeAt)
+        : size(sides)
+    {
+        const core::BoxWalk walk(sides);
+        for (std::size_t voxel = 0; voxel < walk.voxels(); ++voxel) {
+            const glm::dvec3 place(walk.placeOf(voxel));
+            owners.push_back(ownerAt(place));
+            codes.push_back(std::uint16_t(codeAt(place)));
+        }
+    }
+    [[nodiscard]] ChunkSource source() const
+    {
+        return {.size = size, .codes = codes, .owners = owners};
+    }
+    [[nodiscard]] std::size_t at(int x, int y, int z) const
+    {
+        return std::size_t((z * size.y + y) * size.x + x);
+    }
+};
+
+ChunkTree divided(const Box& box)
+{
+    auto tree = ChunkTree::of(box.source(), {});
+    if (!tree)
+        qFatal("not divided");
+    return std::move(*tree);
+}
+
+class Noise {
+public:
+    explicit Noise(std::uint32_t seed)
+        : m_random(seed)
+    {
+    }
+    int operator()(int most) { return int(m_random() % std::uint32_t(2 * most + 1)) - most; }
+
+private:
+    std::mt19937 m_random;
+};
+
+bool inBall(const glm::dvec3& place, const glm::dvec3& centre, double radius)
+{
+    return glm::length(place - centre) <= radius;
+}
+
+/// Which share of one set of voxels the voxels of a chunk are, and of the chunk the set.
+double overlap(const ChunkTree& tree, ChunkTree::Chunk chunk,
+    const std::function<bool(std::size_t)>& inSet, std::size_t setSize)
+{
+    const auto voxels = tree.voxels(chunk);
+    const auto shared = std::count_if(voxels.begin(), voxels.end(), inSet);
+    return 2.0 * double(shared) / double(voxels.size() + setSize);
+}
+
+/// Whether chunks of a division are what they are said to be.
+void checkDivision(const ChunkTree& tree, const Box& box, int count)
+{
+    const auto chunks = tree.division(count);
+    QCOMPARE(int(chunks.size()), count);
+    std::vector<int> seen(box.owners.size(), 0);
+    for (const ChunkTree::Chunk chunk : chunks) {
+        QVERIFY(!tree.voxels(chunk).empty());
+        for (const std::uint32_t voxel : tree.voxels(chunk)) {
+            ++seen[voxel];
+            QCOMPARE(box.owners[voxel], tree.owner(chunk));
+            QCOMPARE(tree.chunkAt(voxel, count), std::optional(chunk));
+        }
+    }
+    for (std::size_t voxel = 0; voxel < seen.size(); ++voxel)
+        QCOMPARE(seen[voxel], box.owners[voxel] == outside ? 0 : 1);
+}
+
+/// Each chunk hangs together by faces.
+void checkConnected(const ChunkTree& tree, const Box& box, int count)
+{
+    const core::BoxWalk walk(box.size);
+    for (const ChunkTree::Chunk chunk : tree.division(count)) {
+        const auto voxels = tree.voxels(chunk);
+        std::set<std::size_t> left(voxels.begin(), voxels.end());
+        std::vector<std::size_t> front{*left.begin()};
+        left.erase(left.begin());
+        while (!front.empty()) {
+            const std::size_t voxel = front.back();
+            front.pop_back();
+            walk.forEachNeighbour(voxel, [&](std::size_t neighbour) {
+                if (left.erase(neighbour) > 0)
+                    front.push_back(neighbour);
+            });
+        }
+        QVERIFY(left.empty());
+    }
+}
+
+} // namespace
+
+class ChunkTreeTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Random boxes: every voxel is in one chunk of each division, of its owner, in one part, and
+    /// finer divisions divide coarser ones.
+    void divisionsHold_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (int seed = 0; seed < 12; ++seed)
+            QTest::addRow("random %d", seed) << seed;
+    }
+    void divisionsHold()
+    {
+        QFETCH(int, seed);
+        std::mt19937 random{std::uint32_t(seed)};
+        const auto below = [&random](int most) { return int(random() % std::uint32_t(most)); };
+        const glm::ivec3 size(1 + below(23), 1 + below(23), 1 + below(23));
+        const glm::dvec3 centre(below(size.x), below(size.y), below(size.z));
+        const double radius = 2 + below(12);
+        Noise noise{std::uint32_t(seed)};
+        const Box box(
+            size,
+            [&](const glm::dvec3& place) {
+                return std::uint8_t(below(9) == 0       ? outside
+                        : inBall(place, centre, radius) ? 1 + below(2) / 2
+                                                        : 0);
+            },
+            [&](const glm::dvec3& place) {
+                return 1000 + int(place.x) * 20 + noise(seed % 2 == 0 ? 10 : 900);
+            });
+        const ChunkTree tree = divided(box);
+        for (const int count :
+            {tree.fewest(), (tree.fewest() + tree.finest()) / 2, tree.finest()}) {
+            checkDivision(tree, box, count);
+            checkConnected(tree, box, count);
+        }
+        const int half = (tree.fewest() + tree.finest()) / 2;
+        for (const ChunkTree::Chunk chunk : tree.division(tree.finest())) {
+            std::set<ChunkTree::Chunk> coarse;
+            for (const std::uint32_t voxel : tree.voxels(chunk))
+                coarse.insert(*tree.chunkAt(voxel, half));
+            QCOMPARE(coarse.size(), std::size_t(1));
+        }
+        const ChunkTree again = divided(box);
+        for (std::size_t voxel = 0; voxel < box.owners.size(); ++voxel)
+            QCOMPARE(again.chunkAt(voxel, half), tree.chunkAt(voxel, half));
+    }
+
+    /// A leak through a neck, of the same values as the organ: one chunk at a division that a user
+    /// would look through.
+    void aLeakOfEqualValues()
+    {
+        const glm::dvec3 organ(30, 30, 30);
+        const glm::dvec3 leak(66, 30, 30);
+        Noise noise(5);
+        const Box box(
+            {86, 60, 60},
+            [&](const glm::dvec3& place) {
+                const bool neck = place.x > 30 && place.x < 66
+                    && glm::length(glm::dvec2(place.y, place.z) - glm::dvec2(30)) <= 3.0;
+                return std::uint8_t(inBall(place, organ, 22) || inBall(place, leak, 12) || neck);
+            },
+            [&](const glm::dvec3&) { return 2000 + noise(30); });
+        const ChunkTree tree = divided(box);
+        const auto inLeak = [&](std::size_t voxel) {
+            const glm::dvec3 place(core::BoxWalk(box.size).placeOf(voxel));
+            return box.owners[voxel] == 1 && place.x > 54;
+        };
+        std::size_t leakSize = 0;
+        for (std::size_t voxel = 0; voxel < box.owners.size(); ++voxel)
+            leakSize += inLeak(voxel) ? 1 : 0;
+        const auto chunk = tree.chunkAt(box.at(66, 30, 30), tree.fewest() + 6);
+        QVERIFY(chunk.has_value());
+        QVERIFY2(overlap(tree, *chunk, inLeak, leakSize) > 0.95,
+            qPrintable(QString::number(overlap(tree, *chunk, inLeak, leakSize))));
+    }
+
+    /// A neighbour of other values that the mask took in: by its values, though it is wide, and it
+    /// does not look likely.
+    void aNeighbourOfOtherValues()
+    {
+        const glm::dvec3 organ(30, 30, 30);
+        const glm::dvec3 other(52, 30, 30);
+        Noise noise(7);
+        const auto isOther = [&](const glm::dvec3& place) {
+            return inBall(place, other, 14) && !inBall(place, organ, 20);
+        };
+        const Box box(
+            {76, 60, 60},
+            [&](const glm::dvec3& place) {
+                return std::uint8_t(inBall(place, organ, 20) || isOther(place));
+            },
+            [&](const glm::dvec3& place) {
+                return (isOther(place) ? 2150 : inBall(place, organ, 20) ? 2000 : 1000) + noise(40);
+            });
+        const ChunkTree tree = divided(box);
+        const core::BoxWalk walk(box.size);
+        const auto inOther = [&](std::size_t voxel) {
+            return isOther(glm::dvec3(walk.placeOf(voxel)));
+        };
+        std::size_t otherSize = 0;
+        for (std::size_t voxel = 0; voxel < box.owners.size(); ++voxel)
+            otherSize += inOther(voxel) ? 1 : 0;
+        const auto chunk = tree.chunkAt(box.at(58, 30, 30), tree.fewest() + 6);
+        QVERIFY(chunk.has_value());
+        QVERIFY2(overlap(tree, *chunk, inOther, otherSize) > 0.95,
+            qPrintable(QString::number(overlap(tree, *chunk, inOther, otherSize))));
+        const auto home = tree.chunkAt(box.at(30, 30, 30), tree.fewest() + 6);
+        QVERIFY(tree.likelihood(*home) > tree.likelihood(*chunk));
+    }
+
+    void theFinestIsBounded()
+    {
+        std::mt19937 random(3);
+        const Box box(
+            {80, 80, 80}, [](const glm::dvec3&) { return std::uint8_t(0); },
+            [&](const glm::dvec3&) { return int(random() % 4000U); });
+        QElapsedTimer timer;
+        timer.start();
+        const ChunkTree tree = divided(box);
+        qInfo("512 000 voxels of noise: %lld ms", timer.elapsed());
+        QCOMPARE(tree.finest(), ChunkTree::mostChunks);
+        QCOMPARE(tree.fewest(), 1);
+        checkDivision(tree, box, 10);
+    }
+
+    void refusesAnotherSize()
+    {
+        const std::vector<std::uint16_t> codes(7);
+        const std::vector<std::uint8_t> owners(8);
+        QVERIFY(!ChunkTree::of({.size = {2, 2, 2}, .codes = codes, .owners = owners}, {}));
+        QVERIFY(!ChunkTree::of({.size = {0, 0, 0}, .codes = {}, .owners = {}}, {}));
+    }
+};
+
+QTEST_GUILESS_MAIN(ChunkTreeTest)
+#include "ChunkTreeTest.moc"
