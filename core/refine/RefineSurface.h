@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/refine/BoxMask.h"
+#include "core/refine/SimplexMesh.h"
+#include "core/volume/VolumeGeometry.h"
+
+namespace core {
+
+/// How many vertices a surface can be asked for.
+constexpr int leastVertices = 10'000;
+constexpr int mostVertices = 200'000;
+
+/// A first simplex mesh around a mask, with about @p vertices of them: the dual of the voxels'
+/// borders, on a lattice so much finer than the voxels as it takes, then with faces merged where
+/// that leaves the surface as it runs. Every part, hole and handle of the mask is there, single
+/// voxels and sheets of one voxel too, so there may be more vertices than asked for; voxels that
+/// touch at an edge or a corner alone are kept apart. A grid too large for that many is what bounds
+/// it below. Errors: Cancelled; Internal.
+[[nodiscard]] Result<SimplexMesh> refineSurfaceOf(
+    const BoxMask& mask, const VolumeGeometry& geometry, int vertices, const Progress& progress);
+
+} // namespace core
