@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/refine/SimplexMesh.h"
+
+namespace core {
+
+/// A vertex, as forces see it.
+struct SurfacePoint {
+    VertexId vertex = noId;
+    glm::dvec3 positionLps{0.0};
+    glm::dvec3 normalLps{0.0}; ///< outwards; 0 where its neighbours lie in a line
+    SurfaceMark mark = SurfaceMark::Yellow;
+    double curvaturePerMm = 0.0; ///< as even as it is to be; positive where it bulges outwards
+    double distanceMm = 0.0; ///< of its neighbours, in the mean
+};
+
+/// What pulls at the surface from without (seed B §6.3): the mask's boundary, a tool.
+class ExternalForce {
+public:
+    ExternalForce() = default;
+    virtual ~ExternalForce() = default;
+    ExternalForce(const ExternalForce&) = delete;
+    ExternalForce& operator=(const ExternalForce&) = delete;
+
+    /// The way from a vertex to where it is wanted; 0: no matter. Called by several threads at
+    /// once, with vertices that are not green. It depends on the point alone.
+    [[nodiscard]] virtual glm::dvec3 forceMm(const SurfacePoint& point) const = 0;
+};
+
+} // namespace core
