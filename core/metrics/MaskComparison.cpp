@@ -2,7 +2,7 @@
 #include "core/metrics/MaskComparison.h"
 
 #include "core/base/ParallelFor.h"
-#include "core/metrics/SurfaceVoxels.h"
+#include "core/metrics/BorderVoxels.h"
 
 #include <nanoflann.hpp>
 
@@ -74,8 +74,8 @@ double sum(const std::vector<double>& values)
 Result<SurfaceDistances> surfaceDistances(const VoxelRuns& mask, const VoxelRuns& reference,
     const VolumeGeometry& geometry, const Progress& progress)
 {
-    const std::vector<glm::dvec3> places = surfaceVoxels(mask, geometry);
-    const std::vector<glm::dvec3> referencePlaces = surfaceVoxels(reference, geometry);
+    const std::vector<glm::dvec3> places = borderVoxels(mask, geometry);
+    const std::vector<glm::dvec3> referencePlaces = borderVoxels(reference, geometry);
     const std::vector<double> there = distancesMm(places, referencePlaces, progress);
     const std::vector<double> back = distancesMm(referencePlaces, places, progress);
     if (progress.cancelled())

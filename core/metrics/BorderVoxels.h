@@ -10,7 +10,7 @@ namespace core {
 
 /// Centres, LPS mm, of the voxels that have one of their six neighbours outside the mask or beyond
 /// the volume; ascending, x fastest. Cost ∝ the mask's voxels.
-[[nodiscard]] std::vector<glm::dvec3> surfaceVoxels(
+[[nodiscard]] std::vector<glm::dvec3> borderVoxels(
     const VoxelRuns& mask, const VolumeGeometry& geometry);
 
 } // namespace core

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/metrics/SurfaceVoxels.h"
+#include "core/metrics/BorderVoxels.h"
 
 #include "core/volume/UnevenSlices.h"
 
@@ -29,7 +29,7 @@ private:
 
 } // namespace
 
-std::vector<glm::dvec3> surfaceVoxels(const VoxelRuns& mask, const VolumeGeometry& geometry)
+std::vector<glm::dvec3> borderVoxels(const VoxelRuns& mask, const VolumeGeometry& geometry)
 {
     const auto row = std::uint64_t(geometry.size.x);
     const auto rows = std::uint64_t(geometry.size.y);
