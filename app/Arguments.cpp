@@ -42,9 +42,28 @@ bool Arguments::has(const char* option) const
 
 QString seriesOf(const Arguments& arguments, const QString& repair)
 {
-    const QString wanted = arguments.has("repair") ? arguments.value("repair") : repair;
-    return core::withRepair(
-        arguments.value("series"), wanted == QLatin1String("none") ? QString() : wanted);
+    const bool isSaid = arguments.has("repair") || arguments.has("spacing");
+    return core::withRepair(arguments.value("series"),
+        isSaid ? repairWords(arguments.value("repair"), arguments.value("spacing"))
+               : repairWords(repair, {}));
+}
+
+QString spacingProblem(const Arguments& arguments)
+{
+    QString why;
+    if (arguments.has("spacing") && !core::spacingWord(arguments.value("spacing"), &why))
+        return QStringLiteral("--spacing: %1").arg(why);
+    return {};
+}
+
+QString repairWords(const QString& repair, const QString& spacing)
+{
+    QStringList words;
+    if (!repair.isEmpty() && repair != QLatin1String("none"))
+        words += repair;
+    if (const auto word = core::spacingWord(spacing))
+        words += *word;
+    return words.join(u',');
 }
 
 int tellFailure(const core::Error& error, const QString& about)

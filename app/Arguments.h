@@ -30,9 +30,13 @@ private:
     QString m_problem;
 };
 
-/// The series that --series and --repair name together (core::withRepair()).
-/// @param repair where --repair is not given; "none" stands for none
+/// The series that --series, --repair and --spacing name together (core::withRepair()).
+/// @param repair where neither --repair nor --spacing is given; "none" stands for none
 [[nodiscard]] QString seriesOf(const Arguments& arguments, const QString& repair = {});
+/// What is wrong with --spacing; empty if nothing is.
+[[nodiscard]] QString spacingProblem(const Arguments& arguments);
+/// What --repair and --spacing say together.
+[[nodiscard]] QString repairWords(const QString& repair, const QString& spacing);
 /// Tells a failure in one line on stderr. @return the exit status of a command that failed
 int tellFailure(const core::Error& error, const QString& about = {});
 /// Tells on stderr, where it is so, that the study's images came out of a session file.

@@ -67,12 +67,15 @@ std::span<const Command> commands()
             "what was done in a session, branches included; as a recipe for burin run; as an audit"
             " report; as a session without the patient, for others",
             false, runHistory, "--report"},
-        {"info", "PATH [--series UID] [--repair REPAIRS] [--json] | --gl",
+        {"info",
+            "PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] [--json]"
+            " | --gl",
             "what a file or folder holds: studies, volumes, what is wrong with them and which"
             " repairs there are; with --repair how they would open",
             false, runInfo},
         {"open",
-            "[PATH [--series UID] [--repair REPAIRS] | FILE.burin [--study PATH] | --demo]"
+            "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "
+            "[--study PATH] | --demo]"
             " [--screenshot FILE.png]"
             " [--size WxH]",
             "the workstation's window with a study, or with a session that goes on; --screenshot"
@@ -91,13 +94,15 @@ std::span<const Command> commands()
             " without it the least)",
             false, runReplay},
         {"run",
-            "RECIPE.json --study PATH [--series UID] [--repair REPAIRS] --session FILE.burin"
-            " [--force | --append] [--with-images] [--apply-elsewhere] [--author NAME]",
+            "RECIPE.json --study PATH [--series UID] [--repair REPAIRS]"
+            " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
+            "[--with-images] [--apply-elsewhere] [--author NAME]",
             "carries out a recipe without a window (burin edits: what it can hold); --with-images"
             " puts the study's images, and with them who the patient is, into the session;"
             " --repair, here and in info and open: what is done to the series on loading it, of"
             " tilt, spacing=even, gap=fill, gap=split:NUMBER, duplicates=first, duplicates=last,"
-            " with commas between; none: nothing",
+            " with commas between; none: nothing; --spacing: how many mm the voxels of PNG and TIFF"
+            " pictures are apart",
             false, runRecipe},
         {"send", "SOURCE PATH... [--json]", "stores DICOM files, or those of folders, at a source",
             false, runSend},

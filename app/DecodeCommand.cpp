@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/DecodeCommand.h"
 
-#include "core/dicom/FrameCodec.h"
 #include "core/fence/FencedDecoder.h"
+#include "core/study/Decoders.h"
 
 #include <cstring>
 
@@ -21,7 +21,7 @@ bool isDecoder(int argc, char** argv)
 
 int runDecoder()
 {
-    return core::runDecodeWorker(core::readyCodecs, core::decodeHere);
+    return core::runDecodeWorker(core::readyDecoders, core::decodeForAll);
 }
 
 void nameDecoders()

@@ -42,6 +42,12 @@ const std::vector<core::VolumeProblem>& problemsOf(const core::VolumeFacts& fact
     return facts.loaded ? facts.loaded->volume.problems : facts.entry.problems;
 }
 
+/// Pictures without a spacing wait for one; that stands among the findings.
+bool failed(const core::VolumeFacts& facts)
+{
+    return !facts.loaded && !(facts.entry.needsSpacing() && facts.repair.isEmpty());
+}
+
 std::vector<core::SeriesFinding> findingsOf(
     const core::Study& study, const core::VolumeFacts& facts)
 {
@@ -54,7 +60,7 @@ QStringList problemTexts(const core::VolumeFacts& facts)
     QStringList texts;
     for (const core::VolumeProblem& problem : problemsOf(facts))
         texts.append(problem.text);
-    if (!facts.loaded)
+    if (failed(facts))
         texts.append(ui::errorText(facts.loaded.error()));
     return texts;
 }
@@ -158,7 +164,7 @@ bool forEachVolume(const Asked& asked,
             if (!asked.covers(entry))
                 continue;
             const core::VolumeFacts facts = core::volumeFacts(asked.study, entry, asked.repair);
-            if (!facts.loaded) {
+            if (failed(facts)) {
                 sound = false;
                 tellFailure(facts.loaded.error());
             }
@@ -258,6 +264,9 @@ void printVolume(const core::Study& study, const core::VolumeFacts& facts)
             .arg(spacing.x, 0, 'g', 6)
             .arg(spacing.y, 0, 'g', 6)
             .arg(spacing.z, 0, 'g', 6));
+    if (!facts.loaded && !failed(facts))
+        print(stdout,
+            QStringLiteral("             to be given in mm: --spacing COLUMNS,ROWS,SLICES"));
     if (facts.loaded) {
         const core::Volume& volume = facts.loaded->volume;
         print(stdout,
@@ -278,7 +287,7 @@ void printVolume(const core::Study& study, const core::VolumeFacts& facts)
     }
     for (const core::SeriesFinding& finding : findingsOf(study, facts))
         printFinding(finding);
-    if (!facts.loaded)
+    if (failed(facts))
         print(stdout, QStringLiteral("    failed   %1").arg(ui::errorText(facts.loaded.error())));
 }
 
@@ -331,10 +340,13 @@ int printGraphics()
 
 int runInfo(const QStringList& words)
 {
-    const Arguments arguments(words, {QStringLiteral("series"), QStringLiteral("repair")},
+    const Arguments arguments(words,
+        {QStringLiteral("series"), QStringLiteral("repair"), QStringLiteral("spacing")},
         {QStringLiteral("gl"), QStringLiteral("json")});
     if (!arguments.problem().isEmpty())
         return tellUsage("info", arguments.problem());
+    if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
+        return tellUsage("info", wrong);
     const QStringList& paths = arguments.rest();
     if (arguments.has("gl")) {
         if (words.size() > 1)

@@ -2,6 +2,7 @@
 #include "app/OpenCommand.h"
 
 #include "app/Application.h"
+#include "app/Arguments.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
@@ -44,11 +45,13 @@ std::optional<QSize> sizeFrom(const QString& text)
 QString parse(const QStringList& arguments, OpenArguments& parsed)
 {
     QString repair;
+    QString spacing;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
         const QString& argument = arguments[i];
         const bool takesValue = argument == QLatin1String("--series")
-            || argument == QLatin1String("--repair") || argument == QLatin1String("--study")
-            || argument == QLatin1String("--screenshot") || argument == QLatin1String("--size");
+            || argument == QLatin1String("--repair") || argument == QLatin1String("--spacing")
+            || argument == QLatin1String("--study") || argument == QLatin1String("--screenshot")
+            || argument == QLatin1String("--size");
         if (takesValue && i + 1 == arguments.size())
             return QStringLiteral("%1 needs a value").arg(argument);
         if (argument == QLatin1String("--demo")) {
@@ -57,6 +60,8 @@ QString parse(const QStringList& arguments, OpenArguments& parsed)
             parsed.series = arguments[++i];
         } else if (argument == QLatin1String("--repair")) {
             repair = arguments[++i];
+        } else if (argument == QLatin1String("--spacing")) {
+            spacing = arguments[++i];
         } else if (argument == QLatin1String("--study")) {
             parsed.study = arguments[++i];
         } else if (argument == QLatin1String("--screenshot")) {
@@ -78,11 +83,13 @@ QString parse(const QStringList& arguments, OpenArguments& parsed)
     if (parsed.demonstration && !parsed.path.isEmpty())
         return QStringLiteral("--demo opens no path");
     const bool isSession = core::SessionFile::isNamedAt(parsed.path);
-    if (isSession && !(parsed.series.isEmpty() && repair.isEmpty()))
-        return QStringLiteral("--series and --repair are for studies; a session knows its own");
+    if (isSession && !(parsed.series.isEmpty() && repair.isEmpty() && spacing.isEmpty()))
+        return QStringLiteral(
+            "--series, --repair and --spacing are for studies; a session knows its own");
     QString wrong;
-    if (repair == QLatin1String("none"))
-        repair.clear();
+    if (!spacing.isEmpty() && !core::spacingWord(spacing, &wrong))
+        return QStringLiteral("--spacing: %1").arg(wrong);
+    repair = repairWords(repair, spacing);
     if (!core::SeriesRepair::fromText(repair, &wrong))
         return QStringLiteral("--repair: %1").arg(wrong);
     parsed.series = core::withRepair(parsed.series, repair);
@@ -110,6 +117,13 @@ public:
         QObject::disconnect(&opener, &ui::StudyOpener::choiceNeeded, &m_window, nullptr);
         connect(&opener, &ui::StudyOpener::choiceNeeded, this, &Screenshot::refuseToGuess,
             Qt::QueuedConnection);
+        QObject::disconnect(&opener, &ui::StudyOpener::spacingNeeded, &m_window, nullptr);
+        connect(&opener, &ui::StudyOpener::spacingNeeded, this,
+            [](const std::shared_ptr<const core::Study>& study, const QString& series) {
+                // Which says how it is given on the command line.
+                const auto loaded = study->load(series);
+                QApplication::exit(loaded ? 1 : complain(ui::errorText(loaded.error()), 1));
+            });
         QObject::disconnect(&opener, &ui::StudyOpener::sessionStudyNeeded, &m_window, nullptr);
         connect(&opener, &ui::StudyOpener::sessionStudyNeeded, this,
             [](const QString&, const QString&, const core::Error& why) {

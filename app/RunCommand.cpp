@@ -279,20 +279,22 @@ int runRecipe(const QStringList& words)
 {
     const Arguments arguments(words,
         {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
-            QStringLiteral("session"), QStringLiteral("author")},
+            QStringLiteral("spacing"), QStringLiteral("session"), QStringLiteral("author")},
         {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere"),
             QStringLiteral("with-images")});
     if (!arguments.problem().isEmpty())
         return tellUsage("run", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("run", QStringLiteral("it needs one recipe"));
+    if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
+        return tellUsage("run", wrong);
     const bool append = arguments.has("append");
     if (append && arguments.has("force"))
         return tellUsage("run", QStringLiteral("--append and --force exclude each other"));
-    if (append && arguments.has("repair"))
+    if (append && (arguments.has("repair") || arguments.has("spacing")))
         return tellUsage("run",
-            QStringLiteral("--repair is for a new session; one that goes on "
-                           "keeps the repair that it was made with"));
+            QStringLiteral("--repair and --spacing are for a new session; one that goes on "
+                           "keeps those that it was made with"));
     if (append && arguments.has("with-images"))
         return tellUsage("run",
             QStringLiteral("--with-images is for a new session; one that goes on keeps what it "

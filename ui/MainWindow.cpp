@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/MainWindow.h"
 
+#include "core/repair/SeriesRepair.h"
 #include "ui/BookmarkMenu.h"
 #include "ui/ErrorText.h"
 #include "ui/Icons.h"
@@ -21,6 +22,7 @@
 #include "ui/WindowActions.h"
 #include "ui/dialogs/AboutDialog.h"
 #include "ui/dialogs/OpenStudyDialog.h"
+#include "ui/dialogs/SpacingDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/Panel.h"
 #include "ui/tools/Tool.h"
@@ -57,8 +59,8 @@ QString droppedPath(const QMimeData& data)
 QString volumeFilter()
 {
     return QStringLiteral(
-        "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.zip *.7z *.tar "
-        "*.tar.gz *.tgz);;All files (*)");
+        "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.tif *.tiff *.png "
+        "*.zip *.7z *.tar *.tar.gz *.tgz);;All files (*)");
 }
 
 } // namespace
@@ -252,6 +254,8 @@ void MainWindow::connectOpener()
     });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
     connect(&m_opener, &StudyOpener::choiceNeeded, this, &MainWindow::choose, Qt::QueuedConnection);
+    connect(&m_opener, &StudyOpener::spacingNeeded, this, &MainWindow::askForSpacing,
+        Qt::QueuedConnection);
     connect(&m_opener, &StudyOpener::sessionStudyNeeded, this, &MainWindow::askForStudyOf);
     connect(m_loading, &LoadingBar::aborted, &m_opener, &StudyOpener::cancel);
     connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
@@ -406,6 +410,15 @@ void MainWindow::choose(const std::shared_ptr<const core::Study>& study)
         m_opener.open(study, dialog.chosenKey());
 }
 
+void MainWindow::askForSpacing(
+    const std::shared_ptr<const core::Study>& study, const QString& series)
+{
+    const core::SeriesEntry* entry = study->listing().find(series);
+    SpacingDialog dialog(*entry, this);
+    if (dialog.exec() == QDialog::Accepted)
+        m_opener.open(study, core::withRepair(series, dialog.repair()));
+}
+
 void MainWindow::askForStudyOf(
     const QString& sessionFile, const QString& format, const core::Error& why)
 {
@@ -420,9 +433,13 @@ void MainWindow::askForStudyOf(
         : errorText(why) + QLatin1Char('.');
     m_messages->show(MessageBar::Kind::Error,
         problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),
-        QStringLiteral("Choose its study …"), [this, sessionFile, name, format] {
+        QStringLiteral("Choose its study …"), [this, sessionFile, name, format, why] {
             const QString title = QStringLiteral("The study of %1").arg(name);
-            const QString place = format.isEmpty() || format == QLatin1String("DICOM")
+            // Of pictures a folder, or one with all pages.
+            const bool isFile = why.arguments.value(1).contains(QLatin1String(".tif"));
+            const bool isFolder = format.isEmpty() || format == QLatin1String("DICOM")
+                || (format == QLatin1String("pictures") && !isFile);
+            const QString place = isFolder
                 ? QFileDialog::getExistingDirectory(this, title)
                 : QFileDialog::getOpenFileName(this, title, QString(), volumeFilter());
             if (!place.isEmpty())

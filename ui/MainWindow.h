@@ -98,6 +98,7 @@ private:
     void showIdentity();
     void showCaution();
     void choose(const std::shared_ptr<const core::Study>& study);
+    void askForSpacing(const std::shared_ptr<const core::Study>& study, const QString& series);
     void askForStudyOf(const QString& sessionFile, const QString& format, const core::Error& why);
 
     Workspace& m_workspace;

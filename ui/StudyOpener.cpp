@@ -17,6 +17,7 @@ using Volume = core::Result<std::shared_ptr<core::LoadedVolume>>;
 struct Found {
     Volume volume;
     std::shared_ptr<const core::Study> choice;
+    QString withoutSpacing{}; ///< of the choice: the one that lacks nothing else
 };
 
 Volume load(const core::Study& study, const QString& series, const core::Progress& progress)
@@ -37,6 +38,8 @@ Found find(const QString& path, const QString& series, const core::Progress& pro
         candidates.size() > 1 || (candidates.size() == 1 && !candidates.front()->times.isEmpty());
     if (series.isEmpty() && choice)
         return {nullptr, std::make_shared<const core::Study>(std::move(*study))};
+    if (const core::SeriesEntry* entry = study->listing().lacksSpacing(series))
+        return {nullptr, std::make_shared<const core::Study>(std::move(*study)), entry->key};
     return {load(*study, series, progress), nullptr};
 }
 
@@ -66,7 +69,9 @@ void StudyOpener::open(const QString& path, const QString& series)
     start(path, [this, path, series](const core::Progress& progress) -> std::function<void()> {
         Found found = find(path, series, progress);
         return [this, path, found = std::move(found)] {
-            if (found.choice)
+            if (!found.withoutSpacing.isEmpty())
+                Q_EMIT spacingNeeded(found.choice, found.withoutSpacing);
+            else if (found.choice)
                 Q_EMIT choiceNeeded(found.choice);
             else if (found.volume)
                 Q_EMIT loaded(*found.volume, path);
@@ -78,6 +83,10 @@ void StudyOpener::open(const QString& path, const QString& series)
 
 void StudyOpener::open(const std::shared_ptr<const core::Study>& study, const QString& series)
 {
+    if (const core::SeriesEntry* entry = study->listing().lacksSpacing(series)) {
+        Q_EMIT spacingNeeded(study, entry->key);
+        return;
+    }
     const QString path = study->listing().path;
     start(
         path, [this, study, series, path](const core::Progress& progress) -> std::function<void()> {

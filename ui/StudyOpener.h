@@ -31,7 +31,7 @@ public:
     /// volume.
     ///
     /// @param series a key of StudyListing or a SeriesInstanceUID; empty: the only one there is,
-    /// else choiceNeeded() with the study as it was read
+    /// else choiceNeeded() with the study as it was read; spacingNeeded() for pictures without one
     void open(const QString& path, const QString& series = QString());
     /// Opens one volume of a study that was read for a choice.
     void open(const std::shared_ptr<const core::Study>& study, const QString& series);
@@ -48,6 +48,9 @@ Q_SIGNALS:
     void started(const QString& path);
     void progressed(const QString& step, int done, int total);
     void choiceNeeded(const std::shared_ptr<const core::Study>& study);
+    /// Pictures that do not say how far apart their voxels are: open() takes @p series with the
+    /// spacing behind it (core::withRepair()).
+    void spacingNeeded(const std::shared_ptr<const core::Study>& study, const QString& series);
     void loaded(const std::shared_ptr<core::LoadedVolume>& volume, const QString& path);
     /// @p contents is what is sound of the session, and the volume is the one it was made on.
     void sessionLoaded(const std::shared_ptr<core::LoadedVolume>& volume,

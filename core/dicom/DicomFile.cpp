@@ -28,7 +28,7 @@ QString uidText(DicomBytes bytes, const DicomElement& element)
 tl::unexpected<Error> notDicom(const QString& path)
 {
     return failure(ErrorCode::UnsupportedFormat, path,
-        QStringLiteral("not a DICOM, NIfTI, NRRD or MetaImage file"));
+        QStringLiteral("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file"));
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include "core/export/CheckWayBack.h"
 #include "core/export/MaskSelection.h"
 #include "core/export/StatisticsText.h"
+#include "core/images/ImagePage.h"
+#include "core/images/ImageStack.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
 
@@ -40,7 +42,10 @@ bool isSourceFile(const Volume& volume, const QString& file)
     };
     if (volume.asIs && std::any_of(volume.asIs->sources.begin(), volume.asIs->sources.end(), isIt))
         return true;
-    return std::any_of(volume.sources.begin(), volume.sources.end(), isIt);
+    const bool isPicture = volume.sourceFormat == QLatin1String(imageFormatName)
+        && isImageName(target)
+        && QFileInfo(target).path() == QFileInfo(volume.sourcePath).canonicalFilePath();
+    return isPicture || std::any_of(volume.sources.begin(), volume.sources.end(), isIt);
 }
 
 namespace {

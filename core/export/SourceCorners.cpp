@@ -95,7 +95,10 @@ Result<GridCorners> sourceCorners(
         if (source->size != size)
             return failure(ErrorCode::ExportMismatch, volume.sourcePath,
                 QStringLiteral("its size is not that of the volume that was opened"));
-        return cornersOf(source->indexToWorld, size);
+        // Pictures do not say how far apart their voxels are: who opened them did.
+        const std::optional<SeriesRepair> given = SeriesRepair::fromText(volume.repair);
+        return cornersOf(
+            given ? repairedGeometry(*source, *given).indexToWorld : source->indexToWorld, size);
     }
     const auto headers = checkedSourceHeaders(file, volume, progress);
     if (!headers)

@@ -219,6 +219,12 @@ QString repairObstacle(const VolumeGeometry& slices, const SeriesRepair& repair)
 VolumeGeometry repairedGeometry(const VolumeGeometry& slices, const SeriesRepair& repair)
 {
     VolumeGeometry geometry = slices;
+    if (repair.givenSpacingMm) {
+        const glm::dvec3 spacing = slices.spacingMm();
+        for (int axis = 0; axis < 3; ++axis)
+            geometry.indexToWorld[axis] = geometry.indexToWorld[axis] / spacing[axis]
+                * (*repair.givenSpacingMm)[std::size_t(axis)];
+    }
     if (repair.part != 0)
         geometry = geometryOfPart(slices, gapParts(slices)[std::size_t(repair.part - 1)]);
     return repair.movesVoxels() ? repairLattice(geometry, repair).geometry : geometry;

@@ -149,6 +149,18 @@ std::vector<RepairOffer> offersFor(const VolumeProblem& problem, const VolumeGeo
     return offers;
 }
 
+/// What was done; who takes it back is asked again.
+RepairOffer givenSpacing(const QString& repair, const VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    return {.repair = repair,
+        .series = {},
+        .title = QStringLiteral("%1 × %2 × %3 mm")
+                     .arg(millimetres(spacing.x), millimetres(spacing.y), millimetres(spacing.z)),
+        .effect = QStringLiteral("As given on opening. Opened as it is, it asks for it again."),
+        .result = geometry};
+}
+
 /// That there are other stacks in the series.
 std::optional<SeriesFinding> severalStacks(const SeriesAlternatives& alternatives, int slices)
 {
@@ -218,8 +230,11 @@ std::vector<SeriesFinding> seriesFindings(const Volume& volume)
     if (volume.sourceFormat == QLatin1String("DICOM"))
         return findingsOf(volume.asIs ? volume.asIs->geometry : volume.geometry, volume.problems,
             volume.alternatives ? *volume.alternatives : SeriesAlternatives());
-    for (const VolumeProblem& problem : volume.problems)
+    for (const VolumeProblem& problem : volume.problems) {
         findings.push_back({.problem = problem, .offers = {}});
+        if (problem.kind == VolumeProblem::Kind::AssumedSpacing && !problem.repairedBy.isEmpty())
+            findings.back().offers.push_back(givenSpacing(problem.repairedBy, volume.geometry));
+    }
     return findings;
 }
 

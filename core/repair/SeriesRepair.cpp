@@ -1,14 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/repair/SeriesRepair.h"
 
+#include <QLocale>
 #include <QStringList>
 
 namespace core {
 
 namespace {
 
+const QString spacingStart = QStringLiteral("spacing=");
 const QString splitWord = QStringLiteral("gap=split:");
 constexpr int mostParts = 9999;
+
+/// As short as says the very number.
+QString numberText(double value)
+{
+    return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+std::optional<std::array<double, 3>> spacingFrom(const QString& text)
+{
+    constexpr double leastMm = 1e-7;
+    constexpr double mostMm = 1e5;
+    const QStringList parts = QString(text).replace(u',', u'x').split(u'x');
+    std::array<double, 3> spacing{};
+    if (parts.size() != qsizetype(spacing.size()))
+        return std::nullopt;
+    for (std::size_t axis = 0; axis < spacing.size(); ++axis) {
+        bool isNumber = false;
+        spacing[axis] = parts[qsizetype(axis)].trimmed().toDouble(&isNumber);
+        if (!isNumber || !(spacing[axis] >= leastMm) || !(spacing[axis] <= mostMm))
+            return std::nullopt;
+    }
+    return spacing;
+}
 
 /// @return what is wrong; empty if nothing is
 QString take(const QString& word, SeriesRepair& repair)
@@ -25,6 +50,12 @@ QString take(const QString& word, SeriesRepair& repair)
         if (repair.lattice != Lattice::AsIs && repair.lattice != wanted)
             return again();
         repair.lattice = wanted;
+    } else if (const auto given = word.startsWith(spacingStart)
+            ? spacingFrom(word.mid(spacingStart.size()))
+            : std::nullopt) {
+        if (repair.givenSpacingMm && repair.givenSpacingMm != given)
+            return again();
+        repair.givenSpacingMm = given;
     } else if (word == QLatin1String("duplicates=first")
         || word == QLatin1String("duplicates=last")) {
         const Duplicates wanted =
@@ -42,7 +73,8 @@ QString take(const QString& word, SeriesRepair& repair)
         repair.part = part;
     } else {
         return QStringLiteral("'%1' is no repair; there are tilt, spacing=even, gap=fill, "
-                              "gap=split:NUMBER, duplicates=first and duplicates=last")
+                              "gap=split:NUMBER, duplicates=first, duplicates=last and "
+                              "spacing=COLUMNSxROWSxSLICES")
             .arg(word);
     }
     return {};
@@ -63,6 +95,11 @@ QString SeriesRepair::toText() const
                                             : QStringLiteral("spacing=even");
     if (tilt)
         words += QStringLiteral("tilt");
+    if (givenSpacingMm) {
+        const auto& mm = *givenSpacingMm;
+        words += spacingStart
+            + QStringList{numberText(mm[0]), numberText(mm[1]), numberText(mm[2])}.join(u'x');
+    }
     return words.join(u',');
 }
 
@@ -80,6 +117,11 @@ QString SeriesRepair::inWords() const
                                             : QStringLiteral("resampled to even spacing");
     if (tilt)
         words += QStringLiteral("tilt sheared out");
+    if (givenSpacingMm) {
+        const auto& mm = *givenSpacingMm;
+        words += QStringLiteral("voxels of %1 × %2 × %3 mm as given")
+                     .arg(numberText(mm[0]), numberText(mm[1]), numberText(mm[2]));
+    }
     return words.join(QStringLiteral(", "));
 }
 
@@ -94,6 +136,25 @@ std::optional<SeriesRepair> SeriesRepair::fromText(const QString& text, QString*
         }
     }
     return repair;
+}
+
+SeriesRepair SeriesRepair::withoutSpacing() const
+{
+    SeriesRepair rest = *this;
+    rest.givenSpacingMm.reset();
+    return rest;
+}
+
+std::optional<QString> spacingWord(const QString& sizes, QString* why)
+{
+    const std::optional<std::array<double, 3>> spacing = spacingFrom(sizes);
+    if (spacing)
+        return SeriesRepair{.givenSpacingMm = spacing}.toText();
+    if (why != nullptr)
+        *why = QStringLiteral("'%1' is no spacing; three lengths in mm are: columns, rows, slices, "
+                              "as in 0.5,0.5,2")
+                   .arg(sizes);
+    return std::nullopt;
 }
 
 QString repairStamp(const QString& repair)

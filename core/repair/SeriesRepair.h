@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -19,6 +20,8 @@ namespace core {
 /// | `gap=split:2` | the second of the parts that gaps, or changes of the distance, divide it into
 /// | | `duplicates=first`, `duplicates=last` | of several images at one place the one with the
 /// least, or the greatest, instance number |
+/// | `spacing=0.5x0.5x2` | of pictures, which need not say it: voxels are so many millimetres apart
+/// along columns, rows and slices |
 struct SeriesRepair {
     enum class Duplicates : std::uint8_t { Keep, First, Last };
     enum class Lattice : std::uint8_t { AsIs, Even, Filled };
@@ -27,9 +30,12 @@ struct SeriesRepair {
     int part = 0; ///< 1-based; 0: the whole
     Lattice lattice = Lattice::AsIs;
     bool tilt = false;
+    std::optional<std::array<double, 3>> givenSpacingMm{};
 
     bool operator==(const SeriesRepair&) const = default;
     [[nodiscard]] bool isNone() const { return *this == SeriesRepair(); }
+    /// What it is but for the spacing.
+    [[nodiscard]] SeriesRepair withoutSpacing() const;
     /// Whether voxels no longer lie where those of the slices lie.
     [[nodiscard]] bool movesVoxels() const { return tilt || lattice != Lattice::AsIs; }
 
@@ -41,6 +47,10 @@ struct SeriesRepair {
     [[nodiscard]] static std::optional<SeriesRepair> fromText(
         const QString& text, QString* why = nullptr);
 };
+
+/// The word for a spacing that is given: "spacing=0.5x0.5x2". @param sizes three numbers, apart by
+/// commas or x, as `--spacing` takes them @param why gets what is wrong with them
+[[nodiscard]] std::optional<QString> spacingWord(const QString& sizes, QString* why = nullptr);
 
 /// For the header of an object that was drawn on a repaired series, in ASCII; empty without repair.
 /// @param repair Volume::repair

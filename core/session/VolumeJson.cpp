@@ -254,8 +254,9 @@ QJsonObject volumeToJson(const Volume& volume)
         {key("codesSha256"), QString::fromLatin1(volume.codesSha256)},
         {key("problems"), problemsToJson(volume.problems)},
     };
-    if (volume.asIs) {
+    if (!volume.repair.isEmpty())
         json[key("repair")] = volume.repair;
+    if (volume.asIs) {
         json[key("asIs")] = QJsonObject{{key("geometry"), geometryToJson(volume.asIs->geometry)},
             {key("sources"), sourcesToJson(volume.asIs->sources)}};
     }
@@ -290,13 +291,19 @@ std::optional<Volume> volumeFromJson(const QJsonObject& json)
     volume.codesSha256 = json[key("codesSha256")].toString().toLatin1();
     volume.problems = problemsFromJson(json[key("problems")].toArray());
     if (const QString repair = json[key("repair")].toString(); !repair.isEmpty()) {
+        const std::optional<SeriesRepair> read = SeriesRepair::fromText(repair);
+        if (!read)
+            return {};
+        volume.repair = repair;
+        // A spacing that was given moves no voxel to another slice.
+        if (read->withoutSpacing().isNone() && volume.sources.empty())
+            return volume;
         const QJsonObject asIs = json[key("asIs")].toObject();
         std::optional<VolumeGeometry> slices = geometryFromJson(asIs[key("geometry")].toObject());
         std::vector<SourceSlice> sources = sourcesFromJson(asIs[key("sources")].toArray());
         if (!slices || sources.size() != std::size_t(slices->size.z)
             || !isGridOf(volume.geometry, *slices, repair))
             return {};
-        volume.repair = repair;
         volume.asIs = std::make_shared<const SeriesAsIs>(
             SeriesAsIs{.geometry = *std::move(slices), .sources = std::move(sources)});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/FileFormats.h"
 
+#include "core/images/ImageStack.h"
 #include "core/metaimage/MetaImageReader.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nrrd/NrrdReader.h"
@@ -11,6 +12,12 @@
 namespace core {
 
 namespace {
+
+/// Pictures are many files: Study::scan() finds them by itself, exports and sessions by name.
+bool isNoName(const QString&)
+{
+    return false;
+}
 
 constexpr std::array formats{
     FileFormat{.name = "NIfTI",
@@ -31,6 +38,12 @@ constexpr std::array formats{
         .load = loadMetaImage,
         .headerBytes = metaImageHeaderBytes,
         .geometryOf = metaImageGeometryOf},
+    FileFormat{.name = imageFormatName,
+        .isName = isNoName,
+        .read = nullptr,
+        .load = nullptr,
+        .headerBytes = imageStackHeader,
+        .geometryOf = imageStackGeometryOf},
 };
 
 template <class Matches> const FileFormat* find(const Matches& matches)

@@ -9,8 +9,8 @@
 
 namespace core {
 
-/// A format whose volumes are one file each, or one header with files of voxels beside it. Known by
-/// the file's name.
+/// A format whose volumes are one file each, or one header with files of voxels beside it, known by
+/// the file's name; and pictures, known by the format's name only.
 struct FileFormat {
     const char* name; ///< as Volume::sourceFormat has it
     bool (*isName)(const QString& path);

@@ -5,6 +5,9 @@
 #include "core/archive/UnpackedArchive.h"
 #include "core/dicom/DicomScan.h"
 #include "core/dicom/StackLoader.h"
+#include "core/images/ImagePage.h"
+#include "core/images/ImageStack.h"
+#include "core/repair/RepairLattice.h"
 #include "core/repair/RepairVolume.h"
 #include "core/repair/SeriesFindings.h"
 #include "core/study/FileFormats.h"
@@ -34,10 +37,12 @@ struct Study::Contents {
     StudyListing listing;
     std::vector<ListedStack> stacks;
     std::vector<SingleFile> singles;
+    std::vector<SeriesEntry> pictures;
 
     /// Sorts the stacks, gives them their keys and lists them by study.
     void listStacks();
     void listSingles(const QString& root);
+    void listPictures(const QString& root);
     /// Files whose voxels a header beside them tells of are no files that nothing is known of.
     void forgetVoxelFiles();
 };
@@ -107,7 +112,7 @@ Error nothingFound(const StudyListing& listing)
     const auto telling = std::find_if(
         listing.unreadable.begin(), listing.unreadable.end(), [](const UnreadableFile& file) {
             return file.error.arguments.value(1)
-                != QLatin1String("not a DICOM, NIfTI, NRRD or MetaImage file");
+                != QLatin1String("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file");
         });
     if (listing.unreadable.size() == 1 && listing.foreign.empty())
         return listing.unreadable.front().error;
@@ -159,6 +164,8 @@ Result<LoadedVolume> loadRepaired(
     };
     if (!repair)
         return invalid(why);
+    if (repair->givenSpacingMm)
+        return invalid(QStringLiteral("the series itself says how far apart its voxels are"));
     using Duplicates = SeriesRepair::Duplicates;
     if (repair->duplicates == Duplicates::Keep) {
         Result<LoadedVolume> loaded = loadStack(listed, wanted.time, progress);
@@ -174,6 +181,35 @@ Result<LoadedVolume> loadRepaired(
         .stack = oneAtEveryPlace(listed.stack, repair->duplicates == Duplicates::Last)};
     Result<LoadedVolume> loaded = loadStack(chosen, 0, progress);
     return loaded ? repairVolume(*std::move(loaded), *repair, progress) : loaded;
+}
+
+/// Pictures, with the spacing that is given for them.
+Result<LoadedVolume> loadPictures(
+    const SeriesEntry& entry, const SeriesChoice& wanted, const Progress& progress)
+{
+    QString why;
+    const std::optional<SeriesRepair> repair = SeriesRepair::fromText(wanted.repair, &why);
+    if (repair && !repair->withoutSpacing().isNone())
+        why = QStringLiteral("only DICOM series can be repaired; of pictures the spacing can be "
+                             "given");
+    if (!why.isEmpty())
+        return failure(ErrorCode::InvalidField, QStringLiteral("repair"), why);
+    if (entry.needsSpacing() && repair->isNone())
+        return failure(ErrorCode::InvalidGeometry, stackPath(entry),
+            QStringLiteral("pictures do not say how far apart their voxels are; --spacing gives "
+                           "it in mm: COLUMNS,ROWS,SLICES"));
+    SeriesEntry placed = entry;
+    placed.geometry = repairedGeometry(entry.geometry, *repair);
+    for (VolumeProblem& problem : placed.problems) {
+        if (problem.kind != VolumeProblem::Kind::AssumedSpacing || repair->isNone())
+            continue;
+        problem.repairedBy = repair->toText();
+        problem.caution = false;
+    }
+    Result<LoadedVolume> loaded = loadImageStack(placed, progress);
+    if (loaded)
+        loaded->volume.repair = repair->toText();
+    return loaded;
 }
 
 } // namespace
@@ -227,6 +263,30 @@ void Study::Contents::listSingles(const QString& root)
     listing.studies.push_back(std::move(study));
 }
 
+void Study::Contents::listPictures(const QString& root)
+{
+    // Beside a volume they are views of it, or of something else, and seldom one of their own.
+    if (!listing.studies.empty()) {
+        for (const SeriesEntry& entry : pictures) {
+            listing.foreign.push_back({.kind = QStringLiteral("picture (PNG or TIFF)"),
+                .reason = QStringLiteral("beside other volumes; open it by its own name"),
+                .files = entry.files});
+        }
+        pictures.clear();
+    }
+    if (pictures.empty())
+        return;
+    std::vector<SeriesEntry*> entries;
+    for (SeriesEntry& entry : pictures) {
+        const QString path = stackPath(entry);
+        // An archive is not named as the cache names it.
+        entry.key = QFileInfo(path == root ? listing.path : path).fileName();
+        entries.push_back(&entry);
+    }
+    numberKeys(entries);
+    listing.studies.push_back({.studyUid = {}, .series = pictures});
+}
+
 void Study::Contents::forgetVoxelFiles()
 {
     QSet<QString> voxelFiles;
@@ -278,7 +338,12 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
     StudyListing& listing = contents->listing;
     listing.path = path;
     QStringList others;
+    QStringList pictures;
     for (const QString& file : *files) {
+        if (isImageName(file)) {
+            pictures.append(file);
+            continue;
+        }
         const FileFormat* format = fileFormatOf(file);
         if (format == nullptr) {
             others.append(file);
@@ -290,10 +355,14 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
         else
             listing.unreadable.push_back({.file = file, .error = entry.error()});
     }
-    DicomScan dicom = scanDicom(others, progress);
+    FoundStacks stacks = findImageStacks(pictures, progress);
+    DicomScan dicom = scanDicom(others + stacks.others, progress);
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
     contents->stacks = std::move(dicom.stacks);
+    contents->pictures = std::move(stacks.entries);
+    listing.unreadable.insert(
+        listing.unreadable.end(), stacks.unreadable.begin(), stacks.unreadable.end());
     listing.foreign = std::move(dicom.foreign);
     listing.unreadable.insert(
         listing.unreadable.end(), dicom.unreadable.begin(), dicom.unreadable.end());
@@ -304,6 +373,7 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
             nameWithin(path, root, file);
     }
     contents->listSingles(root);
+    contents->listPictures(root);
     if (listing.studies.empty() && listing.foreign.empty())
         return tl::unexpected<Error>(nothingFound(listing));
     return Study(std::move(contents));
@@ -328,6 +398,10 @@ Result<LoadedVolume> Study::load(const QString& series, const Progress& progress
     for (const ListedStack& listed : m_contents->stacks) {
         if (listed.entry.key == (*entry)->key)
             return opened(loadRepaired(listed, wanted, progress), listing.path);
+    }
+    for (const SeriesEntry& pictures : m_contents->pictures) {
+        if (pictures.key == (*entry)->key)
+            return opened(loadPictures(pictures, wanted, progress), stackPath(pictures));
     }
     if (!wanted.repair.isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"),

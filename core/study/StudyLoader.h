@@ -16,8 +16,8 @@ namespace core {
 /// folders and archives are not.
 ///
 /// DICOM is known by content, whatever the file names; other formats by their endings
-/// (FileFormats.h). A DICOMDIR stands for its folder: what it names is a hint only. All calls
-/// block; make them beside the UI thread.
+/// (FileFormats.h), pictures by both (core/images). A DICOMDIR stands for its folder: what it names
+/// is a hint only. All calls block; make them beside the UI thread.
 class Study {
 public:
     /// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error
@@ -37,6 +37,7 @@ public:
     /// @param series key or SeriesInstanceUID, of a series in time with the point that is wanted
     /// (SeriesEntry::keyAtTime()), else its first; empty: the only volume there is. With a repair
     /// behind it where it is to be repaired (withRepair()); InvalidField where it cannot be.
+    /// InvalidGeometry where pictures lack their spacing (StudyListing::lacksSpacing()).
     /// SeriesAmbiguous, with one line per candidate, where more than one is left; SeriesNotFound
     /// where none is.
     /// Slices that cannot be decoded are left out and named in Volume::problems; an error is

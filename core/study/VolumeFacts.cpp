@@ -26,7 +26,8 @@ void add(VolumeFacts& facts, int time, const Volume& volume)
 
 VolumeFacts volumeFacts(const Study& study, const SeriesEntry& entry, const QString& repair)
 {
-    VolumeFacts facts{.entry = entry, .loaded = study.load(withRepair(entry.key, repair))};
+    VolumeFacts facts{
+        .entry = entry, .repair = repair, .loaded = study.load(withRepair(entry.key, repair))};
     if (!facts.loaded)
         return facts;
     const Volume& first = facts.loaded->volume;

@@ -21,6 +21,7 @@ struct TimeFacts {
 /// What is known of one volume: from its headers, and from its voxels where they could be read.
 struct VolumeFacts {
     const SeriesEntry& entry;
+    QString repair; ///< that was asked for
     Result<LoadedVolume> loaded; ///< of a series in time the first point, or the first that failed
     std::vector<TimeFacts> times{};
     double minimum = 0.0; ///< over all points in time

@@ -3,6 +3,12 @@
 
 namespace core {
 
+bool SeriesEntry::needsSpacing() const
+{
+    return saidSpacingMm
+        && !(saidSpacingMm->x > 0.0 && saidSpacingMm->y > 0.0 && saidSpacingMm->z > 0.0);
+}
+
 QString SeriesEntry::keyAtTime(int time) const
 {
     return time == 0 ? key : QStringLiteral("%1@%2").arg(key).arg(time + 1);
@@ -91,6 +97,16 @@ SeriesChoice StudyListing::choice(const QString& series) const
             return {.series = key, .time = time - 1, .repair = choice.repair};
     }
     return choice;
+}
+
+const SeriesEntry* StudyListing::lacksSpacing(const QString& series) const
+{
+    const SeriesChoice wanted = choice(series);
+    const std::vector<const SeriesEntry*> found =
+        wanted.series.isEmpty() ? candidates() : matching(wanted.series);
+    return found.size() == 1 && wanted.repair.isEmpty() && found.front()->needsSpacing()
+        ? found.front()
+        : nullptr;
 }
 
 } // namespace core

@@ -27,14 +27,19 @@ struct SeriesEntry {
     QString unit; ///< "HU" for CT, else what the source says; may be empty
     QString part; ///< which part of a split series, in words; empty for a whole one
     std::vector<VolumeProblem> problems; ///< those that headers show
-    QStringList files{}; ///< per slice k; one for NIfTI
+    QStringList files{}; ///< per slice k; one where a file is the volume
     /// What tells the points of a series in time apart, in words, in order ("temporal position 3");
     /// a word may be empty. Empty for a volume of one moment. The rest here is about the first.
     QStringList times{};
     /// The grid with one image at every place, where several share some and one can be chosen of
     /// them ("duplicates=first").
     std::optional<VolumeGeometry> undoubled{};
+    /// Of files that need not say how far apart voxels are (pictures): what they say, 0 where
+    /// nothing; the geometry has 1 mm there. None: the source says it.
+    std::optional<glm::dvec3> saidSpacingMm{};
 
+    /// Whether it opens only with the spacing behind its name ("KEY+spacing=0.5x0.5x2").
+    [[nodiscard]] bool needsSpacing() const;
     [[nodiscard]] int slices() const { return geometry.size.z; }
     /// False for a single image: it opens when asked for, or when there is nothing else.
     [[nodiscard]] bool isVolume() const { return slices() > 1; }
@@ -90,6 +95,8 @@ struct StudyListing {
     /// Takes "UID@3+tilt" apart: what follows the plus sign is a repair, and "@3" a point in time
     /// where an entry has it. The name of an entry is that entry's, whatever signs are in it.
     [[nodiscard]] SeriesChoice choice(const QString& series) const;
+    /// The volume that this name would open, where it does not without its spacing: none is in it.
+    [[nodiscard]] const SeriesEntry* lacksSpacing(const QString& series) const;
 };
 
 } // namespace core

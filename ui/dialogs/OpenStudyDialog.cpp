@@ -45,12 +45,15 @@ QString sizeOf(const core::SeriesEntry& entry)
     const QString times = entry.times.isEmpty()
         ? QString()
         : QStringLiteral(", %1 points in time").arg(entry.times.size());
-    return QStringLiteral("%1%2\n%3 × %4, every %5 mm")
+    const QString every = entry.needsSpacing()
+        ? QString()
+        : QStringLiteral(", every %1 mm").arg(spacing.z, 0, 'g', 3);
+    return QStringLiteral("%1%2\n%3 × %4%5")
         .arg(size.z)
         .arg(times)
         .arg(size.x)
         .arg(size.y)
-        .arg(spacing.z, 0, 'g', 3);
+        .arg(every);
 }
 
 QString question(const QString& path, const std::vector<const core::SeriesEntry*>& candidates)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/ThumbnailLoader.h"
 
+#include "core/images/ImagePage.h"
+#include "core/repair/SeriesRepair.h"
 #include "core/study/StudyLoader.h"
 
 #include <QPainter>
@@ -45,7 +47,11 @@ QImage thumbnail(const core::LoadedVolume& volume, int size)
 ThumbnailLoader::ThumbnailLoader(const QStringList& files, int size)
     : m_worker([this, files, size] {
         for (int index = 0; index < files.size() && !m_stop; ++index) {
-            const auto volume = core::loadVolume(files[index]);
+            // Of pictures any spacing will do for a thumbnail, not so for a volume.
+            const QString series = core::isImageName(files[index])
+                ? core::withRepair(QString(), QStringLiteral("spacing=1x1x1"))
+                : QString();
+            const auto volume = core::loadVolume(files[index], series);
             if (volume)
                 Q_EMIT ready(index, thumbnail(*volume, size));
         }

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/voxelfile/StoredScalars.h"
+
+#include <QString>
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// A run of bytes in a file: a strip or a tile.
+struct FileSpan {
+    std::uint64_t begin = 0;
+    std::uint64_t size = 0;
+};
+
+/// One picture of a file of pictures in grey (PNG, TIFF), as its header tells of it: checked to
+/// fit the file, nothing of it decoded.
+struct ImagePage {
+    enum class Form : std::uint8_t { Png, Tiff };
+
+    QString file;
+    Form form = Form::Png;
+    int columns = 0;
+    int rows = 0;
+    ScalarType type = ScalarType::UInt8;
+    bool isInverted = false; ///< 0 is white; values are as they are stored
+    bool isUpright = true; ///< false: the file wants it shown turned or mirrored
+    /// Distances of voxels along columns, rows and slices that the file names; 0 where it does not.
+    glm::dvec3 spacingMm{0.0};
+
+    // TIFF only: what its decoder has to know.
+    bool bigEndian = false;
+    int compression = 1;
+    int predictor = 1;
+    int partColumns = 0; ///< of a tile; of strips the whole width
+    int partRows = 0; ///< of a tile or strip
+    bool isTiled = false;
+    std::vector<FileSpan> parts{}; ///< in the order of the format
+
+    [[nodiscard]] std::size_t byteCount() const
+    {
+        return std::size_t(columns) * std::size_t(rows) * bytesPerScalar(type);
+    }
+    /// "512 × 512 of 16 bits"
+    [[nodiscard]] QString inWords() const;
+    /// Whether both can be slices of one volume.
+    [[nodiscard]] bool isLike(const ImagePage& other) const
+    {
+        return columns == other.columns && rows == other.rows && type == other.type
+            && isInverted == other.isInverted;
+    }
+};
+
+/// No picture has a longer side.
+constexpr int longestImageSide = 32768;
+
+/// By name: .png, .tif, .tiff; nothing hidden.
+[[nodiscard]] bool isImageName(const QString& path);
+/// What a file is by its first bytes. A DICOM file may begin like a TIFF.
+enum class FirstBytes : std::uint8_t { Image, Dicom, Other };
+[[nodiscard]] FirstBytes firstBytesOf(const QString& path);
+
+/// The pictures of a PNG (one) or TIFF file, from headers alone; at least one. FileUnreadable,
+/// FileTruncated (less data than the header tells of, or more than so few can unpack to),
+/// UnsupportedFormat (colours, a depth or a packing that is not read), InvalidGeometry.
+[[nodiscard]] Result<std::vector<ImagePage>> readImagePages(const QString& path);
+
+} // namespace core

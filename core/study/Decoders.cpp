@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/study/Decoders.h"
+
+#include "core/dicom/FrameCodec.h"
+#include "core/images/ImageCodec.h"
+
+namespace core {
+
+void readyDecoders()
+{
+    readyCodecs();
+}
+
+QString decodeForAll(std::span<const std::uint8_t> parameters, std::span<const std::uint8_t> bytes,
+    std::span<std::uint8_t> output)
+{
+    return isImageRequest(parameters) ? decodeImageHere(parameters, bytes, output)
+                                      : decodeHere(parameters, bytes, output);
+}
+
+} // namespace core

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/StudyListing.h"
+
+#include <QDialog>
+
+#include <array>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+/// Asks how far apart the voxels of pictures are, which do not say it; begins with what they say.
+class SpacingDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SpacingDialog(const core::SeriesEntry& entry, QWidget* parent = nullptr);
+
+    /// The answer as core::withRepair() takes it ("spacing=0.5x0.5x2").
+    [[nodiscard]] QString repair() const;
+
+private:
+    void buildFields(const glm::dvec3& saidMm);
+    void showExtent();
+
+    const glm::ivec3 m_size;
+    std::array<QDoubleSpinBox*, 3> m_fields{};
+    QLabel* m_extent = nullptr;
+    QPushButton* m_open = nullptr;
+};
+
+} // namespace ui
