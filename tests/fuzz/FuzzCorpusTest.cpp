@@ -18,9 +18,9 @@ struct Target {
 constexpr std::array targets{Target{"dicom", test::fuzzDicom}, Target{"seg", test::fuzzSeg},
     Target{"rtstruct", test::fuzzRtStruct}, Target{"nifti", test::fuzzNifti},
     Target{"niftigz", test::fuzzPackedNifti}, Target{"nrrd", test::fuzzNrrd},
-    Target{"metaimage", test::fuzzMetaImage}, Target{"mesh", test::fuzzMesh},
-    Target{"session", test::fuzzSession}, Target{"delta", test::fuzzDelta},
-    Target{"recipe", test::fuzzRecipe}};
+    Target{"metaimage", test::fuzzMetaImage}, Target{"images", test::fuzzImages},
+    Target{"mesh", test::fuzzMesh}, Target{"session", test::fuzzSession},
+    Target{"delta", test::fuzzDelta}, Target{"recipe", test::fuzzRecipe}};
 
 } // namespace
 

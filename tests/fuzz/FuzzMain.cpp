@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // libFuzzer's door to the function that BURIN_FUZZ_TARGET names.
-#include "core/dicom/FrameCodec.h"
 #include "core/fence/FencedDecoder.h"
+#include "core/study/Decoders.h"
 #include "tests/fuzz/FuzzTargets.h"
 
 #include <QCoreApplication>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv)
     QLoggingCategory::setFilterRules(QStringLiteral("*=false"));
     // In the process itself, where a sanitizer sees it. What it does to DCMTK's and OpenJPEG's
     // code, which are not instrumented, is no finding in ours unless it ends the program.
-    core::FencedDecoder::instance().decodeInside(core::decodeHere);
+    core::FencedDecoder::instance().decodeInside(core::decodeForAll);
     return 0;
 }
 

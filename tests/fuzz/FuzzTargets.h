@@ -15,6 +15,7 @@ void fuzzNifti(FuzzBytes bytes);
 void fuzzPackedNifti(FuzzBytes bytes);
 void fuzzNrrd(FuzzBytes bytes);
 void fuzzMetaImage(FuzzBytes bytes);
+void fuzzImages(FuzzBytes bytes);
 void fuzzMesh(FuzzBytes bytes);
 void fuzzSession(FuzzBytes bytes);
 void fuzzDelta(FuzzBytes bytes);

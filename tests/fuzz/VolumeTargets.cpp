@@ -57,6 +57,13 @@ void fuzzMetaImage(FuzzBytes bytes)
     openVolumeFile("file.mha", bytes);
 }
 
+void fuzzImages(FuzzBytes bytes)
+{
+    // Which of the two it is the bytes say. Pictures open with a spacing only.
+    const ScratchFile file("file.tif", bytes);
+    (void)loadVolume(file.path(), QStringLiteral("+spacing=1x1x1"));
+}
+
 void fuzzDicom(FuzzBytes bytes)
 {
     const ScratchFile file("file.dcm", bytes);

@@ -8,8 +8,10 @@ volumes of these are cropped to a few voxels. Needs python3-pydicom and python3-
 import gzip
 import json
 import pathlib
+import struct
 import sys
 import tarfile
+import zlib
 
 import nibabel
 import numpy
@@ -98,6 +100,33 @@ def volumes():
         put("metaimage", f"packed{packed}.mha", head + (gzip.compress(raw) if packed else raw))
 
 
+def images():
+    pixels = bytes(range(8 * 6))
+
+    def chunk(name, data):
+        return (struct.pack(">I", len(data)) + name + data
+                + struct.pack(">I", zlib.crc32(name + data)))
+
+    rows = b"".join(b"\0" + pixels[row * 8:row * 8 + 8] for row in range(6))
+    put("images", "grey.png", b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">IIBBBBB", 8, 6, 8, 0, 0, 0, 0))
+        + chunk(b"pHYs", struct.pack(">IIB", 4000, 4000, 1))
+        + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    # Classic and BigTIFF, both byte orders, strips and tiles, each way of packing that is read.
+    lzw = bytes([0x80, 0x00, 0x20, 0x10])
+    for order, packing, data, tile in (("<", 1, pixels, 0), (">", 8, zlib.compress(pixels), 0),
+                                       ("<", 5, lzw, 0), (">", 32773, b"\x2f" + pixels, 0),
+                                       ("<", 1, bytes(256), 16)):
+        entries = [(256, 8), (257, 6), (258, 8), (259, packing), (262, 1), (277, 1)]
+        entries += [(322, tile), (323, tile), (324, 8), (325, len(data))] if tile else [
+            (273, 8), (278, 6), (279, len(data))]
+        directory = b"".join(struct.pack(order + "HHII", tag, 4, 1, value)
+                             for tag, value in sorted(entries))
+        put("images", f"packed{packing}{'tiles' if tile else ''}.tif",
+            (b"II*\0" if order == "<" else b"MM\0*") + struct.pack(order + "I", 8 + len(data))
+            + data + struct.pack(order + "H", len(entries)) + directory + bytes(4))
+
+
 def meshes():
     put("mesh", "one.obj", b"o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     put("mesh", "one.ply", b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
@@ -145,7 +174,7 @@ def found():
         put(path.parent.name, path.name, path.read_bytes())
 
 
-for step in (dicom, volumes, meshes, recipes, sessions, found):
+for step in (dicom, volumes, images, meshes, recipes, sessions, found):
     step()
 for folder in sorted(out.iterdir()):
     print(f"{folder.name}: {len(list(folder.iterdir()))}")
