@@ -89,10 +89,13 @@ StartPage::StartPage(QWidget* parent)
     layout->addSpacing(18);
 
     auto* folder = choice(QStringLiteral("open"), QStringLiteral("Open a study"),
-        QStringLiteral("A folder with DICOM images; everything below it is searched"), column);
+        QStringLiteral("A folder with DICOM images, or PNG or TIFF slices; everything below it is "
+                       "searched"),
+        column);
     auto* file = choice(QStringLiteral("segments"), QStringLiteral("Open a file"),
         QStringLiteral(
-            "A volume in one file (NIfTI, NRRD, MetaImage), a session (.burin) or one DICOM file"),
+            "A volume in one file (NIfTI, NRRD, MetaImage, TIFF), a session (.burin) or one DICOM "
+            "file"),
         column);
     auto* demonstration = choice(QStringLiteral("demo"), QStringLiteral("Open the demonstration"),
         QStringLiteral("A head made by computation, to try every tool on"), column);

@@ -15,4 +15,7 @@ namespace core {
 [[nodiscard]] QString decodeTiff(
     std::span<const std::uint8_t> bytes, const PixelGrid& grid, std::span<std::uint8_t> pixels);
 
+/// Readies what decodeTiff() would ask the system for: called before a decoder gives up that right.
+void readyTiff();
+
 } // namespace core

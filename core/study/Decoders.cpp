@@ -3,12 +3,14 @@
 
 #include "core/dicom/FrameCodec.h"
 #include "core/images/ImageCodec.h"
+#include "core/images/TiffDecoder.h"
 
 namespace core {
 
 void readyDecoders()
 {
     readyCodecs();
+    readyTiff();
 }
 
 QString decodeForAll(std::span<const std::uint8_t> parameters, std::span<const std::uint8_t> bytes,

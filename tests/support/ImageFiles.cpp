@@ -91,6 +91,14 @@ void setTags(TIFF* tiff, const PictureBytes& page, const TiffOptions& options)
     }
 }
 
+void turnBytes(PictureBytes& page)
+{
+    if (page.bits == 32)
+        qbswap<4>(page.bytes.constData(), page.bytes.size() / 4, page.bytes.data());
+    else
+        qbswap<8>(page.bytes.constData(), page.bytes.size() / 8, page.bytes.data());
+}
+
 bool writeTiles(TIFF* tiff, const PictureBytes& page, int side)
 {
     const int each = page.bits / 8;
@@ -164,8 +172,11 @@ bool writeTiff(
     if (tiff == nullptr)
         return false;
     bool good = true;
-    for (const PictureBytes& page : pages) {
+    for (PictureBytes page : pages) {
         setTags(tiff, page, options);
+        // libtiff 4.5 turns the bytes of these before its predictor, which wants them as they are.
+        if (options.bigEndian && options.predictor == PREDICTOR_FLOATINGPOINT)
+            turnBytes(page);
         good = good
             && (options.tile > 0 ? writeTiles(tiff, page, options.tile) : writeRows(tiff, page))
             && TIFFWriteDirectory(tiff) == 1;

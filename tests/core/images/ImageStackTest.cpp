@@ -102,7 +102,7 @@ void ImageStackTest::tiffForms_data()
         "uint8", "int8", "uint16", "int16", "uint32", "int32", "float", "double"};
     const std::array packings{std::pair("plain", COMPRESSION_NONE),
         std::pair("LZW", COMPRESSION_LZW), std::pair("deflate", COMPRESSION_ADOBE_DEFLATE),
-        std::pair("old deflate", COMPRESSION_DEFLATE), std::pair("PackBits", COMPRESSION_PACKBITS)};
+        std::pair("PackBits", COMPRESSION_PACKBITS)};
     for (int type = 0; type < int(types.size()); ++type) {
         for (const auto& [name, compression] : packings) {
             const bool predicts =
