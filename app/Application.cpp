@@ -204,7 +204,9 @@ void Application::addExport()
 void Application::openDemonstration()
 {
     m_window->opener().run(demonstrationFolder(),
-        [](const core::Progress& progress) { return loadDemonstration(progress); });
+        [](const core::Progress& progress, const core::EarlySliceListener& early) {
+            return loadDemonstration(progress, early);
+        });
 }
 
 void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path)

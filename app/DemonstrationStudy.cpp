@@ -17,7 +17,8 @@ QString demonstrationFolder()
         + QStringLiteral("/burin/demonstration-" BURIN_VERSION);
 }
 
-core::Result<core::LoadedVolume> loadDemonstration(const core::Progress& progress)
+core::Result<core::LoadedVolume> loadDemonstration(
+    const core::Progress& progress, const core::EarlySliceListener& early)
 {
     const QString folder = demonstrationFolder();
     if (!QFileInfo::exists(folder)) {
@@ -34,7 +35,7 @@ core::Result<core::LoadedVolume> loadDemonstration(const core::Progress& progres
         return tl::unexpected(study.error());
     for (const core::SeriesEntry* entry : study->listing().candidates()) {
         if (entry->identity.modality == QLatin1String("CT"))
-            return study->load(entry->key, progress);
+            return study->load(entry->key, progress, early);
     }
     return core::failure(core::ErrorCode::NoImages, folder);
 }

@@ -3,7 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
-#include "core/volume/Volume.h"
+#include "core/volume/EarlySlice.h"
 
 #include <QString>
 
@@ -14,6 +14,7 @@ namespace app {
 
 /// Writes it there unless it is there already, and loads it. Blocking; a few seconds the first
 /// time.
-[[nodiscard]] core::Result<core::LoadedVolume> loadDemonstration(const core::Progress& progress);
+[[nodiscard]] core::Result<core::LoadedVolume> loadDemonstration(
+    const core::Progress& progress, const core::EarlySliceListener& early = {});
 
 } // namespace app

@@ -68,6 +68,11 @@ Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
     return display;
 }
 
+glm::dvec3 initialCrosshairLps(const core::VolumeGeometry& geometry)
+{
+    return geometry.toWorld(glm::dvec3(geometry.size / 2));
+}
+
 std::vector<WindowPreset> windowPresets(const core::Volume& volume)
 {
     if (volume.unit == QLatin1String("HU")) {

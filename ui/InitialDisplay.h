@@ -12,6 +12,9 @@ namespace ui {
 /// How a volume looks in 3D before the user has said anything (core::usualSurfaceThreshold()).
 [[nodiscard]] Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume);
 
+/// Where the crosshair stands at first: in the middle of the voxel in the middle.
+[[nodiscard]] glm::dvec3 initialCrosshairLps(const core::VolumeGeometry& geometry);
+
 /// A grey mapping with a name, for a digit key.
 struct WindowPreset {
     QString name;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/LoadingBar.h"
 
+#include "ui/StudyOpener.h"
 #include "ui/Theme.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -32,6 +34,19 @@ LoadingBar::LoadingBar(QWidget* parent)
     layout->addWidget(abort);
     connect(abort, &QPushButton::clicked, this, &LoadingBar::aborted);
     end();
+}
+
+void LoadingBar::follow(StudyOpener& opener)
+{
+    connect(&opener, &StudyOpener::started, this, [this](const QString& path) {
+        begin(QStringLiteral("Opening %1").arg(QFileInfo(path).fileName()));
+    });
+    connect(&opener, &StudyOpener::progressed, this, &LoadingBar::progress);
+    connect(&opener, &StudyOpener::finished, this, [this, &opener] {
+        if (!opener.busy())
+            end();
+    });
+    connect(this, &LoadingBar::aborted, &opener, &StudyOpener::cancel);
 }
 
 void LoadingBar::begin(const QString& what)

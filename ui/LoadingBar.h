@@ -9,12 +9,17 @@ class QProgressBar;
 
 namespace ui {
 
+class StudyOpener;
+
 /// Long work: the step's name, how far it is, about how long it will take, and Abort.
 class LoadingBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit LoadingBar(QWidget* parent = nullptr);
+
+    /// Shows what it does, and aborts it.
+    void follow(StudyOpener& opener);
 
     void begin(const QString& what);
     void progress(const QString& step, int done, int total);

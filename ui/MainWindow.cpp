@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/MainWindow.h"
 
-#include "core/repair/SeriesRepair.h"
 #include "ui/BookmarkMenu.h"
 #include "ui/ErrorText.h"
 #include "ui/Icons.h"
@@ -21,19 +20,18 @@
 #include "ui/ToolColumn.h"
 #include "ui/WindowActions.h"
 #include "ui/dialogs/AboutDialog.h"
-#include "ui/dialogs/OpenStudyDialog.h"
-#include "ui/dialogs/SpacingDialog.h"
+#include "ui/dialogs/OpenDialogs.h"
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/Panel.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/CautionStrip.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScrollArea>
@@ -56,11 +54,10 @@ QString droppedPath(const QMimeData& data)
     return {};
 }
 
-QString volumeFilter()
+QString cautionSentence(const core::Volume& volume)
 {
-    return QStringLiteral(
-        "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.tif *.tiff *.png "
-        "*.zip *.7z *.tar *.tar.gz *.tgz);;All files (*)");
+    return QStringLiteral("%1 Views and exports carry this caution until you accept it.")
+        .arg(cautionText(volume));
 }
 
 } // namespace
@@ -71,7 +68,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_actions(*this)
     , m_menuBar(new QMenuBar(this))
     , m_readOnly(new ReadOnlyMark(workspace, this))
-    , m_identity(new QLabel(this))
+    , m_identity(new FittingLabel(Qt::AlignRight, this))
     , m_tools(new ToolColumn(this))
     , m_loading(new LoadingBar(this))
     , m_messages(new MessageBar(this))
@@ -171,11 +168,7 @@ void MainWindow::buildMenus()
 
     m_identity->setFont(theme::smallFont());
     m_identity->setProperty("role", QStringLiteral("secondary"));
-    m_identity->setTextFormat(Qt::PlainText);
     m_identity->setContentsMargins(0, 0, theme::padding, 0);
-    m_identity->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // The text is cut to the room there is; it must not make room.
-    m_identity->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto* header = new QFrame(this);
     header->setProperty("role", QStringLiteral("panel"));
@@ -214,9 +207,13 @@ void MainWindow::buildCentre()
     m_splitter->setStretchFactor(1, 0);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(1);
-    column->addWidget(m_loading);
     column->addWidget(m_messages);
-    column->addWidget(m_pages, 1);
+    // Over the foot of the pictures, which would move when it comes and goes.
+    auto* pictures = new QGridLayout;
+    pictures->addWidget(m_pages, 0, 0);
+    pictures->addWidget(m_loading, 0, 0, Qt::AlignBottom);
+    m_loading->raise();
+    column->addLayout(pictures, 1);
     // A low window scrolls the start page instead of growing to it.
     m_startPage->setWidget(m_start);
     m_startPage->setWidgetResizable(true);
@@ -232,8 +229,8 @@ void MainWindow::buildCentre()
     statusBar()->layout()->setContentsMargins(0, 0, 0, 0);
     statusBar()->addWidget(m_status, 1);
 
-    connect(m_start, &StartPage::openFolderAsked, this, &MainWindow::askForFolder);
-    connect(m_start, &StartPage::openFileAsked, this, &MainWindow::askForFile);
+    connect(m_start, &StartPage::openFolderAsked, this, [this] { askForFolder(m_opener, *this); });
+    connect(m_start, &StartPage::openFileAsked, this, [this] { askForFile(m_opener, *this); });
     connect(m_start, &StartPage::demonstrationAsked, this, &MainWindow::demonstrationAsked);
     connect(m_start, &StartPage::recentAsked, this,
         [this](const QString& path) { m_opener.open(path); });
@@ -243,21 +240,26 @@ void MainWindow::buildCentre()
 
 void MainWindow::connectOpener()
 {
-    connect(&m_opener, &StudyOpener::started, this, [this](const QString& path) {
-        m_messages->dismiss();
-        m_loading->begin(QStringLiteral("Opening %1").arg(QFileInfo(path).fileName()));
-    });
-    connect(&m_opener, &StudyOpener::progressed, m_loading, &LoadingBar::progress);
-    connect(&m_opener, &StudyOpener::finished, m_loading, [this] {
-        if (!m_opener.busy())
-            m_loading->end();
-    });
+    m_loading->follow(m_opener);
+    connect(&m_opener, &StudyOpener::started, m_messages, &MessageBar::dismiss);
+    connect(&m_opener, &StudyOpener::started, &m_actions, &Actions::refresh);
+    connect(&m_opener, &StudyOpener::finished, &m_actions, &Actions::refresh);
+    connect(&m_opener, &StudyOpener::sliceReady, this, &MainWindow::showEarlySlice);
+    connect(&m_opener, &StudyOpener::finished, this, [this] { showEarlySlice(nullptr); });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
-    connect(&m_opener, &StudyOpener::choiceNeeded, this, &MainWindow::choose, Qt::QueuedConnection);
-    connect(&m_opener, &StudyOpener::spacingNeeded, this, &MainWindow::askForSpacing,
+    connect(
+        &m_opener, &StudyOpener::choiceNeeded, this,
+        [this](const auto& study) { chooseVolume(study, m_opener, *this); }, Qt::QueuedConnection);
+    connect(
+        &m_opener, &StudyOpener::spacingNeeded, this,
+        [this](const auto& study, const QString& series) {
+            askForSpacing(study, series, m_opener, *this);
+        },
         Qt::QueuedConnection);
-    connect(&m_opener, &StudyOpener::sessionStudyNeeded, this, &MainWindow::askForStudyOf);
-    connect(m_loading, &LoadingBar::aborted, &m_opener, &StudyOpener::cancel);
+    connect(&m_opener, &StudyOpener::sessionStudyNeeded, this,
+        [this](const QString& file, const QString& format, const core::Error& why) {
+            offerToFindStudy({file, format, why}, *m_messages, m_opener, *this);
+        });
     connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
         m_loading->begin(QStringLiteral("Saving %1").arg(QFileInfo(target).fileName()));
     });
@@ -312,7 +314,8 @@ bool MainWindow::panelsShown() const
 void MainWindow::showPanels(bool shown)
 {
     m_panelsWanted = shown;
-    m_panels->showAll(shown && m_workspace.volume());
+    m_panels->setUsable(m_workspace.volume() != nullptr);
+    m_panels->showAll(shown && shownVolume());
     m_actions.refresh();
 }
 
@@ -350,45 +353,68 @@ void MainWindow::closeEvent(QCloseEvent* event)
     QMainWindow::closeEvent(event);
 }
 
+const core::Volume* MainWindow::shownVolume() const
+{
+    const core::EarlySlice* early = m_views->earlySlice();
+    return early && !m_workspace.volume() ? &early->volume : m_workspace.volume();
+}
+
 void MainWindow::showSession()
 {
-    const bool open = m_workspace.volume() != nullptr;
-    if (!open) {
+    if (!m_workspace.volume()) {
         m_workspace.setActiveTool(nullptr);
         m_start->showRecent(RecentStudies::paths());
         m_start->showSessions(m_sessionFolder);
     }
-    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_startPage);
-    m_tools->setVisible(open);
-    showPanels(m_panelsWanted);
-    showIdentity();
+    showPages();
     showCaution();
-    if (open)
+    if (m_workspace.volume())
         m_views->current().setFocus();
     m_actions.refresh();
 }
 
+void MainWindow::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early)
+{
+    const core::EarlySlice* before = m_views->earlySlice();
+    const QString said = before ? cautionSentence(before->volume) : QString();
+    // An open study stays, and can be worked on, until the next one is there.
+    if (!m_views->showEarlySlice(m_workspace.session() ? nullptr : early) && !before)
+        return;
+    showPages();
+    // The bar takes its room now, lest the picture move when it comes.
+    if (early && early->volume.needsCaution())
+        m_messages->show(MessageBar::Kind::Caution, cautionSentence(early->volume));
+    else if (!m_workspace.volume() && m_messages->sentence() == said)
+        m_messages->dismiss();
+}
+
+void MainWindow::showPages()
+{
+    const bool open = shownVolume() != nullptr;
+    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_startPage);
+    m_tools->setVisible(open);
+    showPanels(m_panelsWanted);
+    showIdentity();
+}
+
 void MainWindow::showIdentity()
 {
-    const core::Volume* volume = m_workspace.volume();
+    const core::Volume* volume = shownVolume();
     if (!volume) {
         setWindowTitle(QStringLiteral("Burin"));
         m_identity->clear();
+        m_identity->setToolTip(QString());
         return;
     }
     QStringList parts{
         patientText(volume->identity), studyText(volume->identity), seriesText(volume->identity)};
     parts.removeAll(QString());
     const QString text = parts.join(QStringLiteral(" · "));
-    const bool readOnly = !m_workspace.session()->whyReadOnly().isEmpty();
+    const bool readOnly = m_workspace.session() && !m_workspace.session()->whyReadOnly().isEmpty();
     setWindowTitle(text + (readOnly ? QStringLiteral(" (read-only)") : QString())
         + QStringLiteral(" — Burin"));
     m_identity->setToolTip(text);
-    const int taken = m_menuBar->sizeHint().width()
-        + (readOnly ? m_readOnly->sizeHint().width() + theme::padding : 0);
-    const int room = width() - taken - 4 * theme::padding;
-    m_identity->setText(
-        m_identity->fontMetrics().elidedText(text, Qt::ElideRight, std::max(room, 80)));
+    m_identity->setText(text);
 }
 
 void MainWindow::showCaution()
@@ -397,78 +423,8 @@ void MainWindow::showCaution()
     m_messages->dismiss();
     if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
         return;
-    m_messages->show(MessageBar::Kind::Caution,
-        QStringLiteral("%1 Views and exports carry this caution until you accept it.")
-            .arg(cautionText(*volume)),
-        QStringLiteral("Accept"), [this] { m_workspace.acceptCaution(); });
-}
-
-void MainWindow::choose(const std::shared_ptr<const core::Study>& study)
-{
-    OpenStudyDialog dialog(study->listing(), this);
-    if (dialog.exec() == QDialog::Accepted && !dialog.chosenKey().isEmpty())
-        m_opener.open(study, dialog.chosenKey());
-}
-
-void MainWindow::askForSpacing(
-    const std::shared_ptr<const core::Study>& study, const QString& series)
-{
-    const core::SeriesEntry* entry = study->listing().find(series);
-    SpacingDialog dialog(*entry, this);
-    if (dialog.exec() == QDialog::Accepted)
-        m_opener.open(study, core::withRepair(series, dialog.repair()));
-}
-
-void MainWindow::askForStudyOf(
-    const QString& sessionFile, const QString& format, const core::Error& why)
-{
-    const QString name = QFileInfo(sessionFile).fileName();
-    const QString problem = why.code == core::ErrorCode::StudyMissing
-        ? QStringLiteral("%1: its study is no longer at %2%3.")
-              .arg(name, why.arguments.value(1),
-                  why.arguments.size() > 2
-                      ? QStringLiteral(", and its own images cannot be used (%1)")
-                            .arg(why.arguments[2])
-                      : QString())
-        : errorText(why) + QLatin1Char('.');
-    m_messages->show(MessageBar::Kind::Error,
-        problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),
-        QStringLiteral("Choose its study …"), [this, sessionFile, name, format, why] {
-            const QString title = QStringLiteral("The study of %1").arg(name);
-            // Of pictures a folder, or one with all pages.
-            const bool isFile = why.arguments.value(1).contains(QLatin1String(".tif"));
-            const bool isFolder = format.isEmpty() || format == QLatin1String("DICOM")
-                || (format == QLatin1String("pictures") && !isFile);
-            const QString place = isFolder
-                ? QFileDialog::getExistingDirectory(this, title)
-                : QFileDialog::getOpenFileName(this, title, QString(), volumeFilter());
-            if (!place.isEmpty())
-                m_opener.openSession(sessionFile, place);
-        });
-}
-
-void MainWindow::askForFolder()
-{
-    const QString path =
-        QFileDialog::getExistingDirectory(this, QStringLiteral("Open a study: choose its folder"));
-    if (!path.isEmpty())
-        m_opener.open(path);
-}
-
-void MainWindow::askForFile()
-{
-    const QString path = QFileDialog::getOpenFileName(
-        this, QStringLiteral("Open a volume"), QString(), volumeFilter());
-    if (!path.isEmpty())
-        m_opener.open(path);
-}
-
-void MainWindow::askForSession()
-{
-    const QString path = QFileDialog::getOpenFileName(this, QStringLiteral("Open a session"),
-        QString(), QStringLiteral("Sessions of Burin (*.burin);;All files (*)"));
-    if (!path.isEmpty())
-        m_opener.openSession(path);
+    m_messages->show(MessageBar::Kind::Caution, cautionSentence(*volume), QStringLiteral("Accept"),
+        [this] { m_workspace.acceptCaution(); });
 }
 
 void MainWindow::showAbout()
@@ -491,6 +447,9 @@ void MainWindow::offerSessionsIn(const QString& folder)
 
 void MainWindow::closeStudy()
 {
+    // What is on its way goes first; a study that stayed open meanwhile stays.
+    if (m_opener.busy())
+        return m_opener.cancel();
     if (!mayLoseUnwrittenSteps(m_workspace, *this, *m_saver))
         return;
     m_workspace.setSession(nullptr);
@@ -511,12 +470,6 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (m_workspace.session() && MaskImporter::looksLikeMask(path))
         return m_importer->import(path);
     m_opener.open(path);
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event)
-{
-    QMainWindow::resizeEvent(event);
-    showIdentity();
 }
 
 } // namespace ui

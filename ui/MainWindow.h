@@ -7,7 +7,6 @@
 
 #include <QMainWindow>
 
-class QLabel;
 class QMenuBar;
 class QScrollArea;
 class QSplitter;
@@ -16,6 +15,7 @@ class QStackedWidget;
 namespace ui {
 
 class BookmarkMenu;
+class FittingLabel;
 class LoadingBar;
 class MessageBar;
 class OptionBar;
@@ -72,9 +72,6 @@ public:
     /// Size and panels as they were when a window was closed last; from now on closing keeps them.
     void restoreLayout();
 
-    void askForFolder();
-    void askForFile();
-    void askForSession();
     void showAbout();
     void saveSessionAs();
     [[nodiscard]] MaskImporter& importer() { return *m_importer; }
@@ -87,7 +84,6 @@ Q_SIGNALS:
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:
@@ -95,11 +91,12 @@ private:
     void buildCentre();
     void connectOpener();
     void showSession();
+    void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
+    void showPages();
+    /// The open volume, or one of which a slice is there; null: the start page.
+    [[nodiscard]] const core::Volume* shownVolume() const;
     void showIdentity();
     void showCaution();
-    void choose(const std::shared_ptr<const core::Study>& study);
-    void askForSpacing(const std::shared_ptr<const core::Study>& study, const QString& series);
-    void askForStudyOf(const QString& sessionFile, const QString& format, const core::Error& why);
 
     Workspace& m_workspace;
     QString m_graphics;
@@ -113,7 +110,7 @@ private:
     QMenu* m_panelsMenu = nullptr;
     QMenuBar* m_menuBar;
     ReadOnlyMark* m_readOnly;
-    QLabel* m_identity;
+    FittingLabel* m_identity;
     ToolColumn* m_tools;
     LoadingBar* m_loading;
     MessageBar* m_messages;

@@ -121,6 +121,12 @@ void PanelColumn::showAll(bool shown)
     update();
 }
 
+void PanelColumn::setUsable(bool usable)
+{
+    for (const Place& place : m_places)
+        place.section->setEnabled(usable);
+}
+
 void PanelColumn::reset()
 {
     for (Place& place : m_places) {

@@ -36,6 +36,8 @@ public:
     void bringUp(const ui::Panel& panel);
     /// All wanted ones at once; the column hides when it holds none.
     void showAll(bool shown);
+    /// Panels that are shown before there is a study to work on take their places and wait.
+    void setUsable(bool usable);
     /// As at the first start.
     void reset();
 

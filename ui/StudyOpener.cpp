@@ -20,15 +20,17 @@ struct Found {
     QString withoutSpacing{}; ///< of the choice: the one that lacks nothing else
 };
 
-Volume load(const core::Study& study, const QString& series, const core::Progress& progress)
+Volume load(const core::Study& study, const QString& series, const core::Progress& progress,
+    const core::EarlySliceListener& early)
 {
-    auto volume = study.load(series, progress);
+    auto volume = study.load(series, progress, early);
     if (!volume)
         return tl::unexpected(volume.error());
     return std::make_shared<core::LoadedVolume>(std::move(*volume));
 }
 
-Found find(const QString& path, const QString& series, const core::Progress& progress)
+Found find(const QString& path, const QString& series, const core::Progress& progress,
+    const core::EarlySliceListener& early)
 {
     auto study = core::Study::scan(path, progress);
     if (!study)
@@ -40,7 +42,7 @@ Found find(const QString& path, const QString& series, const core::Progress& pro
         return {nullptr, std::make_shared<const core::Study>(std::move(*study))};
     if (const core::SeriesEntry* entry = study->listing().lacksSpacing(series))
         return {nullptr, std::make_shared<const core::Study>(std::move(*study)), entry->key};
-    return {load(*study, series, progress), nullptr};
+    return {load(*study, series, progress, early), nullptr};
 }
 
 bool isAboutThePlace(const core::Error& error)
@@ -66,8 +68,8 @@ void StudyOpener::open(const QString& path, const QString& series)
 {
     if (core::SessionFile::isNamedAt(path))
         return openSession(path);
-    start(path, [this, path, series](const core::Progress& progress) -> std::function<void()> {
-        Found found = find(path, series, progress);
+    start(path, [this, path, series](const auto& progress, const auto& early) -> Tell {
+        Found found = find(path, series, progress, early);
         return [this, path, found = std::move(found)] {
             if (!found.withoutSpacing.isEmpty())
                 Q_EMIT spacingNeeded(found.choice, found.withoutSpacing);
@@ -88,19 +90,18 @@ void StudyOpener::open(const std::shared_ptr<const core::Study>& study, const QS
         return;
     }
     const QString path = study->listing().path;
-    start(
-        path, [this, study, series, path](const core::Progress& progress) -> std::function<void()> {
-            Volume volume = load(*study, series, progress);
-            if (!volume)
-                return [this, error = volume.error()] { Q_EMIT failed(error); };
-            return [this, path, volume = *volume] { Q_EMIT loaded(volume, path); };
-        });
+    start(path, [this, study, series, path](const auto& progress, const auto& early) -> Tell {
+        Volume volume = load(*study, series, progress, early);
+        if (!volume)
+            return [this, error = volume.error()] { Q_EMIT failed(error); };
+        return [this, path, volume = *volume] { Q_EMIT loaded(volume, path); };
+    });
 }
 
 void StudyOpener::openSession(const QString& sessionFile, const QString& place)
 {
     start(sessionFile,
-        [this, sessionFile, place](const core::Progress& progress) -> std::function<void()> {
+        [this, sessionFile, place](const core::Progress& progress, const auto&) -> Tell {
             // All of it now: once it is open for writing its file cannot be left untouched.
             const auto contents = core::checkSession(sessionFile, progress);
             if (!contents)
@@ -121,11 +122,10 @@ void StudyOpener::openSession(const QString& sessionFile, const QString& place)
         });
 }
 
-void StudyOpener::run(
-    const QString& path, std::function<core::Result<core::LoadedVolume>(const core::Progress&)> job)
+void StudyOpener::run(const QString& path, Job job)
 {
-    start(path, [this, path, job](const core::Progress& progress) -> std::function<void()> {
-        auto volume = job(progress);
+    start(path, [this, path, job](const auto& progress, const auto& early) -> Tell {
+        auto volume = job(progress, early);
         if (!volume)
             return [this, error = volume.error()] { Q_EMIT failed(error); };
         auto shared = std::make_shared<core::LoadedVolume>(std::move(*volume));
@@ -133,8 +133,8 @@ void StudyOpener::run(
     });
 }
 
-void StudyOpener::start(
-    const QString& path, std::function<std::function<void()>(const core::Progress&)> work)
+void StudyOpener::start(const QString& path,
+    std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work)
 {
     cancel();
     join();
@@ -150,10 +150,18 @@ void StudyOpener::start(
             });
         });
     *listener = progress.get();
+    const core::EarlySliceListener early =
+        [this, listener](const std::shared_ptr<const core::EarlySlice>& slice) {
+            const core::Progress* mine = *listener;
+            QMetaObject::invokeMethod(this, [this, mine, slice] {
+                if (m_progress.get() == mine)
+                    Q_EMIT sliceReady(slice);
+            });
+        };
     m_progress = progress;
     Q_EMIT started(path);
-    m_worker = std::thread([this, progress, work = std::move(work)] {
-        auto tell = work(*progress);
+    m_worker = std::thread([this, progress, early, work = std::move(work)] {
+        auto tell = work(*progress, early);
         QMetaObject::invokeMethod(this, [this, progress, tell = std::move(tell)] {
             if (m_progress != progress)
                 return;

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/study/StudyLoader.h"
+#include "core/volume/EarlySlice.h"
 #include "core/volume/Volume.h"
 
 #include <QObject>
@@ -39,14 +40,18 @@ public:
     /// @p place, or from where it is found (core/session/SessionStudy.h).
     void openSession(const QString& sessionFile, const QString& place = QString());
     /// Runs any other job that ends in a volume (the demonstration study), with the same progress.
-    void run(const QString& path,
-        std::function<core::Result<core::LoadedVolume>(const core::Progress&)> job);
+    using Job = std::function<core::Result<core::LoadedVolume>(
+        const core::Progress&, const core::EarlySliceListener&)>;
+    void run(const QString& path, Job job);
     void cancel();
     [[nodiscard]] bool busy() const { return m_busy; }
 
 Q_SIGNALS:
     void started(const QString& path);
     void progressed(const QString& step, int done, int total);
+    /// The first that there is to see of a volume; whether it will open is not known yet. Not told
+    /// of sessions, whose views are to stand where they were left.
+    void sliceReady(const std::shared_ptr<const core::EarlySlice>& early);
     void choiceNeeded(const std::shared_ptr<const core::Study>& study);
     /// Pictures that do not say how far apart their voxels are: open() takes @p series with the
     /// spacing behind it (core::withRepair()).
@@ -62,8 +67,10 @@ Q_SIGNALS:
     void finished(); ///< after any of the above, or cancelled
 
 private:
-    void start(
-        const QString& path, std::function<std::function<void()>(const core::Progress&)> work);
+    /// What tells of the result, on this thread.
+    using Tell = std::function<void()>;
+    void start(const QString& path,
+        std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work);
     void join();
 
     std::thread m_worker;

@@ -12,6 +12,7 @@
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/HistoryMemoryDialog.h"
 #include "ui/dialogs/KeysDialog.h"
+#include "ui/dialogs/OpenDialogs.h"
 #include "ui/dialogs/PenTesterDialog.h"
 #include "ui/pacs/PacsActions.h"
 #include "ui/tools/Tool.h"
@@ -65,14 +66,14 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Open study folder …"),
         .keys = {QKeySequence::Open},
         .icon = QStringLiteral("open"),
-        .run = [&window] { window.askForFolder(); }});
+        .run = [&window] { askForFolder(window.opener(), window); }});
     actions.add({.id = QStringLiteral("file.openFile"),
         .text = QStringLiteral("Open file …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+O"))},
-        .run = [&window] { window.askForFile(); }});
+        .run = [&window] { askForFile(window.opener(), window); }});
     actions.add({.id = QStringLiteral("file.openSession"),
         .text = QStringLiteral("Open session …"),
-        .run = [&window] { window.askForSession(); }});
+        .run = [&window] { askForSession(window.opener(), window); }});
     auto* audit = new AuditSaver(workspace, &window);
     QObject::connect(audit, &AuditSaver::failed, &workspace, &Workspace::fail);
     QObject::connect(audit, &AuditSaver::saved, &window, [&window](const QString& path) {
@@ -130,7 +131,8 @@ void addFileActions(MainWindow& window)
         .text = QStringLiteral("Close study"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+W"))},
         .run = [&window] { window.closeStudy(); },
-        .possible = [&workspace] { return workspace.session() != nullptr; }});
+        .possible = [&window,
+                        &workspace] { return workspace.session() || window.opener().busy(); }});
     actions.add({.id = QStringLiteral("file.quit"),
         .text = QStringLiteral("Quit"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Q"))},

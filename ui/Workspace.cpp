@@ -70,7 +70,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_activeLayer = 0;
     if (const core::Volume* opened = volume()) {
         const core::VolumeGeometry& geometry = opened->geometry;
-        m_crosshairLps = geometry.toWorld(glm::dvec3(geometry.size / 2));
+        m_crosshairLps = initialCrosshairLps(geometry);
         m_windowLevel = opened->defaultWindow;
         m_volumeDisplay = initialVolumeDisplay(*opened);
         m_clip = core::wholeVolume(geometry);

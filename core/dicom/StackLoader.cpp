@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/StackLoader.h"
 
+#include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 #include "core/base/StepCounter.h"
 #include "core/dicom/FrameDecoder.h"
 #include "core/dicom/ModalityLut.h"
 #include "core/dicom/StackGeometry.h"
 #include "core/volume/MemoryLimit.h"
+#include "core/volume/StoredEncoder.h"
 #include "core/volume/VolumeEncoder.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -46,12 +49,6 @@ Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress
     }
     return values;
 }
-
-/// Slots of what is decoded, and what went wrong.
-struct Decoding {
-    std::vector<std::uint16_t> stored;
-    std::vector<std::optional<Error>> errors;
-};
 
 /// The files that hold several of a stack's slices, each opened when its first slice is decoded and
 /// then used by all threads.
@@ -95,57 +92,65 @@ private:
     std::map<QString, std::unique_ptr<Slot>> m_files; ///< does not change while threads look
 };
 
-Decoding decodeAll(const SliceStack& stack, const Progress& progress)
+int middleOf(const SliceStack& stack)
+{
+    return int(stack.slices.size() / 2);
+}
+
+using Errors = std::vector<std::optional<Error>>;
+
+/// Decodes all slices into the codes of @p loaded, the one in the middle first.
+/// @param there told of each that is decoded, on the thread that did it @return per slice
+Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& progress,
+    const std::function<void(int k)>& there)
 {
     const std::size_t size =
         std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
-    Decoding decoding;
-    decoding.stored.resize(stack.geometry.voxelCount());
-    decoding.errors.resize(stack.slices.size());
+    Errors errors(stack.slices.size());
     SharedFiles files(stack.slices);
     StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
-    parallelFor(int(stack.slices.size()), [&](int k) {
+    const int middle = middleOf(stack);
+    parallelFor(int(stack.slices.size()), [&](int turn) {
         if (progress.cancelled())
             return;
+        const int k = turn == 0 ? middle : turn - (turn <= middle ? 1 : 0);
         const auto slot = std::size_t(k);
         const Result<void> decoded =
-            files.decode(stack.slices[slot], std::span(decoding.stored).subspan(slot * size, size));
-        if (!decoded)
-            decoding.errors[slot] = decoded.error();
+            files.decode(stack.slices[slot], std::span(loaded.codes).subspan(slot * size, size));
+        if (decoded)
+            there(k);
+        else
+            errors[slot] = decoded.error();
         counter.stepDone();
     });
-    return decoding;
+    return errors;
 }
 
 /// Leaves out the slices that failed; the rest is placed anew.
-SliceStack withoutFailed(const SliceStack& stack, Decoding& decoding)
+SliceStack withoutFailed(
+    const SliceStack& stack, std::vector<std::uint16_t>& codes, const Errors& errors)
 {
     const std::size_t size =
         std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
     std::vector<ImageHeader> sound;
     std::vector<UndecodedSlice> failed;
     for (std::size_t k = 0; k < stack.slices.size(); ++k) {
-        if (const std::optional<Error>& error = decoding.errors[k]) {
+        if (const std::optional<Error>& error = errors[k]) {
             failed.push_back({.number = int(k) + 1,
                 .image = imageName(stack.slices[k]),
                 .reason = error->arguments.value(1)});
             continue;
         }
-        std::copy_n(decoding.stored.begin() + std::ptrdiff_t(k * size), size,
-            decoding.stored.begin() + std::ptrdiff_t(sound.size() * size));
+        std::copy_n(codes.begin() + std::ptrdiff_t(k * size), size,
+            codes.begin() + std::ptrdiff_t(sound.size() * size));
         sound.push_back(stack.slices[k]);
     }
-    decoding.stored.resize(sound.size() * size);
+    codes.resize(sound.size() * size);
     SliceStack rest = stackOf(std::move(sound));
     rest.part = stack.part;
     rest.time = stack.time;
     rest.problems.push_back(undecodedSlices(failed));
     return rest;
-}
-
-const ImageHeader& middleOf(const SliceStack& stack)
-{
-    return stack.slices[stack.slices.size() / 2];
 }
 
 /// All but the voxels and what follows from them.
@@ -157,7 +162,7 @@ Volume describe(const ListedStack& listed, const SliceStack& stack)
     volume.unit = listed.entry.unit;
     volume.sourceFormat = QStringLiteral("DICOM");
     volume.problems = stack.problems;
-    const ImageHeader& middle = middleOf(stack);
+    const ImageHeader& middle = stack.slices[std::size_t(middleOf(stack))];
     volume.displayInverted = middle.inverted;
     if (middle.window)
         volume.defaultWindow = *middle.window;
@@ -171,29 +176,13 @@ Volume describe(const ListedStack& listed, const SliceStack& stack)
     return volume;
 }
 
-Result<LoadedVolume> loadStored(
-    const ListedStack& listed, const SliceStack& wanted, const Progress& progress)
+bool hasWindow(const SliceStack& stack)
 {
-    if (const Result<void> fits = checkMemory(wanted.geometry.voxelCount()); !fits)
-        return tl::unexpected<Error>(fits.error());
-    Decoding decoding = decodeAll(wanted, progress);
-    if (progress.cancelled())
-        return failure(ErrorCode::Cancelled);
+    return stack.slices[std::size_t(middleOf(stack))].window.has_value();
+}
 
-    SliceStack stack{.slices = wanted.slices,
-        .geometry = wanted.geometry,
-        .problems = wanted.problems,
-        .part = wanted.part,
-        .time = wanted.time,
-        .laterTimes = {}};
-    const auto failures = std::count_if(decoding.errors.begin(), decoding.errors.end(),
-        [](const std::optional<Error>& error) { return error.has_value(); });
-    if (failures == std::ptrdiff_t(stack.slices.size()))
-        return tl::unexpected<Error>(*decoding.errors.front());
-    if (failures > 0)
-        stack = withoutFailed(stack, decoding);
-
-    LoadedVolume loaded{.volume = describe(listed, stack)};
+std::vector<SliceRescale> rescalesOf(const SliceStack& stack)
+{
     std::vector<SliceRescale> rescales;
     for (const ImageHeader& image : stack.slices) {
         rescales.push_back({.slope = image.slope,
@@ -201,8 +190,56 @@ Result<LoadedVolume> loadStored(
             .isSigned = image.layout.isSigned && !image.modalityLut,
             .padding = image.modalityLut ? std::nullopt : image.padding});
     }
-    loaded.codes = std::move(decoding.stored);
-    encodeStoredValues(loaded, rescales, middleOf(stack).window.has_value());
+    return rescales;
+}
+
+/// The slice in the middle once its stored values are there.
+std::shared_ptr<const EarlySlice> earlySlice(const ListedStack& listed, const SliceStack& stack,
+    const SliceRescale& rescale, const std::vector<std::uint16_t>& stored)
+{
+    auto early = std::make_shared<EarlySlice>();
+    early->volume = describe(listed, stack);
+    early->slice = middleOf(stack);
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    const auto first = stored.begin() + std::ptrdiff_t(std::size_t(early->slice) * size);
+    early->codes.assign(first, first + std::ptrdiff_t(size));
+    encodeSlice(early->volume, early->codes, rescale);
+    return early;
+}
+
+Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wanted,
+    const Progress& progress, const EarlySliceListener& early)
+{
+    if (const Result<void> fits = checkMemory(wanted.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    const std::vector<SliceRescale> rescales = rescalesOf(wanted);
+    LoadedVolume loaded;
+    loaded.volume.geometry = wanted.geometry;
+    resizeInLargePages(loaded.codes, wanted.geometry.voxelCount());
+    const int middle = middleOf(wanted);
+    const bool tellsEarly = early && hasWindow(wanted);
+    StoredEncoder encoder(loaded, rescales);
+    const Errors errors = decodeAll(wanted, loaded, progress, [&](int k) {
+        if (k == middle && tellsEarly)
+            early(earlySlice(listed, wanted, rescales[std::size_t(k)], loaded.codes));
+        encoder.sliceIsThere(k);
+    });
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+
+    const auto failures = std::count_if(errors.begin(), errors.end(),
+        [](const std::optional<Error>& error) { return error.has_value(); });
+    if (failures == std::ptrdiff_t(errors.size()))
+        return tl::unexpected<Error>(*errors.front());
+    if (failures == 0) {
+        loaded.volume = describe(listed, wanted);
+        encoder.finish(hasWindow(wanted));
+        return loaded;
+    }
+    const SliceStack stack = withoutFailed(wanted, loaded.codes, errors);
+    loaded.volume = describe(listed, stack);
+    encodeStoredValues(loaded, rescalesOf(stack), hasWindow(stack));
     return loaded;
 }
 
@@ -217,18 +254,20 @@ Result<LoadedVolume> loadFloats(
         const auto first = values->begin() + std::ptrdiff_t(std::size_t(k) * slice.size());
         std::copy_n(first, slice.size(), slice.begin());
     };
-    encodeValues(loaded, writeSlice, middleOf(stack).window.has_value());
+    encodeValues(loaded, writeSlice, hasWindow(stack));
     return loaded;
 }
 
 } // namespace
 
-Result<LoadedVolume> loadStack(const ListedStack& listed, int time, const Progress& progress)
+Result<LoadedVolume> loadStack(
+    const ListedStack& listed, int time, const Progress& progress, const EarlySliceListener& early)
 {
     const SliceStack& wanted =
         time == 0 ? listed.stack : listed.stack.laterTimes.at(std::size_t(time - 1));
-    return wanted.slices.front().layout.floatBits != 0 ? loadFloats(listed, wanted, progress)
-                                                       : loadStored(listed, wanted, progress);
+    return wanted.slices.front().layout.floatBits != 0
+        ? loadFloats(listed, wanted, progress)
+        : loadStored(listed, wanted, progress, early);
 }
 
 } // namespace core

@@ -379,7 +379,8 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
     return Study(std::move(contents));
 }
 
-Result<LoadedVolume> Study::load(const QString& series, const Progress& progress) const
+Result<LoadedVolume> Study::load(
+    const QString& series, const Progress& progress, const EarlySliceListener& early) const
 {
     const StudyListing& listing = m_contents->listing;
     const SeriesChoice wanted = listing.choice(series);
@@ -397,7 +398,9 @@ Result<LoadedVolume> Study::load(const QString& series, const Progress& progress
     };
     for (const ListedStack& listed : m_contents->stacks) {
         if (listed.entry.key == (*entry)->key)
-            return opened(loadRepaired(listed, wanted, progress), listing.path);
+            return opened(wanted.repair.isEmpty() ? loadStack(listed, wanted.time, progress, early)
+                                                  : loadRepaired(listed, wanted, progress),
+                listing.path);
     }
     for (const SeriesEntry& pictures : m_contents->pictures) {
         if (pictures.key == (*entry)->key)

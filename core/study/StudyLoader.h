@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/volume/EarlySlice.h"
 #include "core/volume/StudyListing.h"
 
 #include <QString>
@@ -43,8 +44,10 @@ public:
     /// Slices that cannot be decoded are left out and named in Volume::problems; an error is
     /// returned if none is left. Decodes on all cores; @p progress tells slices done and may
     /// cancel.
-    [[nodiscard]] Result<LoadedVolume> load(
-        const QString& series = QString(), const Progress& progress = Progress()) const;
+    /// @param early hears of the slice in the middle long before the rest is there, where it can be
+    /// shown then as it will be: of DICOM that has a window and needs no repair (loadStack())
+    [[nodiscard]] Result<LoadedVolume> load(const QString& series = QString(),
+        const Progress& progress = Progress(), const EarlySliceListener& early = {}) const;
 
 private:
     struct Contents;

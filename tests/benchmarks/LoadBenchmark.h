@@ -10,7 +10,8 @@ namespace bench {
 /// load.*: a folder with a CT series of 450 slices of 512 × 512 voxels, from nothing to voxels in
 /// the layout that goes to the GPU (values, histogram and hash included); native and in JPEG
 /// lossless; warm, and cold with the files out of the system's cache. Against ITK with GDCM (series
-/// sorted, one volume) and dcm2niix (a NIfTI file on disk).
+/// sorted, one volume) and dcm2niix (a NIfTI file on disk). load.*.firstSlice: until there is a
+/// slice to see, against the whole.
 ///
 /// Adds its figures to @p report. Prints to stderr what it does. JPEG lossless needs dcmcjpeg.
 /// @return why the results are not right, so that there are no figures; empty: there are

@@ -119,19 +119,52 @@ void ImageView::takeFrame(const gpu::Frame& frame)
     Q_EMIT qualityChanged();
 }
 
+void ImageView::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early)
+{
+    if (m_early == early)
+        return;
+    m_early = early;
+    if (!m_workspace.volume())
+        earlySliceChanged();
+}
+
+const core::EarlySlice* ImageView::early() const
+{
+    return m_workspace.volume() ? nullptr : m_early.get();
+}
+
+const core::Volume* ImageView::shownVolume() const
+{
+    return early() ? &early()->volume : m_workspace.volume();
+}
+
+QSize ImageView::sizeInDevicePixels() const
+{
+    const double ratio = devicePixelRatioF();
+    return {int(width() * ratio), int(height() * ratio)};
+}
+
+void ImageView::drawWithoutEngine()
+{
+    m_picture = {};
+    if (!early() || !isVisible())
+        return;
+    m_pictureScene = scaled(scene(), 1.0 / devicePixelRatioF());
+    m_picture = earlyPictureOf(m_pictureScene, sizeInDevicePixels());
+    m_pictureQuality.reset();
+}
+
 void ImageView::requestFrame(bool interacting)
 {
     update();
-    if (!m_workspace.volume() || !isVisible() || width() <= 0 || height() <= 0) {
-        if (!m_workspace.volume())
-            m_picture = {};
+    if (!m_workspace.volume())
+        return drawWithoutEngine();
+    if (!isVisible() || width() <= 0 || height() <= 0)
         return;
-    }
-    const double ratio = devicePixelRatioF();
     gpu::FrameRequest request;
     request.view = m_view;
-    request.sizePixels = {int(width() * ratio), int(height() * ratio)};
-    request.scene = scaled(scene(), 1.0 / ratio);
+    request.sizePixels = {sizeInDevicePixels().width(), sizeInDevicePixels().height()};
+    request.scene = scaled(scene(), 1.0 / devicePixelRatioF());
     request.segments = m_workspace.segmentDisplay();
     request.interacting =
         interacting || m_rest.isActive() || m_dragging || m_gesture == Gesture::Tool;
@@ -414,7 +447,7 @@ void ImageView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.fillRect(rect(), theme::picture);
-    if (!m_picture.isNull() && m_workspace.volume()) {
+    if (!m_picture.isNull() && shownVolume()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(QRectF(rect()), m_picture);
     }
@@ -430,6 +463,14 @@ void ImageView::paintEvent(QPaintEvent*)
         }
         if (volume->needsCaution() && !m_workspace.cautionAccepted())
             paintCautionStrip(painter, rect(), *volume);
+    } else if (m_early && m_picture.isNull()) {
+        painter.setPen(theme::secondary);
+        painter.drawText(
+            rect(), Qt::AlignCenter, QStringLiteral("Comes when all slices are there"));
+    } else if (m_early) {
+        paintAnnotations(painter, shownContext());
+        if (m_early->volume.needsCaution())
+            paintCautionStrip(painter, rect(), m_early->volume);
     }
     painter.fillRect(QRect(0, 0, width(), theme::viewBarHeight), barColour());
 }

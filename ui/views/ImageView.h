@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/EarlySlice.h"
 #include "ui/Workspace.h"
 #include "ui/input/EveryPointerEvent.h"
 #include "ui/input/StylusGlue.h"
@@ -11,6 +12,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <memory>
 #include <optional>
 
 namespace ui {
@@ -20,6 +22,9 @@ namespace ui {
 ///
 /// Pointer: the left button and the pen belong to the active tool where it works; otherwise, and
 /// for the other buttons, the view navigates (UX §4.3).
+///
+/// While a study is on its way, a view that looks at the slice that is there already shows it, as
+/// the engine will; the others say that they wait.
 class ImageView : public QWidget {
     Q_OBJECT
 
@@ -42,6 +47,8 @@ public:
     [[nodiscard]] std::optional<gpu::Frame::Quality> quality() const;
 
     void takeFrame(const gpu::Frame& frame);
+    /// Null: no study is on its way, or nothing of it is there yet.
+    void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     /// Zoom, pan and camera back to the whole volume.
     virtual void resetView() = 0;
 
@@ -54,6 +61,10 @@ protected:
     enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate };
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+    /// Null where a volume is open, or none is on its way.
+    [[nodiscard]] const core::EarlySlice* early() const;
+    /// The open volume, or that of the early slice, or null.
+    [[nodiscard]] const core::Volume* shownVolume() const;
     [[nodiscard]] bool penOverPicture() const { return m_pointer.has_value(); }
     /// The scene in logical pixels.
     [[nodiscard]] virtual gpu::Scene scene() const = 0;
@@ -65,6 +76,13 @@ protected:
     virtual void hovered(const PointerSample&) { }
     virtual void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) = 0;
     virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
+    /// Of early(), for scene(); null where this view does not look at it.
+    [[nodiscard]] virtual QImage earlyPictureOf(const gpu::Scene&, const QSize&) const
+    {
+        return {};
+    }
+    /// What early() says has changed.
+    virtual void earlySliceChanged() { resetView(); }
 
     /// Ask for a frame of scene() if it is not what was asked for last.
     void requestFrame(bool interacting = false);
@@ -87,6 +105,8 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
+    void drawWithoutEngine();
+    [[nodiscard]] QSize sizeInDevicePixels() const;
     bool handlePointer(QEvent& event);
     void pointerPressed(const PointerReading& reading);
     void pointerMoved(const PointerReading& reading);
@@ -105,9 +125,10 @@ private:
 
     gpu::FrameRequest m_request; ///< the last one
     bool m_requested = false;
+    std::shared_ptr<const core::EarlySlice> m_early;
     QImage m_picture;
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
-    gpu::Frame::Quality m_pictureQuality = gpu::Frame::Quality::Coarse;
+    std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none: the engine did not draw it
     QTimer m_rest;
 
     Gesture m_gesture = Gesture::None;

@@ -6,6 +6,7 @@
 #include "ui/Theme.h"
 #include "ui/views/Annotations.h"
 #include "ui/views/ClipOutline.h"
+#include "ui/views/EarlyPicture.h"
 #include "ui/views/MeasurementLines.h"
 #include "ui/views/OrientationLetters.h"
 
@@ -70,7 +71,7 @@ QColor SliceView::barColour() const
 
 void SliceView::openVolume()
 {
-    if (const core::Volume* volume = workspace().volume())
+    if (const core::Volume* volume = shownVolume())
         m_stack = sliceStack(volume->geometry, m_orientation);
     resetView();
 }
@@ -78,7 +79,7 @@ void SliceView::openVolume()
 void SliceView::resetView()
 {
     m_fitted = true;
-    if (const core::Volume* volume = workspace().volume()) {
+    if (const core::Volume* volume = shownVolume()) {
         m_centreLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
         m_mmPerPixel = fittingMmPerPixel();
     }
@@ -102,7 +103,7 @@ void SliceView::setPlace(const Place& place)
 
 double SliceView::fittingMmPerPixel() const
 {
-    const core::Volume* volume = workspace().volume();
+    const core::Volume* volume = shownVolume();
     if (!volume)
         return 1.0;
     glm::dvec2 half(0.0);
@@ -116,9 +117,33 @@ double SliceView::fittingMmPerPixel() const
     return std::max(2.0 * half.x / across, 2.0 * half.y / along);
 }
 
+glm::dvec3 SliceView::crosshairLps() const
+{
+    return early() ? initialCrosshairLps(early()->volume.geometry) : workspace().crosshairLps();
+}
+
+core::WindowLevel SliceView::windowLevel() const
+{
+    return early() ? early()->volume.defaultWindow : workspace().windowLevel();
+}
+
+bool SliceView::looksAt(const core::EarlySlice& early) const
+{
+    gpu::SliceScene scene;
+    scene.centreLps = initialCrosshairLps(early.volume.geometry);
+    scene.rightLps = m_axes.rightLps;
+    scene.downLps = m_axes.downLps;
+    return showsEarlySlice(early, scene);
+}
+
+QImage SliceView::earlyPictureOf(const gpu::Scene& scene, const QSize& pixels) const
+{
+    return earlyPicture(*early(), std::get<gpu::SliceScene>(scene), pixels);
+}
+
 int SliceView::sliceNumber() const
 {
-    return m_stack.numberAt(workspace().crosshairLps());
+    return m_stack.numberAt(crosshairLps());
 }
 
 int SliceView::sliceCount() const
@@ -128,20 +153,21 @@ int SliceView::sliceCount() const
 
 void SliceView::goToSlice(int number)
 {
-    workspace().setCrosshairLps(m_stack.movedTo(workspace().crosshairLps(), number));
+    if (!early())
+        workspace().setCrosshairLps(m_stack.movedTo(workspace().crosshairLps(), number));
 }
 
 gpu::Scene SliceView::scene() const
 {
     gpu::SliceScene scene;
     // The pan decides where in the plane, the crosshair which plane.
-    const double depth = glm::dot(workspace().crosshairLps() - m_centreLps, m_axes.normalLps);
+    const double depth = glm::dot(crosshairLps() - m_centreLps, m_axes.normalLps);
     scene.centreLps = m_centreLps + depth * m_axes.normalLps;
     scene.rightLps = m_axes.rightLps;
     scene.downLps = m_axes.downLps;
     scene.mmPerPixel = m_mmPerPixel;
-    scene.window = workspace().windowLevel();
-    scene.inverted = workspace().viewOptions().inverted;
+    scene.window = windowLevel();
+    scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
     return scene;
@@ -250,8 +276,8 @@ void SliceView::resizeEvent(QResizeEvent* event)
 
 QString SliceView::windowText() const
 {
-    const core::Volume& volume = *workspace().volume();
-    const core::WindowLevel window = workspace().windowLevel();
+    const core::Volume& volume = *shownVolume();
+    const core::WindowLevel window = windowLevel();
     const double span = volume.maximum - volume.minimum;
     QString text = QStringLiteral("W %1  L %2")
                        .arg(valueText(window.width, QString(), span),
@@ -265,19 +291,21 @@ QString SliceView::windowText() const
 
 void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
 {
-    const core::Volume& volume = *workspace().volume();
+    const core::Volume& volume = *shownVolume();
     const Workspace::ViewOptions& options = workspace().viewOptions();
     const auto& slice = std::get<gpu::SliceScene>(shown.scene);
 
-    paintClipSection(painter, shown, workspace().clip(), volume.geometry);
-    if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
-        paintBoxSection(painter, shown, *box, volume.geometry, theme::good);
-    paintMeasurements(painter, shown, workspace());
+    if (!early()) {
+        paintClipSection(painter, shown, workspace().clip(), volume.geometry);
+        if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
+            paintBoxSection(painter, shown, *box, volume.geometry, theme::good);
+        paintMeasurements(painter, shown, workspace());
+    }
     if (options.showCrosshair) {
         const bool axial = m_orientation == SliceOrientation::Axial;
         const bool sagittal = m_orientation == SliceOrientation::Sagittal;
-        paintCrosshair(painter, rect(), crosshairPixel(), axial ? theme::coronal : theme::axial,
-            sagittal ? theme::coronal : theme::sagittal);
+        paintCrosshair(painter, rect(), shown.toPixel(crosshairLps()),
+            axial ? theme::coronal : theme::axial, sagittal ? theme::coronal : theme::sagittal);
     }
     paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
 

@@ -15,6 +15,8 @@ public:
         QWidget* parent = nullptr);
 
     [[nodiscard]] SliceOrientation orientation() const { return m_orientation; }
+    /// Whether this view would show an early slice.
+    [[nodiscard]] bool looksAt(const core::EarlySlice& early) const;
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QColor barColour() const override;
     /// The slice the crosshair is in, 0 … count − 1, and how many there are.
@@ -40,12 +42,18 @@ protected:
     void hovered(const PointerSample& sample) override;
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
+    [[nodiscard]] QImage earlyPictureOf(
+        const gpu::Scene& scene, const QSize& pixels) const override;
+    void earlySliceChanged() override { openVolume(); }
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void openVolume();
     void zoomBy(double factor, const QPointF& at);
+    /// The plane, the grey scale: of the window, or of the early slice.
+    [[nodiscard]] glm::dvec3 crosshairLps() const;
+    [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
 

@@ -82,6 +82,18 @@ void ViewGrid::resetViews()
         view->resetView();
 }
 
+bool ViewGrid::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early)
+{
+    const auto slices = {m_axial, m_sagittal, m_coronal};
+    const bool isSeen = early
+        && std::any_of(slices.begin(), slices.end(),
+            [&](const SliceView* view) { return view->looksAt(*early); });
+    m_early = isSeen ? early : nullptr;
+    for (ImageView* view : views())
+        view->showEarlySlice(m_early);
+    return isSeen;
+}
+
 bool ViewGrid::refined() const
 {
     const auto all = views();

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <array>
+#include <memory>
 
 class QGridLayout;
 
@@ -32,6 +33,10 @@ public:
     void maximise(ImageView* view);
     [[nodiscard]] ImageView* maximised() const { return m_maximised; }
     void resetViews();
+    /// A slice of a study that is on its way, until one is open; null: none. @return whether one of
+    /// the views looks at it: others have nothing to show yet
+    bool showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
+    [[nodiscard]] const core::EarlySlice* earlySlice() const { return m_early.get(); }
     /// Every view on the screen shows its finest picture of what is asked for.
     [[nodiscard]] bool refined() const;
 
@@ -44,6 +49,7 @@ private:
     void give(const gpu::Frame& frame);
 
     FrameInbox m_inbox;
+    std::shared_ptr<const core::EarlySlice> m_early;
     SliceView* m_axial;
     VolumeView* m_volume;
     SliceView* m_sagittal;

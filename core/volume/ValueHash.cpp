@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/ValueHash.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace core {
+
+namespace {
+
+constexpr int codeCount = VoxelEncoding::codeCount;
+
+} // namespace
+
+void addFloats(Sha256& hash, std::span<const float> values)
+{
+    static_assert(std::numeric_limits<float>::is_iec559);
+    hash.add(values.data(), values.size_bytes());
+}
+
+std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
+{
+    std::vector<float> values(codeCount);
+    for (int code = 0; code < codeCount; ++code)
+        values[std::size_t(code)] = float(encoding.value(code));
+    return values;
+}
+
+void addByTable(Sha256& hash, std::span<const std::uint16_t> codes, const std::vector<float>& table)
+{
+    // In pieces that stay in the innermost cache.
+    std::array<float, 4096> values;
+    while (!codes.empty()) {
+        const std::span<const std::uint16_t> piece =
+            codes.first(std::min(codes.size(), values.size()));
+        std::transform(piece.begin(), piece.end(), values.begin(),
+            [&table](std::uint16_t code) { return table[code]; });
+        addFloats(hash, std::span(values).first(piece.size()));
+        codes = codes.subspan(piece.size());
+    }
+}
+
+} // namespace core

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Sha256.h"
+#include "core/volume/VoxelEncoding.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace core {
+
+// What Volume::voxelsSha256 is made of: modality values as float32, little-endian.
+
+void addFloats(Sha256& hash, std::span<const float> values);
+
+/// float32 of what each code stands for.
+[[nodiscard]] std::vector<float> valuesOfCodes(const VoxelEncoding& encoding);
+
+/// Adds the values that a table has for codes, or for stored bits.
+void addByTable(
+    Sha256& hash, std::span<const std::uint16_t> codes, const std::vector<float>& table);
+
+} // namespace core
