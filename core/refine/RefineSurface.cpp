@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/RefineSurface.h"
 
-#include "core/export/SegmentStatistics.h"
 #include "core/refine/FaceThinning.h"
 #include "core/refine/SimplexDual.h"
 #include "core/surface/SegmentSurface.h"
+#include "core/volume/UnevenSlices.h"
 
 #include <algorithm>
 
