@@ -69,9 +69,9 @@ void addProblemsOfAll(SeriesEntry& entry)
         entry.problems.push_back(
             {.kind = VolumeProblem::Kind::AssumedSpacing, .text = text, .caution = true});
     entry.problems.push_back({.kind = VolumeProblem::Kind::Other,
-        .text = QStringLiteral("Pictures do not say how they lie in the patient; their columns "
-                               "are taken to run to the left, their rows to posterior, and the "
-                               "slices to superior."),
+        .text = QStringLiteral("Pictures do not say how they lie in the patient; columns are "
+                               "taken to run to the left, rows to posterior, slices to "
+                               "superior."),
         .caution = true});
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace core {
 
@@ -58,10 +59,10 @@ std::optional<ScalarType> scalarType(std::uint64_t bits, std::uint64_t format)
 /// One directory as a page.
 class PageReader {
 public:
-    PageReader(TiffEntries& entries, const QFile& file)
+    PageReader(TiffEntries& entries, QString path, std::uint64_t fileBytes)
         : m_entries(entries)
-        , m_path(file.fileName())
-        , m_fileBytes(std::uint64_t(file.size()))
+        , m_path(std::move(path))
+        , m_fileBytes(fileBytes)
     {
     }
 
@@ -269,13 +270,14 @@ bool isTiff(const QByteArray& begin)
 Result<std::vector<ImagePage>> readTiffPages(QFile& file)
 {
     TiffEntries entries(file);
+    const auto fileBytes = std::uint64_t(file.size());
     std::vector<ImagePage> pages;
     ImageJWords words;
     while (entries.next()) {
         constexpr std::uint64_t reduced = 1;
         if ((entries.number(tiff::NewSubfileType, 0).value_or(0) & reduced) != 0)
             continue;
-        Result<ImagePage> page = PageReader(entries, file).read();
+        Result<ImagePage> page = PageReader(entries, file.fileName(), fileBytes).read();
         if (!page)
             return tl::unexpected<Error>(page.error());
         if (pages.empty())

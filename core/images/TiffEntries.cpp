@@ -11,8 +11,8 @@ namespace core {
 
 namespace {
 
-/// More slices no volume has; a directory that leads back to itself ends here, too.
-constexpr int mostDirectories = 65536;
+/// More slices no volume has.
+constexpr std::size_t mostDirectories = 65536;
 constexpr std::uint64_t mostEntries = 4096;
 /// Strips and tiles of all directories together: what a file of few bytes can make us read.
 constexpr std::uint64_t mostNumbers = std::uint64_t(1) << 22;
@@ -40,6 +40,7 @@ int bytesOf(int type)
 
 TiffEntries::TiffEntries(QFile& file)
     : m_file(file)
+    , m_fileBytes(std::uint64_t(file.size()))
     , m_numbersLeft(mostNumbers)
 {
     constexpr int bigTiff = 43;
@@ -58,8 +59,7 @@ TiffEntries::TiffEntries(QFile& file)
 
 QByteArray TiffEntries::bytesAt(std::uint64_t at, std::uint64_t size) const
 {
-    const auto length = std::uint64_t(m_file.size());
-    if (at > length || size > length - at || !m_file.seek(qint64(at)))
+    if (at > m_fileBytes || size > m_fileBytes - at || !m_file.seek(qint64(at)))
         return {};
     return m_file.read(qint64(size));
 }
@@ -84,8 +84,8 @@ bool TiffEntries::next()
 {
     m_entries.clear();
     if (m_next == 0)
-        return m_directories == 0 ? fail(QStringLiteral("it has no directory")) : false;
-    if (++m_directories > mostDirectories)
+        return m_seen.empty() ? fail(QStringLiteral("it has no directory")) : false;
+    if (!m_seen.insert(m_next).second || m_seen.size() > mostDirectories)
         return fail(QStringLiteral("its directories do not come to an end"));
     const bool isLong = m_offsetBytes == 8;
     const int countBytes = isLong ? 8 : 2;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 class QFile;
@@ -51,10 +52,11 @@ private:
     [[nodiscard]] bool fail(const QString& reason);
 
     QFile& m_file;
+    std::uint64_t m_fileBytes;
     QString m_reason;
     std::map<int, Entry> m_entries;
     std::uint64_t m_next = 0; ///< where the next directory lies; 0: none
-    int m_directories = 0;
+    std::set<std::uint64_t> m_seen; ///< where directories lie that were read
     std::uint64_t m_numbersLeft;
     bool m_big = false; ///< byte order
     int m_offsetBytes = 4; ///< 8 in BigTIFF

@@ -58,12 +58,12 @@ SpacingDialog::SpacingDialog(const core::SeriesEntry& entry, QWidget* parent)
     layout->setContentsMargins(24, 20, 24, 16);
     layout->setSpacing(theme::smallPadding);
     auto* heading = new QLabel(m_size.z == 1
-            ? tr("%1 is one picture of %2 × %3 pixels. It does not say how large they are.")
+            ? tr("%1 is a picture of %2 × %3 pixels that does not say how large they are.")
                   .arg(entry.key)
                   .arg(m_size.x)
                   .arg(m_size.y)
-            : tr("%1 holds %2 pictures of %3 × %4 pixels. They do not say how far apart these, and "
-                 "the slices, are.")
+            : tr("%1 holds %2 pictures of %3 × %4 pixels that do not say how large these are, nor "
+                 "how far apart the slices lie.")
                   .arg(entry.key)
                   .arg(m_size.z)
                   .arg(m_size.x)
@@ -81,8 +81,8 @@ SpacingDialog::SpacingDialog(const core::SeriesEntry& entry, QWidget* parent)
     if (const QString from = whereFrom(said); !from.isEmpty())
         layout->addWidget(smallText(from, this));
     layout->addWidget(smallText(
-        tr("Columns are taken to run to the left of the patient, rows to posterior, and slices, in "
-           "the order of their names, to superior. Lengths and volumes are as right as what you "
+        tr("Columns are taken to run to the left of the patient, rows to posterior, slices in the "
+           "order of their names to superior. Lengths and volumes are as right as what you "
            "say here; the session keeps it."),
         this));
 
@@ -149,7 +149,7 @@ void SpacingDialog::showExtent()
     };
     m_extent->setText(isSaid
             ? tr("The volume measures %1 × %2 × %3 mm.").arg(extent(0), extent(1), extent(2))
-            : tr("The volume measures as much as you say above."));
+            : tr("It opens when all three are given."));
 }
 
 QString SpacingDialog::repair() const
