@@ -192,8 +192,13 @@ void MainWindow::buildCentre()
     // Options go over the panels too: beside them there is not room for all in a small window.
     auto* working = new QVBoxLayout;
     working->setSpacing(0);
-    working->addWidget(new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
-        m_actions[QStringLiteral("edit.redo")], this));
+    auto* options = new OptionBar(m_workspace, m_actions[QStringLiteral("edit.undo")],
+        m_actions[QStringLiteral("edit.redo")], this);
+    // There is nothing to undo on the start page either.
+    options->hide();
+    connect(m_pages, &QStackedWidget::currentChanged, options,
+        [this, options] { options->setVisible(m_pages->currentWidget() == m_views); });
+    working->addWidget(options);
     working->addWidget(m_splitter, 1);
     row->addLayout(working, 1);
     auto* middle = new QWidget(m_splitter);

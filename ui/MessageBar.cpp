@@ -77,6 +77,9 @@ void MessageBar::show(
     m_text->setText(sentence);
     m_button->setText(button);
     m_button->setVisible(!button.isEmpty());
+    // As high without a button, lest what is below move when one comes.
+    m_button->ensurePolished();
+    m_text->setMinimumHeight(m_button->sizeHint().height());
     m_run = std::move(run);
     setVisible(true);
 }

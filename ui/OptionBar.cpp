@@ -122,8 +122,6 @@ void OptionBar::showTool()
     }
     m_options = nullptr;
     Tool* tool = m_workspace.activeTool();
-    // There is nothing to undo on the start page either.
-    setVisible(m_workspace.volume() != nullptr);
     if (!m_workspace.volume())
         tool = nullptr;
     m_tool->setText(tool ? tool->name() : QString());

@@ -3,6 +3,7 @@
 
 #include "ui/Theme.h"
 #include "ui/tools/Tool.h"
+#include "ui/views/Annotations.h"
 #include "ui/views/CautionStrip.h"
 
 #include <QAbstractSpinBox>
@@ -464,6 +465,13 @@ void ImageView::paintEvent(QPaintEvent*)
         if (volume->needsCaution() && !m_workspace.cautionAccepted())
             paintCautionStrip(painter, rect(), *volume);
     } else if (m_early && m_picture.isNull()) {
+        paintCorners(painter, rect(),
+            {.title = title(),
+                .titleColour = barColour(),
+                .topLeft = {},
+                .topRight = {},
+                .bottomLeft = {},
+                .bottomRight = {}});
         painter.setPen(theme::secondary);
         painter.drawText(
             rect(), Qt::AlignCenter, QStringLiteral("Comes when all slices are there"));
