@@ -10,16 +10,20 @@ namespace core {
 
 namespace {
 
+constexpr int sweeps = 8;
+/// An element off the diagonal, squared, against those on it.
+constexpr double nothing = 1e-26;
+
 /// The eigenvectors of a symmetric matrix as columns, and its eigenvalues in the diagonal, by
 /// Jacobi's rotations: they need no more than a square root.
 void diagonalise(glm::dmat3& matrix, glm::dmat3& vectors)
 {
     vectors = glm::dmat3(1.0);
-    for (int sweep = 0; sweep < 8; ++sweep) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (int p = 0; p < 2; ++p) {
             for (int q = p + 1; q < 3; ++q) {
                 const double off = matrix[p][q];
-                if (off == 0.0)
+                if (off * off <= nothing * std::abs(matrix[p][p] * matrix[q][q]))
                     continue;
                 const double theta = (matrix[q][q] - matrix[p][p]) / (2.0 * off);
                 const double root = std::sqrt(theta * theta + 1.0);

@@ -4,6 +4,7 @@
 #include "core/refine/BoundaryForce.h"
 #include "core/refine/Deformation.h"
 #include "core/refine/MeshRestructuring.h"
+#include "core/refine/SelfIntersections.h"
 
 #include <algorithm>
 
@@ -52,6 +53,7 @@ Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geomet
         const Restructured done = restructure(edit, deformation.active(), structure);
         deformation.restructured(*mesh, done.vertices);
     }
+    repairSelfIntersections(edit, geometry);
     edit.commit();
     return mesh;
 }

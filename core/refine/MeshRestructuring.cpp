@@ -85,9 +85,13 @@ private:
 
     void weld(FaceId face)
     {
-        const FaceShape shape = shapeOf(m_mesh, face);
+        const glm::dvec3 area = areaVectorOf(m_mesh, face);
         for (std::size_t i = 0; i < m_mesh.ring(face).size(); ++i) {
             const EdgeSurroundings edge = edgeOf(face, i);
+            // Fitted planes cost more than those that tell as much nearly everywhere.
+            if (lookAlike(area, areaVectorOf(m_mesh, edge.right)))
+                continue;
+            const FaceShape shape = shapeOf(m_mesh, face);
             const FaceShape beside = shapeOf(m_mesh, edge.right);
             // At a crease that is meant, larger and larger faces would lie across it.
             if (glm::dot(shape.normalLps, beside.normalLps) < 0.0
