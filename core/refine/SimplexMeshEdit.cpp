@@ -118,8 +118,23 @@ void SimplexMeshEdit::rollback()
     changes().undo(m_mesh);
 }
 
+WrittenParts SimplexMeshEdit::takeWritten()
+{
+    WrittenParts written = std::move(m_written);
+    m_written = {};
+    for (const VertexId id : written.vertices)
+        m_isWritten[id] = false;
+    for (const FaceId id : written.faces)
+        m_isFaceWritten[id] = false;
+    std::sort(written.vertices.begin(), written.vertices.end());
+    std::sort(written.faces.begin(), written.faces.end());
+    return written;
+}
+
 void SimplexMeshEdit::touchVertex(VertexId id)
 {
+    if (markFirst(m_isWritten, id))
+        m_written.vertices.push_back(id);
     if (!markFirst(m_touched, id))
         return;
     auto& change = m_before.vertices.emplace_back();
@@ -130,6 +145,8 @@ void SimplexMeshEdit::touchVertex(VertexId id)
 
 void SimplexMeshEdit::touchFace(FaceId id)
 {
+    if (markFirst(m_isFaceWritten, id))
+        m_written.faces.push_back(id);
     if (!markFirst(m_touchedFaces, id))
         return;
     auto& change = m_before.faces.emplace_back();

@@ -5,6 +5,13 @@
 
 namespace core {
 
+/// What was written of a mesh, each once, ascending; some of it may be gone by now. For whoever
+/// draws it: what is drawn of anything else is still right.
+struct WrittenParts {
+    std::vector<VertexId> vertices;
+    std::vector<FaceId> faces;
+};
+
 /// The one door through which a mesh is written: an open transaction that saves each vertex and
 /// face on first touch. It ends with commit() or rollback(); left without either, it is rolled
 /// back.
@@ -35,6 +42,9 @@ public:
     void setRing(FaceId id, FaceRing ring);
     void removeFace(FaceId id);
 
+    /// What was written since it was last asked, or since the beginning.
+    [[nodiscard]] WrittenParts takeWritten();
+
     /// The changes; what is as it was before is left out. Nothing may be written afterwards.
     SimplexMeshDelta commit();
     void rollback();
@@ -49,6 +59,9 @@ private:
     std::vector<bool> m_touched; ///< by vertex
     std::vector<bool> m_touchedFaces;
     SimplexMeshDelta m_before; ///< in the order of touching, `after` unset
+    std::vector<bool> m_isWritten; ///< by vertex, since takeWritten()
+    std::vector<bool> m_isFaceWritten;
+    WrittenParts m_written; ///< in the order of writing
 };
 
 } // namespace core

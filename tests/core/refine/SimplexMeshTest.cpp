@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void stormsKeepTheSurfaceWhole();
     void deltasLeadBackAndForth();
     void anEditThatIsLeftIsRolledBack();
+    void whatWasWritten();
     void idsStayAndAreUsedAgain();
     void greenStays();
 };
@@ -276,6 +278,39 @@ void SimplexMeshTest::anEditThatIsLeftIsRolledBack()
     core::SimplexMeshEdit minus(mesh);
     minus.move(3, {-0.0, 0.0, 0.0});
     QCOMPARE(minus.commit().vertices.size(), std::size_t(1));
+}
+
+void SimplexMeshTest::whatWasWritten()
+{
+    auto random = test::Random(12);
+    core::SimplexMesh mesh = ballAndRing();
+    core::SimplexMesh drawn = mesh;
+    core::SimplexMeshEdit edit(mesh);
+    QVERIFY(edit.takeWritten().vertices.empty());
+    for (int round = 0; round < 30; ++round) {
+        for (int i = 0; i < 5; ++i)
+            test::randomOperation(edit, random);
+        edit.move(mesh.vertexIds().back(), {round, 1, 2});
+        const core::WrittenParts written = edit.takeWritten();
+        QVERIFY(std::is_sorted(written.vertices.begin(), written.vertices.end()));
+        // Nothing else is other than it was drawn.
+        for (core::VertexId id = 0; id < std::max(mesh.vertexSlots(), drawn.vertexSlots()); ++id) {
+            if (std::binary_search(written.vertices.begin(), written.vertices.end(), id))
+                continue;
+            QCOMPARE(mesh.hasVertex(id), drawn.hasVertex(id));
+            QVERIFY(!mesh.hasVertex(id) || core::identical(mesh.vertex(id), drawn.vertex(id)));
+        }
+        for (core::FaceId id = 0; id < std::max(mesh.faceSlots(), drawn.faceSlots()); ++id) {
+            if (std::binary_search(written.faces.begin(), written.faces.end(), id))
+                continue;
+            QCOMPARE(mesh.hasFace(id), drawn.hasFace(id));
+            QVERIFY(!mesh.hasFace(id) || mesh.ring(id) == drawn.ring(id));
+        }
+        QVERIFY(written.vertices.size() < 60);
+        QVERIFY(edit.takeWritten().faces.empty());
+        drawn = mesh;
+    }
+    edit.commit();
 }
 
 void SimplexMeshTest::idsStayAndAreUsedAgain()
