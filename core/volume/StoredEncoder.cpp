@@ -5,6 +5,7 @@
 #include "core/volume/ValueHash.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -27,6 +28,15 @@ bool haveOneScale(std::span<const SliceRescale> slices)
     return std::all_of(slices.begin(), slices.end(), [&](const SliceRescale& slice) {
         return slice.slope == slices[0].slope && slice.intercept == slices[0].intercept;
     });
+}
+
+/// The intercept where it is all there is to a scale, and every value is exact as float32.
+std::optional<int> wholeShift(const SliceRescale& scale)
+{
+    constexpr double greatest = 1 << 20;
+    const bool isWhole = scale.slope == 1.0 && std::abs(scale.intercept) <= greatest
+        && scale.intercept == std::trunc(scale.intercept);
+    return isWhole ? std::optional(int(scale.intercept)) : std::nullopt;
 }
 
 std::vector<float> valuesOfBits(const SliceRescale& scale, bool isSigned)
@@ -62,12 +72,22 @@ StoredEncoder::StoredEncoder(LoadedVolume& loaded, std::vector<SliceRescale> sli
     : m_loaded(loaded)
     , m_slices(std::move(slices))
     , m_oneScale(haveOneScale(m_slices))
-    , m_chain(int(m_slices.size()), [this](int k) {
-        addByTable(m_hash, codesOf(k), m_valueOfBits[m_slices[std::size_t(k)].isSigned ? 1 : 0]);
-    })
+    , m_chain(int(m_slices.size()), [this](int k) { addToHash(k); })
 {
-    if (m_oneScale)
+    if (!m_oneScale)
+        return;
+    m_shift = wholeShift(m_slices[0]);
+    if (!m_shift)
         m_valueOfBits = {valuesOfBits(m_slices[0], false), valuesOfBits(m_slices[0], true)};
+}
+
+void StoredEncoder::addToHash(int k)
+{
+    const bool isSigned = m_slices[std::size_t(k)].isSigned;
+    if (m_shift)
+        addShifted(m_hash, codesOf(k), isSigned, *m_shift);
+    else
+        addByTable(m_hash, codesOf(k), m_valueOfBits[isSigned ? 1 : 0]);
 }
 
 std::span<std::uint16_t> StoredEncoder::codesOf(int k)

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -33,6 +34,7 @@ private:
     using Counts = std::vector<std::uint64_t>;
 
     [[nodiscard]] std::span<std::uint16_t> codesOf(int k);
+    void addToHash(int k);
     void count(int k);
     void encodeOneScale(int least, int greatest, const Counts& counts, bool hasWindow);
     void encodeOnCommonScale(bool hasWindow);
@@ -44,6 +46,7 @@ private:
     std::mutex m_mutex;
     std::vector<std::unique_ptr<Counts>> m_counts; ///< that nobody is adding to
 
+    std::optional<int> m_shift; ///< values are stored numbers and this one
     std::vector<std::vector<float>> m_valueOfBits; ///< of unsigned, of signed stored values
     Sha256 m_hash;
     SliceChain m_chain;

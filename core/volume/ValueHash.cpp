@@ -11,6 +11,20 @@ namespace {
 
 constexpr int codeCount = VoxelEncoding::codeCount;
 
+template <class Convert>
+void addConverted(Sha256& hash, std::span<const std::uint16_t> bits, Convert valueOf)
+{
+    // In pieces that stay in the innermost cache.
+    std::array<float, 4096> values;
+    while (!bits.empty()) {
+        const std::span<const std::uint16_t> piece =
+            bits.first(std::min(bits.size(), values.size()));
+        std::transform(piece.begin(), piece.end(), values.begin(), valueOf);
+        addFloats(hash, std::span(values).first(piece.size()));
+        bits = bits.subspan(piece.size());
+    }
+}
+
 } // namespace
 
 void addFloats(Sha256& hash, std::span<const float> values)
@@ -29,16 +43,16 @@ std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
 
 void addByTable(Sha256& hash, std::span<const std::uint16_t> codes, const std::vector<float>& table)
 {
-    // In pieces that stay in the innermost cache.
-    std::array<float, 4096> values;
-    while (!codes.empty()) {
-        const std::span<const std::uint16_t> piece =
-            codes.first(std::min(codes.size(), values.size()));
-        std::transform(piece.begin(), piece.end(), values.begin(),
-            [&table](std::uint16_t code) { return table[code]; });
-        addFloats(hash, std::span(values).first(piece.size()));
-        codes = codes.subspan(piece.size());
-    }
+    addConverted(hash, codes, [&table](std::uint16_t code) { return table[code]; });
+}
+
+void addShifted(Sha256& hash, std::span<const std::uint16_t> bits, bool isSigned, int shift)
+{
+    if (isSigned)
+        addConverted(hash, bits,
+            [shift](std::uint16_t each) { return float(int(std::int16_t(each)) + shift); });
+    else
+        addConverted(hash, bits, [shift](std::uint16_t each) { return float(int(each) + shift); });
 }
 
 } // namespace core

@@ -21,4 +21,7 @@ void addFloats(Sha256& hash, std::span<const float> values);
 void addByTable(
     Sha256& hash, std::span<const std::uint16_t> codes, const std::vector<float>& table);
 
+/// The same for values that are stored numbers and a whole number: several times as fast.
+void addShifted(Sha256& hash, std::span<const std::uint16_t> bits, bool isSigned, int shift);
+
 } // namespace core
