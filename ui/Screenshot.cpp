@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/Screenshot.h"
 
+#include "core/export/MaskSelection.h"
 #include "ui/Workspace.h"
 
 #include <QDir>
@@ -22,6 +23,9 @@ bool isDicomPicture(const QString& file)
 core::Result<core::ExportReport> savePicture(
     const QImage& picture, const core::Volume* volume, const QString& file)
 {
+    if (volume && core::isSourceFile(*volume, file))
+        return core::failure(core::ErrorCode::FileUnwritable, file,
+            QStringLiteral("it is a file of the study itself"));
     if (!isDicomPicture(file)) {
         if (!picture.save(file, "PNG"))
             return core::failure(core::ErrorCode::FileUnwritable, file);

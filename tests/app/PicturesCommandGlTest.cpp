@@ -181,20 +181,6 @@ private Q_SLOTS:
         const core::LoadedVolume mask = test::openVolume(path("again.nii"));
         QVERIFY(glm::length(mask.volume.geometry.spacingMm() - glm::dvec3(0.5, 0.5, 2)) < 1e-6);
     }
-
-    void exportsAreNoPicturesOfTheStudy()
-    {
-        const Outcome made = burin({key("run"), growth("grow.json"), key("--study"), path("slices"),
-            key("--spacing"), key("0.5,0.5,2"), key("--session"), path("s.burin")});
-        QVERIFY(made.status == 0);
-        const QString victim = path("slices") + key("/slice1.png");
-        const Outcome onto = burin({key("replay"), path("s.burin"), key("--verify"),
-            key("--export"), victim, key("--format"), key("nifti"), key("--force")});
-        QVERIFY(onto.status != 0);
-        QFile file(victim);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        QVERIFY(file.readAll().startsWith("\x89PNG"));
-    }
 };
 
 QTEST_GUILESS_MAIN(PicturesCommandGlTest)

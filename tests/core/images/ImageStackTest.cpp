@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/export/MaskSelection.h"
 #include "core/images/NaturalOrder.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/EngineCases.h"
@@ -187,6 +188,10 @@ void ImageStackTest::placeOfVoxels()
     QCOMPARE(loaded->volume.sourcePath, folder());
     QVERIFY(loaded->volume.sources.empty());
     QVERIFY(tells(*loaded, VolumeProblem::Kind::Other, "columns are taken to run to the left"));
+    // Exports do not replace what was opened.
+    put(QStringLiteral("note.txt"), "");
+    QVERIFY(core::isSourceFile(loaded->volume, path(QStringLiteral("s1.png"))));
+    QVERIFY(!core::isSourceFile(loaded->volume, path(QStringLiteral("note.txt"))));
     // The same lengths, said otherwise, are the same name.
     const Result<LoadedVolume> again =
         core::loadVolume(folder(), QStringLiteral("+spacing=5e-1x0.250x2.0"));

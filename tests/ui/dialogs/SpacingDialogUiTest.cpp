@@ -3,11 +3,13 @@
 #include "tests/support/ImageFiles.h"
 #include "tests/support/VolumeFiles.h"
 #include "tests/support/WindowFixture.h"
+#include "ui/Screenshot.h"
 #include "ui/dialogs/SpacingDialog.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -71,7 +73,7 @@ private Q_SLOTS:
         QCOMPARE(field(dialog, "spacingColumns").value(), 0.351562);
         QCOMPARE(field(dialog, "spacingColumns").text(), QStringLiteral("0.351562 mm"));
         QVERIFY(!openButton(dialog).isEnabled());
-        QVERIFY(field(dialog, "spacingSlices").hasFocus());
+        QVERIFY(dialog.focusWidget() == &field(dialog, "spacingSlices"));
         QTest::keyClicks(&field(dialog, "spacingSlices"), QStringLiteral("1.25"));
         QCOMPARE(dialog.repair(), QStringLiteral("spacing=0.351562x0.351562x1.25"));
         QTest::keyClick(&field(dialog, "spacingSlices"), Qt::Key_Return);
@@ -121,6 +123,13 @@ private Q_SLOTS:
         QTRY_VERIFY(opened != nullptr);
         QCOMPARE(asked, 1);
         QCOMPARE(opened->volume.geometry.spacingMm(), glm::dvec3(1, 1, 3));
+        // A picture of the window does not replace one of the study.
+        QImage white(8, 8, QImage::Format_RGB32);
+        white.fill(Qt::white);
+        const QString slice = m_folder->filePath(QStringLiteral("0.png"));
+        QVERIFY(!ui::savePicture(white, &opened->volume, slice));
+        QVERIFY(QImage(slice).size() == QSize(20, 10));
+        QVERIFY(ui::savePicture(white, nullptr, slice));
     }
 };
 
