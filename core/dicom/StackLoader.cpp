@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -99,24 +100,31 @@ int middleOf(const SliceStack& stack)
 
 using Errors = std::vector<std::optional<Error>>;
 
-/// Decodes all slices into the codes of @p loaded, the one in the middle first.
+std::size_t sliceSize(const SliceStack& stack)
+{
+    return std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+}
+
+/// Decodes all slices into the codes of @p loaded.
+/// @param middle what the slice in the middle stores, where that is known already; else empty
 /// @param there told of each that is decoded, on the thread that did it @return per slice
-Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& progress,
+Errors decodeAll(const SliceStack& stack, SharedFiles& files,
+    const std::vector<std::uint16_t>& middle, LoadedVolume& loaded, const Progress& progress,
     const std::function<void(int k)>& there)
 {
-    const std::size_t size =
-        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    const std::size_t size = sliceSize(stack);
     Errors errors(stack.slices.size());
-    SharedFiles files(stack.slices);
     StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
-    const int middle = middleOf(stack);
-    parallelFor(int(stack.slices.size()), [&](int turn) {
+    parallelFor(int(stack.slices.size()), [&](int k) {
         if (progress.cancelled())
             return;
-        const int k = turn == 0 ? middle : turn - (turn <= middle ? 1 : 0);
         const auto slot = std::size_t(k);
-        const Result<void> decoded =
-            files.decode(stack.slices[slot], std::span(loaded.codes).subspan(slot * size, size));
+        const std::span<std::uint16_t> codes = std::span(loaded.codes).subspan(slot * size, size);
+        Result<void> decoded;
+        if (k == middleOf(stack) && !middle.empty())
+            std::copy(middle.begin(), middle.end(), codes.begin());
+        else
+            decoded = files.decode(stack.slices[slot], codes);
         if (decoded)
             there(k);
         else
@@ -130,8 +138,7 @@ Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& 
 SliceStack withoutFailed(
     const SliceStack& stack, std::vector<std::uint16_t>& codes, const Errors& errors)
 {
-    const std::size_t size =
-        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    const std::size_t size = sliceSize(stack);
     std::vector<ImageHeader> sound;
     std::vector<UndecodedSlice> failed;
     for (std::size_t k = 0; k < stack.slices.size(); ++k) {
@@ -193,17 +200,13 @@ std::vector<SliceRescale> rescalesOf(const SliceStack& stack)
     return rescales;
 }
 
-/// The slice in the middle once its stored values are there.
 std::shared_ptr<const EarlySlice> earlySlice(const ListedStack& listed, const SliceStack& stack,
     const SliceRescale& rescale, const std::vector<std::uint16_t>& stored)
 {
     auto early = std::make_shared<EarlySlice>();
     early->volume = describe(listed, stack);
     early->slice = middleOf(stack);
-    const std::size_t size =
-        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
-    const auto first = stored.begin() + std::ptrdiff_t(std::size_t(early->slice) * size);
-    early->codes.assign(first, first + std::ptrdiff_t(size));
+    early->codes = stored;
     encodeSlice(early->volume, early->codes, rescale);
     return early;
 }
@@ -214,17 +217,26 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
     if (const Result<void> fits = checkMemory(wanted.geometry.voxelCount()); !fits)
         return tl::unexpected<Error>(fits.error());
     const std::vector<SliceRescale> rescales = rescalesOf(wanted);
+    const auto middle = std::size_t(middleOf(wanted));
     LoadedVolume loaded;
     loaded.volume.geometry = wanted.geometry;
-    resizeInLargePages(loaded.codes, wanted.geometry.voxelCount());
-    const int middle = middleOf(wanted);
-    const bool tellsEarly = early && hasWindow(wanted);
-    StoredEncoder encoder(loaded, rescales);
-    const Errors errors = decodeAll(wanted, loaded, progress, [&](int k) {
-        if (k == middle && tellsEarly)
-            early(earlySlice(listed, wanted, rescales[std::size_t(k)], loaded.codes));
-        encoder.sliceIsThere(k);
+    SharedFiles files(wanted.slices);
+    // It takes the system a while to find that much memory: who waits sees a slice meanwhile.
+    std::vector<std::uint16_t> first; // empty: it has its turn like the others
+    std::future<void> told = std::async(std::launch::async, [&] {
+        if (!early || !hasWindow(wanted) || progress.cancelled())
+            return;
+        first.resize(sliceSize(wanted));
+        if (files.decode(wanted.slices[middle], first))
+            early(earlySlice(listed, wanted, rescales[middle], first));
+        else
+            first.clear();
     });
+    resizeInLargePages(loaded.codes, wanted.geometry.voxelCount());
+    told.get();
+    StoredEncoder encoder(loaded, rescales);
+    const Errors errors =
+        decodeAll(wanted, files, first, loaded, progress, [&](int k) { encoder.sliceIsThere(k); });
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
 

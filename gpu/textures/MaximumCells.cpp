@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/textures/MaximumCells.h"
 
+#include "core/base/ParallelFor.h"
 #include "gpu/textures/ChebyshevDistance.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace gpu {
@@ -21,20 +23,19 @@ std::vector<std::uint16_t> greatestOf(
 {
     constexpr int side = MaximumCells::side;
     std::vector<std::uint16_t> greatest(product(cells));
-    std::vector<std::uint16_t> row(std::size_t(cells.x));
-    for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
-            const std::uint16_t* from =
-                &codes[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
-                    * std::size_t(size.x)];
-            for (int x = 0; x < cells.x; ++x) {
-                const int last = std::min(x * side + side, size.x - 1);
-                row[std::size_t(x)] = *std::max_element(from + x * side, from + last + 1);
-            }
-            // The first row of a cell is the last that the cell before it reaches.
-            const int rows = y % side == 0 && y > 0 ? 1 : 0;
-            const int slices = z % side == 0 && z > 0 ? 1 : 0;
-            for (int cz = z / side - slices; cz <= z / side; ++cz) {
+    core::parallelFor(cells.z, [&](int cz) {
+        std::vector<std::uint16_t> row(std::size_t(cells.x));
+        for (int z = cz * side; z <= std::min(cz * side + side, size.z - 1); ++z) {
+            for (int y = 0; y < size.y; ++y) {
+                const std::uint16_t* from =
+                    &codes[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
+                        * std::size_t(size.x)];
+                for (int x = 0; x < cells.x; ++x) {
+                    const int last = std::min(x * side + side, size.x - 1);
+                    row[std::size_t(x)] = *std::max_element(from + x * side, from + last + 1);
+                }
+                // The first row of a cell is the last that the cell before it reaches.
+                const int rows = y % side == 0 && y > 0 ? 1 : 0;
                 for (int cy = y / side - rows; cy <= y / side; ++cy) {
                     std::uint16_t* to =
                         &greatest[(std::size_t(cz) * std::size_t(cells.y) + std::size_t(cy))
@@ -44,7 +45,7 @@ std::vector<std::uint16_t> greatestOf(
                 }
             }
         }
-    }
+    });
     return greatest;
 }
 
@@ -81,14 +82,18 @@ MaximumCells::MaximumCells(const glm::ivec3& volumeSize, std::span<const std::ui
     std::vector<std::uint16_t> texels(4 * greatest.size());
     for (std::size_t i = 0; i < greatest.size(); ++i)
         texels[4 * i] = greatest[i];
-    std::vector<std::uint8_t> above(greatest.size());
-    for (std::size_t k = 0; k < m_levels.size(); ++k) {
+    std::array<std::vector<std::uint8_t>, levelCount> distances;
+    core::parallelFor(levelCount, [&](int level) {
+        std::vector<std::uint8_t> above(greatest.size());
         std::transform(greatest.begin(), greatest.end(), above.begin(),
-            [level = m_levels[k]](std::uint16_t code) { return std::uint8_t(code > level); });
-        const std::vector<std::uint8_t> distance = chebyshevDistance(cells, above);
-        for (std::size_t i = 0; i < distance.size(); ++i) {
+            [least = m_levels[std::size_t(level)]](
+                std::uint16_t code) { return std::uint8_t(code > least); });
+        distances[std::size_t(level)] = chebyshevDistance(cells, above);
+    });
+    for (std::size_t k = 0; k < distances.size(); ++k) {
+        for (std::size_t i = 0; i < greatest.size(); ++i) {
             std::uint16_t& word = texels[4 * i + 1 + k / 2];
-            word = std::uint16_t(word | distance[i] << 8 * (k % 2));
+            word = std::uint16_t(word | distances[k][i] << 8 * (k % 2));
         }
     }
     m_texture.upload<std::uint16_t>(texels);
