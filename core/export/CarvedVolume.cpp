@@ -10,7 +10,9 @@
 #include "core/nifti/NiftiWriter.h"
 #include "core/repair/SeriesRepair.h"
 
+#include <QCryptographicHash>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QUuid>
 
@@ -155,6 +157,10 @@ Result<ExportReport> exportNifti(
     if (!checked)
         return tl::unexpected(renamed(checked.error(), staged->path(), request.target));
     report.checked = *checked;
+    const auto sum = sha256OfFile(staged->path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), staged->path(), request.target));
+    report.sha256 = *sum;
     if (volume.encoding.maxError > 0.0)
         report.cautions += QStringLiteral("Values are rounded by up to %1, as they are on screen.")
                                .arg(volume.encoding.maxError);
@@ -165,6 +171,19 @@ Result<ExportReport> exportNifti(
     if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return report;
+}
+
+/// Of all files of a folder, one after the other by name. Errors: FileUnreadable.
+Result<QString> sha256OfFolder(const QString& path)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const QDir folder(path);
+    for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
+        QFile file(folder.filePath(name));
+        if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+            return failure(ErrorCode::FileUnreadable, file.fileName(), file.errorString());
+    }
+    return QString::fromLatin1(hash.result().toHex());
 }
 
 Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& request, double fill,
@@ -208,6 +227,10 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
         report.cautions += QStringLiteral("A face or body can be recognised in the images "
                                           "themselves; their voxels are not changed.");
     }
+    const auto sum = sha256OfFolder(staged.path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), staged.path(), request.target));
+    report.sha256 = *sum;
     if (auto done = staged.commit(); !done)
         return tl::unexpected(done.error());
     return report;
@@ -290,6 +313,10 @@ Result<ExportReport> exportCoverage(
                                      "carved away.")
                           .arg(request.layer);
     report.checked = *checked;
+    const auto sum = sha256OfFile(staged->path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), staged->path(), request.file));
+    report.sha256 = *sum;
     if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return report;

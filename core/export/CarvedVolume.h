@@ -24,7 +24,8 @@ struct CarvedRequest {
 ///
 /// NIfTI: int16 where every value is a whole number that fits, else float32. DICOM: one image a
 /// slice, derived from the study's own (core/dicom/CarvedSeriesWriter.h), a new series of the same
-/// study that nobody is sent. Any thread.
+/// study that nobody is sent. The report's sum is the file's, or that of the images one after the
+/// other by name. Any thread.
 /// Errors: NothingToExport (nothing is carved), UnsupportedFormat (argument 1: why), FileExists,
 /// FileUnwritable, ExportMismatch, Cancelled, and those of reading the sources.
 Result<ExportReport> exportCarvedVolume(

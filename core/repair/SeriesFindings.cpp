@@ -39,12 +39,19 @@ RepairOffer tiltOffer(const VolumeGeometry& slices)
     RepairOffer tilt = offer(slices, {.tilt = true});
     tilt.title = QStringLiteral("Shear the tilt out");
     const glm::ivec3 grown = tilt.result.size - slices.size;
+    QStringList room;
+    if (grown.x > 0)
+        room +=
+            grown.x == 1 ? QStringLiteral("1 column") : QStringLiteral("%1 columns").arg(grown.x);
+    if (grown.y > 0)
+        room += grown.y == 1 ? QStringLiteral("1 row") : QStringLiteral("%1 rows").arg(grown.y);
     tilt.effect = QStringLiteral(
-        "Every slice is shifted in its own plane until all lie straight behind each other; the "
-        "picture grows by %1 columns and %2 rows, and slices lie %3 mm apart.")
-                      .arg(grown.x)
-                      .arg(grown.y)
-                      .arg(millimetres(tilt.result.spacingMm().z));
+        "Every slice is shifted in its own plane until all lie straight behind each other; %1"
+        "slices lie %2 mm apart.")
+                      .arg(room.isEmpty() ? QString()
+                                          : QStringLiteral("the picture grows by %1, and ")
+                                                .arg(room.join(QStringLiteral(" and "))),
+                          millimetres(tilt.result.spacingMm().z));
     return tilt;
 }
 
