@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
+#include <algorithm>
 #include <cmath>
 
 namespace core {
@@ -27,6 +28,7 @@ QString pointText(const glm::dvec4& point)
 
 SessionSource SessionSource::of(const Volume& volume)
 {
+    const bool isInTime = volume.alternatives && volume.alternatives->times.size() > 1;
     return {.path = QFileInfo(volume.sourcePath).absoluteFilePath(),
         .format = volume.sourceFormat,
         .studyUid = volume.identity.studyUid,
@@ -35,6 +37,7 @@ SessionSource SessionSource::of(const Volume& volume)
         .modality = volume.identity.modality,
         .studyDate = volume.identity.studyDate,
         .repair = volume.repair,
+        .time = isInTime ? volume.alternatives->time + 1 : 0,
         .size = volume.geometry.size,
         .indexToWorld = volume.geometry.indexToWorld,
         .voxelsSha256 = volume.voxelsSha256,
@@ -62,6 +65,8 @@ QJsonObject SessionSource::toJson() const
     };
     if (!repair.isEmpty())
         json[QStringLiteral("repair")] = repair;
+    if (time > 0)
+        json[QStringLiteral("time")] = time;
     if (!codesSha256.isEmpty())
         json[QStringLiteral("codesSha256")] = QString::fromLatin1(codesSha256);
     return json;
@@ -82,6 +87,7 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
     source.modality = json.value(QStringLiteral("modality")).toString();
     source.studyDate = json.value(QStringLiteral("studyDate")).toString();
     source.repair = json.value(QStringLiteral("repair")).toString();
+    source.time = std::max(0, json.value(QStringLiteral("time")).toInt());
     source.voxelsSha256 = json.value(QStringLiteral("voxelsSha256")).toString().toLatin1();
     source.codesSha256 = json.value(QStringLiteral("codesSha256")).toString().toLatin1();
     for (int axis = 0; axis < 3; ++axis)

@@ -20,6 +20,7 @@ struct SessionSource {
     QString modality;
     QString studyDate; ///< YYYY-MM-DD
     QString repair; ///< how its series was repaired on loading (Volume::repair); empty: not at all
+    int time = 0; ///< which point of a series in time it is, from 1; 0: of none, or it does not say
     glm::ivec3 size{0};
     glm::dmat4 indexToWorld{1.0};
     QByteArray voxelsSha256; ///< hex; empty if the loader did not tell

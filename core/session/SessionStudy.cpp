@@ -9,7 +9,9 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 namespace core {
 
@@ -40,6 +42,16 @@ bool mayGive(const SeriesEntry& entry, const SessionSource& source)
         && repairedGeometry(slices, *repair).size == source.size;
 }
 
+/// 0-based, the one that a session names (from 1; 0: none) first.
+std::vector<int> pointsInTime(const SeriesEntry& entry, int named)
+{
+    std::vector<int> points(std::max<std::size_t>(1, std::size_t(entry.times.size())));
+    std::iota(points.begin(), points.end(), 0);
+    if (named > 0 && named <= int(points.size()))
+        std::rotate(points.begin(), points.begin() + named - 1, points.begin() + named);
+    return points;
+}
+
 /// The keys of what may be the session's volume, as far as headers tell.
 QStringList keysOf(const StudyListing& listing, const SessionSource& source, const QString& series)
 {
@@ -53,9 +65,11 @@ QStringList keysOf(const StudyListing& listing, const SessionSource& source, con
                 wanted.isEmpty() || entry.key == wanted || entry.identity.seriesUid == wanted;
             if (!named || !mayGive(entry, source))
                 continue;
-            // Of a series in time the session does not say which point it was made on.
-            for (int time = 0; time < std::max(1, int(entry.times.size())); ++time) {
-                if (series.isEmpty() || choice.series == series || time == choice.time)
+            // Elsewhere a series may have more or fewer points, and an older session does not say
+            // which one it was made on: the others are asked, too, after the one that it names.
+            const bool pointIsOpen = series.isEmpty() || choice.series == series;
+            for (const int time : pointsInTime(entry, source.time)) {
+                if (pointIsOpen || time == choice.time)
                     keys += withRepair(entry.keyAtTime(time), source.repair);
             }
         }
