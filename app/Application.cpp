@@ -17,6 +17,7 @@
 #include "ui/Screenshot.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/CarvedExportDialog.h"
+#include "ui/dialogs/DeidentifySessionDialog.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/ClippingPanel.h"
@@ -191,13 +192,32 @@ void Application::addExport()
                 dialog->open();
             },
         .possible = [this] { return m_workspace->session() != nullptr; }});
+    QAction& deidentified = m_window->actionTable().add({.id = QStringLiteral("file.deidentify"),
+        .text = QStringLiteral("Save de-identified session as …"),
+        .run =
+            [this] {
+                auto* dialog = new ui::DeidentifySessionDialog(*m_workspace, m_window.get());
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+            },
+        .possible =
+            [this] {
+                const core::EditSession* session = m_workspace->session();
+                return session && !session->file().isEmpty() && !session->whyNoFile();
+            }});
     QAction& picture = m_window->actionTable().add({.id = QStringLiteral("file.savePicture"),
         .text = QStringLiteral("Save picture of the window …"),
-        .run = [this] { ui::askAndSavePicture(*m_workspace, *m_window); },
+        .run =
+            [this] {
+                const QString verdict = ui::askAndSavePicture(*m_workspace, *m_window);
+                if (!verdict.isEmpty())
+                    m_window->messages().show(ui::MessageBar::Kind::Notice, verdict);
+            },
         .possible = [this] { return m_workspace->session() != nullptr; }});
     QMenu& menu = m_window->fileMenu();
     for (QAction* each : {&action, &carved, &picture})
         menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], each);
+    menu.insertAction(&action, &deidentified);
     m_window->actionTable().refresh();
 }
 
@@ -308,8 +328,9 @@ core::Result<void> Application::goOn(
     } else if (notFromStudy) {
         tellWhereImagesAre(*notFromStudy, file);
     } else if (steps > 0) {
-        m_workspace->say(
-            QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
+        m_workspace->say(steps == 1
+                ? QStringLiteral("The session of this study was continued: 1 step")
+                : QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
     }
     return {};
 }

@@ -84,14 +84,15 @@ std::span<const Command> commands()
             true, runOpen},
         {"replay",
             "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
-            " [--fill VALUE] [--force]] [--study PATH] [--series UID]",
+            " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]",
             "carries out a session's history again, from nothing, and compares every hash;"
             " --export writes the masks of that state, or with --format coverage --layer NUMBER "
             "what"
             " a sculpt layer carves (.nii.gz), or with --format carved-volume the study without "
             "what"
             " is carved (.nii.gz, or a new folder for a DICOM series; --fill: the value there,"
-            " without it the least)",
+            " without it the least); --deidentify takes the patient out, --deflated makes a DICOM"
+            " SEG smaller",
             false, runReplay},
         {"run",
             "RECIPE.json --study PATH [--series UID] [--repair REPAIRS]"

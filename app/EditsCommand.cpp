@@ -18,12 +18,19 @@ void printText(const std::vector<core::EditDocumentation>& edits)
 {
     std::printf(
         "A recipe is {\"edits\": [edit, …], \"export\": [export, …]}. An export is one of\n"
-        "{\"format\": \"dicom-seg\", \"rtstruct\", \"nifti\" or \"seg-nrrd\", \"file\": path},\n"
+        "{\"format\": \"dicom-seg\", \"dicom-seg-fractional\" or \"dicom-seg-labelmap\", \"file\": "
+        "path, \"deflated\": true or false,\n \"algorithm\": \"manual\", \"semiautomatic\" or "
+        "\"automatic\", \"algorithmName\": text, \"codes\": {name: …}},\n"
+        "{\"format\": \"rtstruct\", \"nifti\", \"seg-nrrd\", \"csv\", \"json\" or \"sr\", "
+        "\"file\": "
+        "path},\n"
         "{\"format\": \"stl\", \"obj\", \"ply\" or \"gltf\", \"file\": path, \"space\": \"LPS\" "
         "or \"RAS\" (default: LPS)},\n"
         "{\"format\": \"coverage\", \"layer\": number, \"file\": path.nii.gz},\n"
         "{\"format\": \"carved-volume\", \"file\": path.nii.gz or a new folder for a DICOM "
         "series,\n \"fill\": value where nothing is left (default: the least)}.\n"
+        "All but coverage take \"deidentify\": true or {\"dates\": …, …}; the help on export lists "
+        "what it keeps.\n"
         "Each edit is an object {\"edit\": name, fields …}; any other field is refused.\n");
     for (const core::EditDocumentation& edit : edits) {
         std::printf("\n%s\n    %s\n\n", qPrintable(edit.name), qPrintable(edit.meaning));

@@ -189,6 +189,10 @@ QString readExport(const Arguments& arguments, Task& task)
     QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
     if (arguments.has("space"))
         words[QStringLiteral("space")] = arguments.value("space");
+    for (const char* wish : {"deidentify", "deflated"}) {
+        if (arguments.has(wish))
+            words[QLatin1String(wish)] = true;
+    }
     for (const char* number : {"layer", "fill"}) {
         if (!arguments.has(number))
             continue;
@@ -238,14 +242,15 @@ int runReplay(const QStringList& words)
         {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
             QStringLiteral("export"), QStringLiteral("format"), QStringLiteral("layer"),
             QStringLiteral("fill"), QStringLiteral("space")},
-        {QStringLiteral("verify"), QStringLiteral("force")});
+        {QStringLiteral("verify"), QStringLiteral("force"), QStringLiteral("deidentify"),
+            QStringLiteral("deflated")});
     if (!arguments.problem().isEmpty())
         return tellUsage("replay", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("replay", QStringLiteral("it needs one session file"));
     if (!arguments.has("verify") && !arguments.has("export"))
         return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
-    for (const char* detail : {"format", "layer", "fill", "space"}) {
+    for (const char* detail : {"format", "layer", "fill", "space", "deidentify", "deflated"}) {
         if (arguments.has(detail) && !arguments.has("export"))
             return tellUsage(
                 "replay", QStringLiteral("--%1 is for --export").arg(QLatin1String(detail)));

@@ -17,6 +17,7 @@
 #include "ui/StatusLine.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
+#include "ui/TimeText.h"
 #include "ui/ToolColumn.h"
 #include "ui/WindowActions.h"
 #include "ui/dialogs/AboutDialog.h"
@@ -411,8 +412,8 @@ void MainWindow::showIdentity()
         m_identity->setToolTip(QString());
         return;
     }
-    QStringList parts{
-        patientText(volume->identity), studyText(volume->identity), seriesText(volume->identity)};
+    QStringList parts{patientText(volume->identity), studyText(volume->identity),
+        seriesText(volume->identity), timeText(*volume)};
     parts.removeAll(QString());
     const QString text = parts.join(QStringLiteral(" · "));
     const bool readOnly = m_workspace.session() && !m_workspace.session()->whyReadOnly().isEmpty();

@@ -3,6 +3,7 @@
 
 #include "core/export/MaskSelection.h"
 #include "ui/Workspace.h"
+#include "ui/dialogs/ExportRun.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -52,7 +53,7 @@ core::Result<core::ExportReport> savePicture(
         core::Progress());
 }
 
-void askAndSavePicture(Workspace& workspace, QWidget& window)
+QString askAndSavePicture(Workspace& workspace, QWidget& window)
 {
     const QImage picture = window.grab().toImage();
     const QString folderKey = QStringLiteral("export/folder");
@@ -62,18 +63,28 @@ void askAndSavePicture(Workspace& workspace, QWidget& window)
         workspace.volume() && core::dicomSegObstacle(*workspace.volume()).isEmpty();
     const QString png = QObject::tr("PNG picture (*.png)");
     const QString dicom = QObject::tr("DICOM Secondary Capture, of this patient (*.dcm)");
-    const QString file = QFileDialog::getSaveFileName(&window,
-        QObject::tr("Save picture of the window"), folder.filePath(QStringLiteral("burin.png")),
-        isDicom ? png + QStringLiteral(";;") + dicom : png);
+    QString kind;
+    QString file = QFileDialog::getSaveFileName(&window, QObject::tr("Save picture of the window"),
+        folder.filePath(QStringLiteral("burin.png")),
+        isDicom ? png + QStringLiteral(";;") + dicom : png, &kind);
     if (file.isEmpty())
-        return;
+        return {};
+    // The kind counts where the name was left as it was suggested.
+    if (kind == dicom && file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+        file = file.chopped(4) + QStringLiteral(".dcm");
+        if (QFileInfo::exists(file) && !mayReplace(file, &window))
+            return {};
+    }
     QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
     const auto saved = savePicture(picture, workspace.volume(), file);
-    if (!saved)
-        return workspace.fail(saved.error());
-    workspace.say(saved->checked.isEmpty()
-            ? QObject::tr("Saved: %1").arg(file)
-            : QObject::tr("Saved and checked: %1, SHA-256 %2").arg(file, saved->sha256));
+    if (!saved) {
+        workspace.fail(saved.error());
+        return {};
+    }
+    return saved->checked.isEmpty()
+        ? QObject::tr("%1 is saved.").arg(file)
+        : QObject::tr("%1 is saved, and was read again and checked. SHA-256: %2")
+              .arg(file, saved->sha256);
 }
 
 } // namespace ui

@@ -21,8 +21,8 @@ class Workspace;
 [[nodiscard]] core::Result<core::ExportReport> savePicture(
     const QImage& picture, const core::Volume* volume, const QString& file);
 
-/// Takes a picture of the window as it is, asks where to, and saves it; says in the status line
-/// what was written.
-void askAndSavePicture(Workspace& workspace, QWidget& window);
+/// Takes a picture of the window as it is, asks where to, and saves it. @return what was written
+/// and checked, in a sentence; empty: nothing was
+[[nodiscard]] QString askAndSavePicture(Workspace& workspace, QWidget& window);
 
 } // namespace ui

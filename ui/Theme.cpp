@@ -8,6 +8,7 @@
 #include <QFontDatabase>
 #include <QPalette>
 #include <QProxyStyle>
+#include <QWidget>
 
 #include <utility>
 
@@ -68,7 +69,8 @@ QPalette palette()
     return result;
 }
 
-/// Fusion without what is noise here: pictures in dialog buttons, underlined menu letters.
+/// Fusion without what is noise here: pictures in dialog buttons, underlined menu letters;
+/// questions and warnings bear icons of the family.
 class PlainStyle : public QProxyStyle {
 public:
     PlainStyle()
@@ -81,6 +83,23 @@ public:
         if (hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_UnderlineShortcut)
             return 0;
         return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+    QIcon standardIcon(
+        StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override
+    {
+        const double ratio = widget != nullptr ? widget->devicePixelRatioF() : 1.0;
+        switch (which) {
+        case SP_MessageBoxQuestion:
+            return tintedIcon(QStringLiteral("question"), accent, 32, ratio);
+        case SP_MessageBoxInformation:
+            return tintedIcon(QStringLiteral("caution"), accent, 32, ratio);
+        case SP_MessageBoxWarning:
+            return tintedIcon(QStringLiteral("caution"), caution, 32, ratio);
+        case SP_MessageBoxCritical:
+            return tintedIcon(QStringLiteral("caution"), bad, 32, ratio);
+        default:
+            return QProxyStyle::standardIcon(which, option, widget);
+        }
     }
 };
 

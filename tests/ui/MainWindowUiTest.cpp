@@ -10,11 +10,14 @@
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
+
+#include <algorithm>
 
 class MainWindowUiTest : public QObject {
     Q_OBJECT
@@ -151,12 +154,23 @@ void MainWindowUiTest::listOfVolumesChoosesNothing()
     entry.key = QStringLiteral("1.2.3");
     core::SeriesEntry other = entry;
     other.key = QStringLiteral("1.2.4");
-    listing.studies.push_back({QStringLiteral("1.2"), {entry, other}});
+    core::SeriesEntry single = entry;
+    single.key = QStringLiteral("1.2.5");
+    single.geometry.size.z = 1;
+    listing.studies.push_back({QStringLiteral("1.2"), {entry, other, single}});
+    listing.foreign.push_back({.kind = QStringLiteral("localizer"),
+        .files = {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}});
     ui::OpenStudyDialog dialog(listing);
     dialog.show();
     QVERIFY(dialog.chosenKey().isEmpty());
     auto* list = dialog.findChild<QTreeWidget*>();
     QCOMPARE(list->topLevelItemCount(), 2);
+    // What is not offered is told, file by file.
+    const auto labels = dialog.findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text()
+            == QLatin1String("Also found: 1 × single image (open its file), 3 × localizer");
+    }));
     QVERIFY(!dialog.findChild<QComboBox*>()->isVisible());
     list->topLevelItem(1)->setSelected(true);
     QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.4"));

@@ -3,11 +3,11 @@
 
 #include "core/export/CarvedVolume.h"
 #include "core/session/SessionStudy.h"
-#include "ui/ErrorText.h"
-#include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/DeidentifyBox.h"
+#include "ui/dialogs/ExportRun.h"
+#include "ui/dialogs/StudyBlock.h"
 
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -16,8 +16,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
@@ -76,6 +74,8 @@ CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
     for (QRadioButton* button : {m_series, m_nifti, m_coverage})
         connect(button, &QRadioButton::toggled, this, &CarvedExportDialog::suggestTarget);
     connect(m_target, &QLineEdit::textChanged, this, &CarvedExportDialog::showState);
+    connect(m_fill, &QDoubleSpinBox::valueChanged, this, &CarvedExportDialog::showState);
+    connect(m_deidentify, &DeidentifyBox::changed, this, &CarvedExportDialog::showState);
     connect(m_browse, &QPushButton::clicked, this, &CarvedExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &CarvedExportDialog::start);
     connect(m_close, &QPushButton::clicked, this, &CarvedExportDialog::reject);
@@ -83,11 +83,12 @@ CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
         m_fetch.cancel();
         QDialog::reject();
     });
-    connect(&m_fetch, &LabelFetch::progressed, this,
-        [this](int done, int total) { showProgress(tr("Reading what is carved"), done, total); });
+    connect(&m_fetch, &LabelFetch::progressed, this, [this](int done, int total) {
+        m_run->showProgress(tr("Reading what is carved"), done, total);
+    });
     connect(&m_fetch, &LabelFetch::finished, this, &CarvedExportDialog::write);
     connect(&m_fetch, &LabelFetch::failed, this, &CarvedExportDialog::showFailure);
-    connect(&m_job, &ExportJob::progressed, this, &CarvedExportDialog::showProgress);
+    connect(&m_job, &ExportJob::progressed, m_run, &ExportRun::showProgress);
     connect(&m_job, &ExportJob::finished, this, &CarvedExportDialog::showReport);
     connect(&m_job, &ExportJob::failed, this, &CarvedExportDialog::showFailure);
 }
@@ -96,7 +97,6 @@ void CarvedExportDialog::build()
 {
     const core::Volume& volume = *m_workspace.volume();
     const core::SculptLayer* layer = activeLayer(m_workspace);
-    auto* patient = line(this, patientText(volume.identity), "heading");
     m_series = new QRadioButton(
         tr("DICOM: a new series of the same study, in a new folder (sent nowhere)"), this);
     m_series->setObjectName(QStringLiteral("carvedSeries"));
@@ -126,15 +126,7 @@ void CarvedExportDialog::build()
     m_target = new QLineEdit(this);
     m_target->setObjectName(QStringLiteral("carvedTarget"));
     m_browse = new QPushButton(tr("Browse …"), this);
-    m_state = line(this, {}, "secondary");
-    m_state->setObjectName(QStringLiteral("carvedState"));
-    m_progress = new QProgressBar(this);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    m_report = line(this, {}, "good");
-    m_report->setObjectName(QStringLiteral("carvedReport"));
-    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_report->hide();
+    m_run = new ExportRun(QStringLiteral("carved"), this);
     m_export = new QPushButton(tr("Export and check"), this);
     m_export->setObjectName(QStringLiteral("carvedStart"));
     m_export->setDefault(true);
@@ -157,7 +149,7 @@ void CarvedExportDialog::build()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(patient);
+    layout->addWidget(new StudyBlock(volume, this));
     layout->addWidget(m_series);
     layout->addWidget(why);
     layout->addWidget(m_nifti);
@@ -165,9 +157,7 @@ void CarvedExportDialog::build()
     layout->addLayout(fill);
     layout->addWidget(m_deidentify);
     layout->addLayout(target);
-    layout->addWidget(m_state);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_report);
+    layout->addWidget(m_run);
     layout->addStretch(1);
     layout->addLayout(buttons);
 }
@@ -193,7 +183,8 @@ void CarvedExportDialog::showState()
     if (running())
         return;
     const bool named = !m_target->text().trimmed().isEmpty();
-    m_state->setText(named ? QString() : tr("Name the target."));
+    m_run->clearReport();
+    m_run->say(named ? QString() : tr("Name the target."));
     m_export->setEnabled(named);
 }
 
@@ -214,10 +205,7 @@ void CarvedExportDialog::start()
     const QFileInfo target(m_target->text().trimmed());
     m_force = false;
     if (!m_series->isChecked() && target.exists()) {
-        const auto answer = QMessageBox::question(this, tr("Replace the file?"),
-            tr("%1 exists already. Replace it?").arg(target.filePath()),
-            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-        if (answer != QMessageBox::Yes)
+        if (!mayReplace(target.filePath(), this))
             return;
         m_force = true;
     }
@@ -229,8 +217,8 @@ void CarvedExportDialog::start()
         if (wanted)
             layers.insert(layer.id);
     }
-    m_report->hide();
-    showProgress(tr("Reading what is carved"), 0, 0);
+    m_run->clearReport();
+    m_run->showProgress(tr("Reading what is carved"), 0, 0);
     m_fetch.start(*session, layers, core::Field::Coverage);
     showRunning(true);
 }
@@ -280,7 +268,7 @@ void CarvedExportDialog::showRunning(bool isRunning)
     m_series->setEnabled(!isRunning && possible);
     m_coverage->setEnabled(!isRunning && activeLayer(m_workspace));
     m_fill->setEnabled(!isRunning && !m_coverage->isChecked());
-    m_progress->setVisible(isRunning);
+    m_run->setRunning(isRunning);
     m_close->setText(isRunning ? tr("Abort") : tr("Close"));
     if (isRunning)
         m_export->setEnabled(false);
@@ -288,23 +276,10 @@ void CarvedExportDialog::showRunning(bool isRunning)
         showState();
 }
 
-void CarvedExportDialog::showProgress(const QString& step, int done, int total)
-{
-    m_progress->setRange(0, std::max(total, 0));
-    m_progress->setValue(done);
-    m_state->setText(step);
-}
-
 void CarvedExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
-    QStringList lines = report.written;
-    for (const QString& sentence : report.checked)
-        lines += QStringLiteral("✓ ") + sentence;
-    for (const QString& caution : report.cautions)
-        lines += tr("Caution: %1").arg(caution);
-    m_report->setText(lines.join(QLatin1Char('\n')));
-    m_report->show();
+    m_run->showReport(report);
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);
 }
@@ -312,9 +287,7 @@ void CarvedExportDialog::showReport(const core::ExportReport& report)
 void CarvedExportDialog::showFailure(const core::Error& error)
 {
     showRunning(false);
-    m_state->setText(error.code == core::ErrorCode::Cancelled
-            ? tr("The export was aborted; nothing was written.")
-            : errorText(error));
+    m_run->showFailure(error);
 }
 
 void CarvedExportDialog::reject()

@@ -9,13 +9,13 @@
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
-class QProgressBar;
 class QPushButton;
 class QRadioButton;
 
 namespace ui {
 
 class DeidentifyBox;
+class ExportRun;
 class Workspace;
 
 /// Writes the study without what is carved away, as a new DICOM series or NIfTI, or the coverage of
@@ -41,7 +41,6 @@ private:
     void start();
     void write(const std::vector<ExportJob::Plane>& layers);
     void showRunning(bool running);
-    void showProgress(const QString& step, int done, int total);
     void showReport(const core::ExportReport& report);
     void showFailure(const core::Error& error);
     void reject() override;
@@ -54,9 +53,7 @@ private:
     QLabel* m_fillLabel = nullptr;
     QLineEdit* m_target = nullptr;
     DeidentifyBox* m_deidentify = nullptr; ///< of the series
-    QLabel* m_state = nullptr;
-    QProgressBar* m_progress = nullptr;
-    QLabel* m_report = nullptr;
+    ExportRun* m_run = nullptr;
     QPushButton* m_browse = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_close = nullptr;

@@ -77,7 +77,15 @@ CodeDetails::CodeDetails(QWidget* parent)
     form->addRow(tr("Category"), m_category);
     form->addRow(tr("Side or part"), m_modifier);
     form->addRow(tr("Lies in"), m_region);
-    form->addRow(tr("on the side of"), m_regionModifier);
+    form->addRow(tr("Its side there"), m_regionModifier);
+    alignLabels(*form);
+}
+
+void CodeDetails::alignLabels(const QFormLayout& form)
+{
+    constexpr int width = 132;
+    for (int row = 0; row < form.rowCount(); ++row)
+        form.itemAt(row, QFormLayout::LabelRole)->widget()->setMinimumWidth(width);
 }
 
 void CodeDetails::setCodes(const core::SegCodes& codes)

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QFormLayout;
 
 namespace ui {
 
@@ -18,6 +19,8 @@ public:
 
     void setCodes(const core::SegCodes& codes);
     [[nodiscard]] core::SegCodes codes() const;
+    /// Forms below each other begin their fields at one line.
+    static void alignLabels(const QFormLayout& form);
 
 private:
     QComboBox* m_category = nullptr;

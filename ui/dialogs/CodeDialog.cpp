@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 
 #include <array>
@@ -75,6 +76,7 @@ CodeDialog::CodeDialog(const QString& segment, const core::CodedConcept& present
     auto* form = new QFormLayout;
     form->addRow(tr("SNOMED CT concept"), m_value);
     form->addRow(tr("Meaning"), m_meaning);
+    CodeDetails::alignLabels(*form);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_ok = buttons->button(QDialogButtonBox::Ok);
     m_ok->setText(tr("Code the segment"));
@@ -99,6 +101,20 @@ CodeDialog::CodeDialog(const QString& segment, const core::CodedConcept& present
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     check();
     m_search->setFocus();
+    if (!present.isSet())
+        choose(segment);
+}
+
+/// What bears the segment's own name is most likely meant.
+void CodeDialog::choose(const QString& name)
+{
+    for (QTreeWidgetItemIterator at(m_list); *at; ++at) {
+        if ((*at)->parent() && (*at)->text(0).compare(name, Qt::CaseInsensitive) == 0) {
+            m_list->setCurrentItem(*at);
+            m_list->scrollToItem(*at);
+            return;
+        }
+    }
 }
 
 core::CodedConcept CodeDialog::code() const

@@ -33,6 +33,7 @@ public:
 
 private:
     void fillList();
+    void choose(const QString& name);
     void narrow(const QString& letters);
     void takeRow();
     void check();

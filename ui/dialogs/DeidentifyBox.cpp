@@ -12,6 +12,8 @@
 #include <QUuid>
 #include <QVBoxLayout>
 
+#include <initializer_list>
+
 namespace ui {
 
 namespace {
@@ -41,9 +43,9 @@ DeidentifyBox::DeidentifyBox(QWidget* parent)
     , m_details(new QWidget(this))
     , m_dates(new QComboBox(this))
     , m_days(new QSpinBox(this))
-    , m_device(new QCheckBox(tr("Keep the device"), this))
+    , m_device(new QCheckBox(tr("Keep the scanner"), this))
     , m_descriptions(new QCheckBox(tr("Keep names and descriptions, cleaned"), this))
-    , m_linked(new QCheckBox(tr("Fits earlier exports of mine"), this))
+    , m_linked(new QCheckBox(tr("Same new numbers as in my earlier exports"), this))
 {
     m_wanted->setObjectName(QStringLiteral("deidentify"));
     m_dates->setObjectName(QStringLiteral("deidentifyDates"));
@@ -91,7 +93,21 @@ DeidentifyBox::DeidentifyBox(QWidget* parent)
 
     connect(m_wanted, &QCheckBox::toggled, this, &DeidentifyBox::showChoice);
     connect(m_dates, &QComboBox::currentIndexChanged, this, &DeidentifyBox::showChoice);
+    connect(m_dates, &QComboBox::currentIndexChanged, this, &DeidentifyBox::changed);
+    connect(m_days, &QSpinBox::valueChanged, this, &DeidentifyBox::changed);
+    for (const QCheckBox* each : {m_wanted, m_device, m_descriptions, m_linked})
+        connect(each, &QCheckBox::toggled, this, &DeidentifyBox::changed);
     showChoice();
+}
+
+void DeidentifyBox::askForSession()
+{
+    m_wanted->setChecked(true);
+    m_descriptions->setText(tr("Keep the description of the series, cleaned"));
+    m_descriptions->setToolTip(tr("Without the words of the patient's name and numbers"));
+    for (QWidget* other : std::initializer_list<QWidget*>{m_wanted, m_device, m_linked})
+        other->hide();
+    m_details->layout()->setContentsMargins(0, 0, 0, 0);
 }
 
 std::shared_ptr<const core::Deidentifier> DeidentifyBox::deidentifier(

@@ -25,6 +25,11 @@ public:
     /// Null: the patient stays named.
     [[nodiscard]] std::shared_ptr<const core::Deidentifier> deidentifier(
         const core::StudyIdentity& patient) const;
+    /// Of a session: always without the patient, and asks only what a session holds.
+    void askForSession();
+
+Q_SIGNALS:
+    void changed();
 
 private:
     void showChoice();

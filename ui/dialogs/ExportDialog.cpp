@@ -4,12 +4,13 @@
 #include "core/session/EditSession.h"
 #include "core/session/SegmentLayers.h"
 #include "core/session/SessionStudy.h"
-#include "ui/ErrorText.h"
-#include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/ExportOptions.h"
+#include "ui/dialogs/ExportRun.h"
 #include "ui/dialogs/ExportSegments.h"
+#include "ui/dialogs/StudyBlock.h"
+#include "ui/models/SegmentListModel.h"
 #include "ui/pacs/SendDialog.h"
 
 #include <QDir>
@@ -18,8 +19,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
@@ -43,16 +42,6 @@ QString suffixOf(core::ExportFormat format)
     return QLatin1String(core::factsOf(format).ending);
 }
 
-QLabel* line(QWidget* parent, const QString& text, const QString& role = {})
-{
-    auto* label = new QLabel(text, parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    if (!role.isEmpty())
-        label->setProperty("role", role);
-    return label;
-}
-
 } // namespace
 
 ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
@@ -64,10 +53,11 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     build();
     showFormat();
 
-    connect(m_segments, &ExportSegments::changed, this, &ExportDialog::showState);
+    connect(m_segments, &ExportSegments::changed, this, &ExportDialog::showChange);
     connect(m_segments, &ExportSegments::failed, this, &ExportDialog::showFailure);
     connect(m_options, &ExportOptions::formatChanged, this, &ExportDialog::showFormat);
-    connect(m_file, &QLineEdit::textChanged, this, &ExportDialog::showState);
+    connect(m_options, &ExportOptions::changed, this, &ExportDialog::showChange);
+    connect(m_file, &QLineEdit::textChanged, this, &ExportDialog::showChange);
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
     connect(m_close, &QPushButton::clicked, this, &ExportDialog::reject);
@@ -78,15 +68,17 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
         m_coverageFetch.cancel();
         QDialog::reject();
     });
-    connect(&m_fetch, &LabelFetch::progressed, this,
-        [this](int done, int total) { showProgress(tr("Reading the segments"), done, total); });
+    connect(&m_fetch, &LabelFetch::progressed, this, [this](int done, int total) {
+        m_run->showProgress(tr("Reading the segments"), done, total);
+    });
     connect(&m_fetch, &LabelFetch::finished, this, &ExportDialog::takeLabels);
-    connect(&m_coverageFetch, &LabelFetch::progressed, this,
-        [this](int done, int total) { showProgress(tr("Reading what is carved"), done, total); });
+    connect(&m_coverageFetch, &LabelFetch::progressed, this, [this](int done, int total) {
+        m_run->showProgress(tr("Reading what is carved"), done, total);
+    });
     connect(&m_coverageFetch, &LabelFetch::finished, this, &ExportDialog::write);
     for (const LabelFetch* fetch : {&m_fetch, &m_coverageFetch})
         connect(fetch, &LabelFetch::failed, this, &ExportDialog::showFailure);
-    connect(&m_job, &ExportJob::progressed, this, &ExportDialog::showProgress);
+    connect(&m_job, &ExportJob::progressed, m_run, &ExportRun::showProgress);
     connect(&m_job, &ExportJob::finished, this, &ExportDialog::showReport);
     connect(&m_job, &ExportJob::failed, this, &ExportDialog::showFailure);
 }
@@ -98,15 +90,7 @@ void ExportDialog::build()
     m_file = new QLineEdit(this);
     m_file->setObjectName(QStringLiteral("exportFile"));
     m_browse = new QPushButton(tr("Browse …"), this);
-    m_state = line(this, {}, QStringLiteral("secondary"));
-    m_state->setObjectName(QStringLiteral("exportState"));
-    m_progress = new QProgressBar(this);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    m_report = line(this, {}, QStringLiteral("good"));
-    m_report->setObjectName(QStringLiteral("exportReport"));
-    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_report->hide();
+    m_run = new ExportRun(QStringLiteral("export"), this);
     m_export = new QPushButton(tr("Export and check"), this);
     m_export->setObjectName(QStringLiteral("exportStart"));
     m_export->setDefault(true);
@@ -119,6 +103,19 @@ void ExportDialog::build()
     m_close->setAutoDefault(false);
     m_browse->setAutoDefault(false);
 
+    auto* ticks = new QHBoxLayout;
+    m_ticked = new QLabel(this);
+    m_ticked->setProperty("role", QStringLiteral("secondary"));
+    m_ticked->setObjectName(QStringLiteral("exportTicked"));
+    ticks->addWidget(m_ticked, 1);
+    for (const bool all : {true, false}) {
+        auto* button = new QPushButton(all ? tr("Tick all") : tr("Tick none"), this);
+        button->setObjectName(all ? QStringLiteral("exportAll") : QStringLiteral("exportNone"));
+        button->setAutoDefault(false);
+        connect(button, &QPushButton::clicked, this, [this, all] { m_segments->tickAll(all); });
+        ticks->addWidget(button);
+        m_tickers.push_back(button);
+    }
     auto* target = new QHBoxLayout;
     target->addWidget(new QLabel(tr("File"), this));
     target->addWidget(m_file, 1);
@@ -131,44 +128,19 @@ void ExportDialog::build()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(identityBlock());
+    if (const core::Volume* volume = m_workspace.volume())
+        layout->addWidget(new StudyBlock(*volume, this));
     layout->addWidget(m_segments, 1);
+    layout->addLayout(ticks);
     layout->addWidget(m_options);
     layout->addLayout(target);
-    layout->addWidget(m_state);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_report);
+    layout->addWidget(m_run);
     layout->addLayout(buttons);
 
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const QString folder = QSettings().value(folderKey(), documents).toString();
     m_file->setText(
         QDir(folder).filePath(QStringLiteral("segmentation") + suffixOf(m_options->format())));
-}
-
-QWidget* ExportDialog::identityBlock()
-{
-    auto* block = new QFrame(this);
-    block->setProperty("role", QStringLiteral("bar"));
-    auto* layout = new QVBoxLayout(block);
-    layout->setContentsMargins(
-        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
-    layout->setSpacing(4);
-    const core::Volume* volume = m_workspace.volume();
-    if (!volume)
-        return block;
-    auto* patient = line(block, patientText(volume->identity), QStringLiteral("heading"));
-    patient->setObjectName(QStringLiteral("exportPatient"));
-    layout->addWidget(patient);
-    QStringList study{studyText(volume->identity), seriesText(volume->identity)};
-    study.removeAll(QString());
-    layout->addWidget(line(block, study.join(QStringLiteral(" · ")), QStringLiteral("secondary")));
-    for (const core::VolumeProblem& problem : volume->problems) {
-        if (problem.caution)
-            layout->addWidget(
-                line(block, tr("Caution: %1").arg(problem.text), QStringLiteral("caution")));
-    }
-    return block;
 }
 
 void ExportDialog::showFormat()
@@ -181,6 +153,16 @@ void ExportDialog::showFormat()
         }
     }
     m_file->setText(file + suffixOf(m_options->format()));
+    showChange();
+}
+
+/// The verdict is about what was chosen before.
+void ExportDialog::showChange()
+{
+    if (running())
+        return;
+    m_run->clearReport();
+    m_send->hide();
     showState();
 }
 
@@ -189,17 +171,32 @@ void ExportDialog::showState()
     if (running())
         return;
     const auto segments = m_segments->chosen();
-    const auto uncoded = std::find_if(segments.begin(), segments.end(),
-        [](const core::Segment& segment) { return !segment.code.isSet(); });
+    std::int64_t voxels = 0;
+    for (const core::Segment& segment : segments)
+        voxels += segment.voxels;
+    if (const core::Volume* volume = m_workspace.volume())
+        m_ticked->setText(tr("%1 of %2 ticked · %3")
+                              .arg(segments.size())
+                              .arg(m_segments->topLevelItemCount())
+                              .arg(millilitreText(voxels, volume->geometry.voxelVolumeMm3())));
+    QStringList uncoded;
+    for (const core::Segment& segment : segments) {
+        if (!segment.code.isSet())
+            uncoded += segment.name;
+    }
     QString problem;
     if (segments.empty())
         problem = tr("Tick at least one segment.");
-    else if (m_options->facts().isSeg && uncoded != segments.end())
-        problem =
-            tr("“%1” is not coded yet: click its code and say what it is.").arg(uncoded->name);
+    else if (m_options->facts().isSeg && uncoded.size() == 1)
+        problem = tr("“%1” is not coded yet: click its code and say what it is.").arg(uncoded[0]);
+    else if (m_options->facts().isSeg && !uncoded.isEmpty())
+        problem = tr("%1 of the segments are not coded yet, “%2” first: click its code and say "
+                     "what it is.")
+                      .arg(uncoded.size())
+                      .arg(uncoded[0]);
     else if (m_file->text().trimmed().isEmpty())
         problem = tr("Name the file.");
-    m_state->setText(problem);
+    m_run->say(problem);
     m_export->setEnabled(problem.isEmpty());
 }
 
@@ -225,10 +222,7 @@ void ExportDialog::start()
     request.seg.codes = m_segments->codes();
     request.file = m_file->text().trimmed();
     if (QFileInfo::exists(request.file)) {
-        const auto answer = QMessageBox::question(this, tr("Replace the file?"),
-            tr("%1 exists already. Replace it?").arg(request.file),
-            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-        if (answer != QMessageBox::Yes)
+        if (!mayReplace(request.file, this))
             return;
         request.force = true;
     }
@@ -237,9 +231,9 @@ void ExportDialog::start()
     std::set<std::uint8_t> planes;
     for (const core::Segment& segment : m_segments->chosen())
         planes.insert(segment.plane);
-    m_report->hide();
+    m_run->clearReport();
     m_send->hide();
-    showProgress(tr("Reading the segments"), 0, 0);
+    m_run->showProgress(tr("Reading the segments"), 0, 0);
     // What is exported is what the history holds: a running growth is closed first.
     m_fetch.start(*session, planes);
     showRunning(true);
@@ -295,7 +289,9 @@ void ExportDialog::showRunning(bool isRunning)
 {
     for (QWidget* input : std::initializer_list<QWidget*>{m_segments, m_options, m_file, m_browse})
         input->setEnabled(!isRunning);
-    m_progress->setVisible(isRunning);
+    for (QPushButton* button : m_tickers)
+        button->setEnabled(!isRunning);
+    m_run->setRunning(isRunning);
     m_close->setText(isRunning ? tr("Abort") : tr("Close"));
     if (isRunning)
         m_export->setEnabled(false);
@@ -303,25 +299,10 @@ void ExportDialog::showRunning(bool isRunning)
         showState();
 }
 
-void ExportDialog::showProgress(const QString& step, int done, int total)
-{
-    m_progress->setRange(0, std::max(total, 0));
-    m_progress->setValue(done);
-    m_state->setText(step);
-}
-
 void ExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
-    QStringList lines;
-    lines += report.written;
-    for (const QString& sentence : report.checked)
-        lines += QStringLiteral("✓ ") + sentence;
-    lines += tr("SHA-256 of the file: %1").arg(report.sha256);
-    for (const QString& caution : report.cautions)
-        lines += tr("Caution: %1").arg(caution);
-    m_report->setText(lines.join(QLatin1Char('\n')));
-    m_report->show();
+    m_run->showReport(report);
     m_send->setVisible(core::factsOf(m_request.format).namesSourceImages);
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);
@@ -330,9 +311,7 @@ void ExportDialog::showReport(const core::ExportReport& report)
 void ExportDialog::showFailure(const core::Error& error)
 {
     showRunning(false);
-    m_state->setText(error.code == core::ErrorCode::Cancelled
-            ? tr("The export was aborted; nothing was written.")
-            : errorText(error));
+    m_run->showFailure(error);
 }
 
 void ExportDialog::reject()

@@ -9,12 +9,12 @@
 
 class QLabel;
 class QLineEdit;
-class QProgressBar;
 class QPushButton;
 
 namespace ui {
 
 class ExportOptions;
+class ExportRun;
 class ExportSegments;
 class Workspace;
 
@@ -44,15 +44,14 @@ private:
         QString name;
     };
     void build();
-    QWidget* identityBlock();
     void showState();
+    void showChange();
     void showFormat();
     void browse();
     void start();
     void takeLabels(const std::vector<ExportJob::Plane>& planes);
     void write(const std::vector<ExportJob::Plane>& coverages);
     void showRunning(bool running);
-    void showProgress(const QString& step, int done, int total);
     void showReport(const core::ExportReport& report);
     void showFailure(const core::Error& error);
     void reject() override;
@@ -60,10 +59,10 @@ private:
     Workspace& m_workspace;
     ExportSegments* m_segments = nullptr;
     ExportOptions* m_options = nullptr;
+    QLabel* m_ticked = nullptr; ///< how many segments, how much
+    std::vector<QPushButton*> m_tickers;
     QLineEdit* m_file = nullptr;
-    QLabel* m_state = nullptr;
-    QProgressBar* m_progress = nullptr;
-    QLabel* m_report = nullptr;
+    ExportRun* m_run = nullptr;
     QPushButton* m_browse = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_send = nullptr; ///< once there is a DICOM file

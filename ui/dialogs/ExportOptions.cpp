@@ -45,11 +45,13 @@ ExportOptions::ExportOptions(Workspace& workspace, QWidget* parent)
     , m_deidentify(new DeidentifyBox(this))
 {
     m_format->setObjectName(QStringLiteral("exportFormat"));
+    m_format->setMaxVisibleItems(int(core::exportFormats().size()));
+    m_says->setObjectName(QStringLiteral("exportSays"));
     m_space->setObjectName(QStringLiteral("exportSpace"));
     m_space->addItem(tr("LPS (DICOM, ITK)"));
     m_space->addItem(tr("RAS (NIfTI, 3D Slicer's scene)"));
     m_algorithm->setObjectName(QStringLiteral("exportAlgorithm"));
-    m_algorithm->addItem(tr("with tools"), int(core::SegAlgorithm::Semiautomatic));
+    m_algorithm->addItem(tr("semiautomatically"), int(core::SegAlgorithm::Semiautomatic));
     m_algorithm->addItem(tr("by hand"), int(core::SegAlgorithm::Manual));
     m_algorithm->addItem(tr("automatically"), int(core::SegAlgorithm::Automatic));
     m_algorithm->setToolTip(tr("What the object says of how its segments were made"));
@@ -83,6 +85,10 @@ ExportOptions::ExportOptions(Workspace& workspace, QWidget* parent)
         showFormat();
         Q_EMIT formatChanged();
     });
+    for (QComboBox* box : {m_space, m_algorithm})
+        connect(box, &QComboBox::currentIndexChanged, this, &ExportOptions::changed);
+    connect(m_deflated, &QCheckBox::toggled, this, &ExportOptions::changed);
+    connect(m_deidentify, &DeidentifyBox::changed, this, &ExportOptions::changed);
     showFormat();
 }
 
@@ -124,11 +130,12 @@ void ExportOptions::fillFormats()
 
 void ExportOptions::showFormat()
 {
-    QString says = QLatin1String(facts().says);
+    QString says = QString::fromUtf8(facts().says) + u'.';
+    says.front() = says.front().toUpper();
     const core::EditSession* session = m_workspace.session();
     if (format() == core::ExportFormat::DicomSegFractional && session
         && core::layersOfSegments(session->history(), session->document()).empty())
-        says += tr(". No segment here was made of a sculpt layer: every voxel will be 0 or 255");
+        says += tr(" No segment here was made of a sculpt layer: every voxel will be 0 or 255.");
     m_says->setText(says);
     m_space->setVisible(facts().isSurface);
     m_spaceName->setVisible(facts().isSurface);

@@ -29,6 +29,7 @@ public:
 
 Q_SIGNALS:
     void formatChanged();
+    void changed(); ///< any other choice
 
 private:
     void fillFormats();

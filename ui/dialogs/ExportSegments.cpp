@@ -148,6 +148,16 @@ void ExportSegments::fill()
     Q_EMIT changed();
 }
 
+void ExportSegments::tickAll(bool ticked)
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    for (const core::Segment& segment : session->document().segments)
+        m_unticked.set(segment.label, !ticked || segment.voxels == 0);
+    fill();
+}
+
 void ExportSegments::addRow(const core::Segment& segment, const QStringList& remarks)
 {
     auto* item = new QTreeWidgetItem(this);

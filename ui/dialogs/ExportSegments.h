@@ -31,6 +31,8 @@ public:
     /// What was said of them beside their type, by label; for this export.
     [[nodiscard]] const std::map<int, core::SegCodes>& codes() const { return m_codes; }
     void fill();
+    /// Those with voxels, or none.
+    void tickAll(bool ticked);
 
 Q_SIGNALS:
     void changed();

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QMap>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -75,12 +76,18 @@ QString problemsOf(const core::SeriesEntry& entry)
 }
 
 /// What lies in the folder beside the volumes, in one sentence; empty if nothing does.
-QString othersIn(const core::StudyListing& listing)
+QString othersIn(const core::StudyListing& listing, std::size_t offered)
 {
-    QMap<QString, int> kinds;
+    std::size_t singles = 0;
+    for (const core::StudyEntry& study : listing.studies)
+        singles += study.series.size();
+    singles -= offered;
+    QMap<QString, qsizetype> kinds;
     for (const core::ForeignObject& object : listing.foreign)
-        ++kinds[object.kind];
+        kinds[object.kind] += std::max<qsizetype>(1, object.files.size());
     QStringList parts;
+    if (singles > 0)
+        parts += QStringLiteral("%1 × single image (open its file)").arg(singles);
     for (auto kind = kinds.cbegin(); kind != kinds.cend(); ++kind)
         parts += QStringLiteral("%1 × %2").arg(kind.value()).arg(kind.key());
     if (!listing.unreadable.empty()) {
@@ -91,6 +98,19 @@ QString othersIn(const core::StudyListing& listing)
     return parts.isEmpty() ? QString()
                            : QStringLiteral("Also found: ") + parts.join(QStringLiteral(", "));
 }
+
+/// Words keep their colour in the row that is chosen.
+class ColouredDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->palette.setColor(QPalette::HighlightedText, option->palette.color(QPalette::Text));
+    }
+};
 
 } // namespace
 
@@ -113,21 +133,22 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     layout->addWidget(heading);
 
     m_list->setColumnCount(ColumnCount);
-    m_list->setHeaderLabels(
-        {QString(), QStringLiteral("Patient"), QStringLiteral("Study date"), QStringLiteral("Type"),
-            QStringLiteral("Series"), QStringLiteral("Slices"), QStringLiteral("Problems")});
+    m_list->setHeaderLabels({QString(), QStringLiteral("Patient"), QStringLiteral("Study date"),
+        QStringLiteral("Modality"), QStringLiteral("Series"), QStringLiteral("Slices"),
+        QStringLiteral("Problems")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(false);
     m_list->setIconSize(QSize(pictureSize, pictureSize));
     m_list->setAllColumnsShowFocus(true);
     m_list->setWordWrap(true);
+    m_list->setItemDelegateForColumn(Problems, new ColouredDelegate(m_list));
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     QStringList files;
     for (const core::SeriesEntry* entry : candidates) {
         addRow(*entry);
         files += entry->files.value(entry->files.size() / 2);
     }
-    const int widths[ColumnCount] = {pictureSize + 16, 190, 96, 56, 240, 190, 0};
+    const int widths[ColumnCount] = {pictureSize + 18, 180, 100, 80, 230, 180, 0};
     for (int column = 0; column < Problems; ++column)
         m_list->setColumnWidth(column, widths[column]);
     m_list->header()->setStretchLastSection(true);
@@ -144,7 +165,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     layout->addWidget(m_timeRow);
     m_timeRow->setVisible(false);
 
-    if (const QString others = othersIn(listing); !others.isEmpty()) {
+    if (const QString others = othersIn(listing, candidates.size()); !others.isEmpty()) {
         auto* label = new QLabel(others, this);
         label->setProperty("role", QStringLiteral("secondary"));
         label->setTextFormat(Qt::PlainText);
@@ -186,7 +207,9 @@ void OpenStudyDialog::addRow(const core::SeriesEntry& entry)
     row->setText(Description, descriptionOf(entry));
     row->setText(Slices, sizeOf(entry));
     row->setText(Problems, problemsOf(entry));
-    row->setForeground(Problems, theme::caution);
+    const bool caution = std::any_of(entry.problems.begin(), entry.problems.end(),
+        [](const core::VolumeProblem& problem) { return problem.caution; });
+    row->setForeground(Problems, caution ? theme::caution : theme::secondary);
     for (int column = 0; column < ColumnCount; ++column)
         row->setToolTip(column, row->text(column));
 }

@@ -10,11 +10,46 @@ namespace ui {
 
 namespace {
 
-enum Column { Name, Id, Date, Type, Description, Images, Here, ColumnCount };
+enum Column { Name, Id, Date, Modality, Description, Series, Images, Here, ColumnCount };
+constexpr int placeRole = Qt::UserRole; ///< in the source's order
 
 QString countText(int number)
 {
     return number < 0 ? QStringLiteral("?") : QString::number(number);
+}
+
+class Row : public QTreeWidgetItem {
+public:
+    Row(QTreeWidget* tree, std::size_t place)
+        : QTreeWidgetItem(tree)
+    {
+        setData(Name, placeRole, int(place));
+    }
+    Row(QTreeWidgetItem* study, std::size_t place)
+        : QTreeWidgetItem(study)
+    {
+        setData(Name, placeRole, int(place));
+    }
+
+    bool operator<(const QTreeWidgetItem& other) const override
+    {
+        const int place = data(Name, placeRole).toInt();
+        const int otherPlace = other.data(Name, placeRole).toInt();
+        const QHeaderView& header = *treeWidget()->header();
+        const bool ascends = header.sortIndicatorOrder() == Qt::AscendingOrder;
+        if (parent())
+            return ascends ? place < otherPlace : place > otherPlace;
+        const int column = header.sortIndicatorSection();
+        if (column == Series || column == Images)
+            return text(column).toInt() < other.text(column).toInt();
+        return text(column).localeAwareCompare(other.text(column)) < 0;
+    }
+};
+
+void putCount(QTreeWidgetItem& row, Column column, int count)
+{
+    row.setText(column, countText(count));
+    row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
 }
 
 QTreeWidgetItem* note(QTreeWidgetItem* parent, const QString& text)
@@ -34,29 +69,33 @@ HitsTree::HitsTree(QWidget* parent)
     setObjectName(QStringLiteral("pacsHits"));
     setColumnCount(ColumnCount);
     setHeaderLabels({QStringLiteral("Patient"), QStringLiteral("ID"), QStringLiteral("Study date"),
-        QStringLiteral("Type"), QStringLiteral("Description"), QStringLiteral("Images"),
-        QStringLiteral("Here")});
+        QStringLiteral("Modality"), QStringLiteral("Description"), QStringLiteral("Series"),
+        QStringLiteral("Images"), QStringLiteral("Here")});
+    headerItem()->setToolTip(Here, QStringLiteral("Whether a copy is on this computer"));
     setAllColumnsShowFocus(true);
     setUniformRowHeights(true);
     setExpandsOnDoubleClick(false);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(Description, QHeaderView::Stretch);
     header()->setMinimumSectionSize(40);
-    const int widths[ColumnCount] = {210, 100, 92, 70, 0, 104, 48};
+    const int widths[ColumnCount] = {190, 96, 100, 80, 0, 64, 70, 54};
     for (int column = 0; column < ColumnCount; ++column) {
         if (column != Description)
             setColumnWidth(column, widths[column]);
     }
-    headerItem()->setTextAlignment(Images, Qt::AlignRight | Qt::AlignVCenter);
+    for (const Column column : {Series, Images})
+        headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    sortByColumn(Date, Qt::DescendingOrder);
+    setSortingEnabled(true);
     connect(this, &QTreeWidget::itemSelectionChanged, this, &HitsTree::choiceChanged);
     connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
         if (choiceOf(item))
             Q_EMIT openAsked();
     });
     connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) {
-        const int row = indexOfTopLevelItem(item);
-        if (row >= 0 && m_series[std::size_t(row)].empty())
-            Q_EMIT seriesAsked(m_studies[std::size_t(row)].studyUid);
+        const auto place = std::size_t(item->data(Name, placeRole).toInt());
+        if (!item->parent() && m_series[place].empty())
+            Q_EMIT seriesAsked(m_studies[place].studyUid);
     });
 }
 
@@ -65,22 +104,20 @@ void HitsTree::showStudies(const std::vector<core::StudyHit>& studies)
     clear();
     m_studies = studies;
     m_series.assign(studies.size(), {});
-    for (const core::StudyHit& study : studies) {
-        auto* row = new QTreeWidgetItem(this);
+    setSortingEnabled(false);
+    for (std::size_t place = 0; place < studies.size(); ++place) {
+        const core::StudyHit& study = studies[place];
+        auto* row = new Row(this, place);
         const QString name = personName(study.patientName);
         row->setText(Name, name.isEmpty() ? QStringLiteral("not named") : name);
         if (name.isEmpty())
             row->setForeground(Name, theme::secondary);
         row->setText(Id, study.patientId);
         row->setText(Date, study.studyDate);
-        row->setText(Type, study.modalities.join(u'/'));
+        row->setText(Modality, study.modalities.join(u'/'));
         row->setText(Description, study.description);
-        row->setText(Images,
-            QStringLiteral("%1 in %2").arg(countText(study.instances), countText(study.series)));
-        row->setTextAlignment(Images, Qt::AlignRight | Qt::AlignVCenter);
-        row->setToolTip(Images,
-            QStringLiteral("%1 images in %2 series")
-                .arg(countText(study.instances), countText(study.series)));
+        putCount(*row, Series, study.series);
+        putCount(*row, Images, study.instances);
         QStringList more{name};
         if (!study.birthDate.isEmpty())
             more += QStringLiteral("born %1").arg(study.birthDate);
@@ -90,15 +127,17 @@ void HitsTree::showStudies(const std::vector<core::StudyHit>& studies)
         row->setToolTip(Description, study.description);
         note(row, QStringLiteral("Asking for the series …"));
     }
+    setSortingEnabled(true);
     if (studies.size() == 1)
         topLevelItem(0)->setExpanded(true);
 }
 
 QTreeWidgetItem* HitsTree::rowOf(const QString& studyUid) const
 {
-    for (std::size_t row = 0; row < m_studies.size(); ++row) {
-        if (m_studies[row].studyUid == studyUid)
-            return topLevelItem(int(row));
+    for (int row = 0; row < topLevelItemCount(); ++row) {
+        const auto place = std::size_t(topLevelItem(row)->data(Name, placeRole).toInt());
+        if (m_studies[place].studyUid == studyUid)
+            return topLevelItem(row);
     }
     return nullptr;
 }
@@ -108,23 +147,26 @@ void HitsTree::showSeries(const QString& studyUid, const std::vector<core::Serie
     QTreeWidgetItem* parent = rowOf(studyUid);
     if (!parent)
         return;
-    m_series[std::size_t(indexOfTopLevelItem(parent))] = series;
+    m_series[std::size_t(parent->data(Name, placeRole).toInt())] = series;
     qDeleteAll(parent->takeChildren());
+    // Rows are put in order once they are whole.
+    setSortingEnabled(false);
     if (series.empty())
         note(parent, QStringLiteral("The source lists no series of it."));
-    for (const core::SeriesHit& one : series) {
-        auto* row = new QTreeWidgetItem(parent);
+    for (std::size_t place = 0; place < series.size(); ++place) {
+        const core::SeriesHit& one = series[place];
+        auto* row = new Row(parent, place);
         row->setText(Name,
             one.number.isEmpty() ? QStringLiteral("Series")
                                  : QStringLiteral("Series %1").arg(one.number));
-        row->setText(Type, one.modality);
+        row->setText(Modality, one.modality);
         QStringList words{one.description, one.bodyPart};
         words.removeAll(QString());
         row->setText(Description, words.join(QStringLiteral(" · ")));
         row->setToolTip(Description, row->text(Description));
-        row->setText(Images, countText(one.instances));
-        row->setTextAlignment(Images, Qt::AlignRight | Qt::AlignVCenter);
+        putCount(*row, Images, one.instances);
     }
+    setSortingEnabled(true);
 }
 
 void HitsTree::showTrouble(const QString& studyUid, const QString& sentence)
@@ -140,17 +182,16 @@ std::optional<HitsTree::Choice> HitsTree::choiceOf(const QTreeWidgetItem* item) 
     if (!item)
         return std::nullopt;
     const QTreeWidgetItem* top = item->parent() ? item->parent() : item;
-    const int row = indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(top));
-    if (row < 0)
-        return std::nullopt;
-    Choice choice{.study = m_studies[std::size_t(row)], .series = {}};
+    const auto study = std::size_t(top->data(Name, placeRole).toInt());
+    Choice choice{.study = m_studies[study], .series = {}};
     if (top == item)
         return choice;
-    const auto& series = m_series[std::size_t(row)];
-    const auto place = std::size_t(top->indexOfChild(const_cast<QTreeWidgetItem*>(item)));
-    if (place >= series.size())
+    // A note in place of series has none.
+    const QVariant place = item->data(Name, placeRole);
+    const auto& series = m_series[study];
+    if (!place.isValid() || std::size_t(place.toInt()) >= series.size())
         return std::nullopt;
-    choice.series = series[place];
+    choice.series = series[std::size_t(place.toInt())];
     return choice;
 }
 

@@ -11,7 +11,8 @@
 
 namespace ui {
 
-/// What a source holds: studies that open to their series, which are fetched then.
+/// What a source holds: studies that open to their series, which are fetched then. The newest come
+/// first; a click on a column's head orders the studies by it, series keep the source's order.
 class HitsTree : public QTreeWidget {
     Q_OBJECT
 
@@ -43,7 +44,7 @@ private:
     [[nodiscard]] std::optional<Choice> choiceOf(const QTreeWidgetItem* item) const;
     [[nodiscard]] QTreeWidgetItem* rowOf(const QString& studyUid) const;
 
-    std::vector<core::StudyHit> m_studies; ///< row by row
+    std::vector<core::StudyHit> m_studies; ///< in the source's order; rows know their place in it
     std::vector<std::vector<core::SeriesHit>> m_series; ///< of each, as far as they are known
 };
 

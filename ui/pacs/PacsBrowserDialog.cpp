@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/PacsBrowserDialog.h"
 
-#include "core/study/StudyLoader.h"
 #include "ui/ErrorText.h"
 #include "ui/PacsSources.h"
-#include "ui/StudyTexts.h"
 #include "ui/Theme.h"
-#include "ui/dialogs/ThumbnailLoader.h"
+#include "ui/pacs/CopiesRow.h"
 #include "ui/pacs/PacsCache.h"
 #include "ui/pacs/SearchForm.h"
+#include "ui/pacs/SeriesPreview.h"
 #include "ui/pacs/SourcesDialog.h"
 
 #include <QComboBox>
@@ -18,9 +17,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QSpinBox>
 #include <QStyle>
-#include <QTemporaryDir>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -31,17 +28,7 @@ namespace ui {
 namespace {
 
 const QString lastKey = QStringLiteral("pacs/lastSource");
-constexpr int pictureSize = 232;
 constexpr int mostStudies = 500;
-
-QLabel* label(QWidget* parent, const char* role)
-{
-    auto* one = new QLabel(parent);
-    one->setTextFormat(Qt::PlainText);
-    one->setWordWrap(true);
-    one->setProperty("role", QLatin1String(role));
-    return one;
-}
 
 } // namespace
 
@@ -51,13 +38,10 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
     , m_source(new QComboBox(this))
     , m_form(new SearchForm(this))
     , m_hits(new HitsTree(this))
-    , m_picture(new QLabel(this))
-    , m_words(label(this, "secondary"))
-    , m_state(label(this, "secondary"))
+    , m_preview(new SeriesPreview(m_cache, this))
+    , m_state(new QLabel(this))
     , m_progress(new QProgressBar(this))
-    , m_copies(label(this, "secondary"))
-    , m_limit(new QSpinBox(this))
-    , m_clear(new QPushButton(QStringLiteral("Clear"), this))
+    , m_copies(new CopiesRow(m_cache, this))
     , m_test(new QPushButton(QStringLiteral("Test"), this))
     , m_edit(new QPushButton(QStringLiteral("Sources …"), this))
     , m_search(new QPushButton(QStringLiteral("Search"), this))
@@ -69,9 +53,6 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
     resize(1140, 640);
     build();
 
-    m_previewDelay.setSingleShot(true);
-    m_previewDelay.setInterval(250);
-    connect(&m_previewDelay, &QTimer::timeout, this, &PacsBrowserDialog::preview);
     connect(m_test, &QPushButton::clicked, this, &PacsBrowserDialog::test);
     connect(m_search, &QPushButton::clicked, this, &PacsBrowserDialog::search);
     connect(m_form, &SearchForm::searchAsked, this, &PacsBrowserDialog::search);
@@ -86,18 +67,11 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
         if (SourcesDialog(this).exec() == QDialog::Accepted)
             fillSources();
     });
-    connect(m_limit, &QSpinBox::valueChanged, this, [](int limit) { setCacheGibibytes(limit); });
-    connect(m_clear, &QPushButton::clicked, this, [this] {
-        m_copiesJob.start([this, cache = m_cache](const core::Progress&) -> std::function<void()> {
-            const int removed = cache.clear();
-            const qint64 left = cache.bytes();
-            return [this, removed, left] {
-                say(left > 0
-                        ? QStringLiteral("%1 copies were removed; what is open stays.").arg(removed)
-                        : QStringLiteral("%1 copies were removed.").arg(removed));
-                showCopies();
-            };
-        });
+    connect(m_copies, &CopiesRow::cleared, this, [this](int removed, bool someStay) {
+        const QString count = removed == 1 ? QStringLiteral("1 copy was removed")
+                                           : QStringLiteral("%1 copies were removed").arg(removed);
+        say(someStay ? count + QStringLiteral("; what is open stays.") : count + u'.');
+        markCopies();
     });
     connect(&m_downloadJob, &BackgroundJob::progressed, this,
         [this](const QString& step, int done, int total) {
@@ -110,7 +84,6 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
         connect(job, &BackgroundJob::ended, this, &PacsBrowserDialog::showButtons);
     fillSources();
     showCopies();
-    showPicture({}, {});
 }
 
 PacsBrowserDialog::~PacsBrowserDialog() = default;
@@ -118,6 +91,8 @@ PacsBrowserDialog::~PacsBrowserDialog() = default;
 void PacsBrowserDialog::build()
 {
     m_state->setObjectName(QStringLiteral("pacsState"));
+    m_state->setTextFormat(Qt::PlainText);
+    m_state->setWordWrap(true);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
     m_progress->hide();
@@ -126,7 +101,7 @@ void PacsBrowserDialog::build()
     m_download->setObjectName(QStringLiteral("pacsDownload"));
     m_close->setObjectName(QStringLiteral("pacsClose"));
     m_search->setDefault(true);
-    for (QPushButton* button : {m_test, m_edit, m_clear, m_download, m_open, m_close})
+    for (QPushButton* button : {m_test, m_edit, m_download, m_open, m_close})
         button->setAutoDefault(false);
 
     auto* searching = new QHBoxLayout;
@@ -136,10 +111,10 @@ void PacsBrowserDialog::build()
     auto* middle = new QHBoxLayout;
     middle->setSpacing(theme::padding);
     middle->addWidget(m_hits, 1);
-    middle->addWidget(previewPane());
+    middle->addWidget(m_preview);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(theme::smallPadding);
-    buttons->addWidget(copiesRow());
+    buttons->addWidget(m_copies);
     buttons->addStretch(1);
     buttons->addWidget(m_close);
     buttons->addWidget(m_download);
@@ -168,44 +143,6 @@ QWidget* PacsBrowserDialog::sourceRow()
     layout->addWidget(m_test);
     layout->addStretch(1);
     layout->addWidget(m_edit);
-    return row;
-}
-
-QWidget* PacsBrowserDialog::previewPane()
-{
-    auto* pane = new QWidget(this);
-    pane->setFixedWidth(pictureSize);
-    auto* layout = new QVBoxLayout(pane);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(theme::smallPadding);
-    m_picture->setObjectName(QStringLiteral("pacsPicture"));
-    m_picture->setFixedSize(pictureSize, pictureSize);
-    m_picture->setAlignment(Qt::AlignCenter);
-    m_words->setObjectName(QStringLiteral("pacsWords"));
-    m_words->setAlignment(Qt::AlignTop);
-    layout->addWidget(m_picture);
-    layout->addWidget(m_words, 1);
-    return pane;
-}
-
-QWidget* PacsBrowserDialog::copiesRow()
-{
-    auto* row = new QWidget(this);
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(theme::smallPadding);
-    m_copies->setObjectName(QStringLiteral("pacsCopies"));
-    m_copies->setWordWrap(false);
-    m_limit->setObjectName(QStringLiteral("pacsLimit"));
-    m_limit->setRange(1, 10000);
-    m_limit->setSuffix(QStringLiteral(" GB"));
-    m_limit->setValue(cacheGibibytes());
-    m_limit->setToolTip(QStringLiteral("How much room local copies may take; those used longest ago"
-                                       " go first, what is open stays"));
-    m_clear->setObjectName(QStringLiteral("pacsClear"));
-    layout->addWidget(m_copies);
-    layout->addWidget(m_limit);
-    layout->addWidget(m_clear);
     return row;
 }
 
@@ -300,78 +237,8 @@ void PacsBrowserDialog::askForSeries(const QString& studyUid)
 
 void PacsBrowserDialog::showChoice()
 {
-    m_previewJob.cancel();
-    m_previewDelay.stop();
-    m_previewed.clear();
-    const auto choice = m_hits->chosen();
     showButtons();
-    if (!choice)
-        return showPicture({}, {});
-    QStringList words{personName(choice->study.patientName)};
-    if (!choice->study.birthDate.isEmpty())
-        words += QStringLiteral("born %1").arg(choice->study.birthDate);
-    if (!choice->study.accessionNumber.isEmpty())
-        words += QStringLiteral("accession %1").arg(choice->study.accessionNumber);
-    if (choice->series)
-        words += QStringLiteral("%1 %2").arg(choice->series->modality, choice->series->description);
-    words.removeAll(QString());
-    showPicture({}, words.join(u'\n'));
-    if (!choice->series)
-        return m_picture->setText(QStringLiteral("A series has a picture here"));
-    // One object may be a whole volume, or no picture at all.
-    if (choice->series->instances == 1)
-        return m_picture->setText(QStringLiteral("One object; no picture"));
-    m_previewDelay.start();
-}
-
-void PacsBrowserDialog::preview()
-{
-    const auto choice = m_hits->chosen();
-    if (!choice || !choice->series)
-        return;
-    m_previewed = choice->seriesUid();
-    m_picture->setText(QStringLiteral("Asking for a picture …"));
-    m_previewJob.start([this, asked = m_searched, series = *choice->series, cache = m_cache,
-                           words = m_words->text()](
-                           const core::Progress& progress) -> std::function<void()> {
-        QImage picture;
-        QString trouble;
-        const auto failed = [&trouble](const core::Error& error) { trouble = errorText(error); };
-        if (const core::Result<void> ready = cache.prepare(); !ready)
-            failed(ready.error());
-        const QTemporaryDir folder(
-            cache.pathOf(QString(), {}).section(u'/', 0, -2) + QStringLiteral("/.picture-XXXXXX"));
-        if (trouble.isEmpty()) {
-            const core::Result<QString> file = core::retrieveMiddle(
-                asked, series, folder.filePath(QStringLiteral("middle")), progress);
-            if (!file) {
-                failed(file.error());
-            } else if (const auto volume = core::loadVolume(*file)) {
-                picture = thumbnail(*volume, pictureSize);
-            } else {
-                failed(volume.error());
-            }
-        }
-        return [this, picture, trouble, words] {
-            showPicture(picture, words);
-            if (picture.isNull()) {
-                m_picture->setText(QStringLiteral("No picture"));
-                m_picture->setToolTip(trouble);
-            }
-        };
-    });
-}
-
-void PacsBrowserDialog::showPicture(const QImage& picture, const QString& words)
-{
-    m_picture->setToolTip(QString());
-    m_picture->setStyleSheet(QStringLiteral("background: #000; color: %1; border-radius: 4px;")
-                                 .arg(theme::secondary.name()));
-    if (picture.isNull())
-        m_picture->setText(QString());
-    else
-        m_picture->setPixmap(QPixmap::fromImage(picture));
-    m_words->setText(words);
+    m_preview->showChoice(m_hits->chosen(), m_searched);
 }
 
 QString PacsBrowserDialog::pathOf(const HitsTree::Choice& choice) const
@@ -391,7 +258,7 @@ void PacsBrowserDialog::download(bool thenOpen)
     const auto choice = m_hits->chosen();
     if (!choice || m_downloadJob.running())
         return;
-    m_previewJob.cancel();
+    m_preview->stop();
     const QString path = pathOf(*choice);
     const core::RetrieveWish wish{
         .studyUid = choice->study.studyUid, .seriesUid = choice->seriesUid()};
@@ -450,19 +317,18 @@ void PacsBrowserDialog::showButtons()
     m_source->setEnabled(!isLoading);
     m_edit->setEnabled(!isLoading);
     m_hits->setEnabled(!isLoading);
-    m_clear->setEnabled(!isLoading);
+    m_copies->setClearable(!isLoading);
 }
 
 void PacsBrowserDialog::showCopies()
 {
+    markCopies();
+    m_copies->count();
+}
+
+void PacsBrowserDialog::markCopies()
+{
     m_hits->markHere([this](const HitsTree::Choice& choice) { return !copyOf(choice).isEmpty(); });
-    m_copiesJob.start([this, cache = m_cache](const core::Progress&) -> std::function<void()> {
-        const qint64 bytes = cache.bytes();
-        return [this, bytes] {
-            m_copies->setText(QStringLiteral("Local copies: %1 of").arg(bytesText(bytes)));
-            m_clear->setVisible(bytes > 0);
-        };
-    });
 }
 
 void PacsBrowserDialog::say(const QString& sentence, const char* role)

@@ -7,20 +7,19 @@
 #include "ui/pacs/HitsTree.h"
 
 #include <QDialog>
-#include <QTimer>
 
 #include <vector>
 
 class QComboBox;
-class QImage;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 
 namespace ui {
 
+class CopiesRow;
 class SearchForm;
+class SeriesPreview;
 
 /// Studies at a source: looks for them, shows a picture of a series, downloads into the local
 /// copies, opens. All that waits for a network or a disk does so beside the GUI thread.
@@ -38,20 +37,17 @@ Q_SIGNALS:
 private:
     void build();
     QWidget* sourceRow();
-    QWidget* previewPane();
-    QWidget* copiesRow();
     void fillSources();
     [[nodiscard]] const core::PacsSource* source() const;
     void test();
     void search();
     void askForSeries(const QString& studyUid);
     void showChoice();
-    void preview();
-    void showPicture(const QImage& picture, const QString& words);
     void download(bool thenOpen);
     void showDownloaded(const QString& path, const core::Retrieved& got, bool thenOpen);
     void showButtons();
     void showCopies();
+    void markCopies();
     void say(const QString& sentence, const char* role = "secondary");
     [[nodiscard]] QString pathOf(const HitsTree::Choice& choice) const;
     /// The copy that holds it: its own, or its study's. Empty: none.
@@ -61,29 +57,22 @@ private:
     core::DownloadCache m_cache;
     std::vector<core::PacsSource> m_sources;
     core::PacsSource m_searched; ///< where the hits come from
-    QString m_previewed; ///< series, of the picture shown or on its way
     QComboBox* m_source;
     SearchForm* m_form;
     HitsTree* m_hits;
-    QLabel* m_picture;
-    QLabel* m_words;
+    SeriesPreview* m_preview;
     QLabel* m_state;
     QProgressBar* m_progress;
-    QLabel* m_copies;
-    QSpinBox* m_limit;
-    QPushButton* m_clear;
+    CopiesRow* m_copies;
     QPushButton* m_test;
     QPushButton* m_edit;
     QPushButton* m_search;
     QPushButton* m_download;
     QPushButton* m_open;
     QPushButton* m_close;
-    QTimer m_previewDelay;
     BackgroundJob m_queryJob;
     BackgroundJob m_seriesJob;
-    BackgroundJob m_previewJob;
     BackgroundJob m_downloadJob;
-    BackgroundJob m_copiesJob;
 };
 
 } // namespace ui

@@ -40,7 +40,7 @@ QString startingWith(const QLineEdit& field)
 SearchForm::SearchForm(QWidget* parent)
     : QWidget(parent)
     , m_name(field("pacsName", QStringLiteral("Doe^J, Müller …")))
-    , m_id(field("pacsId", QStringLiteral("whole number")))
+    , m_id(field("pacsId", QStringLiteral("whole ID")))
     , m_from(field("pacsFrom", QStringLiteral("YYYY-MM-DD")))
     , m_to(field("pacsTo", QStringLiteral("YYYY-MM-DD")))
     , m_modality(new QComboBox(this))
@@ -70,7 +70,7 @@ SearchForm::SearchForm(QWidget* parent)
     put(1, "Patient &ID", m_id, 3);
     put(2, "Study date &from", m_from, 3);
     put(3, "&to", m_to, 3);
-    put(4, "&Type", m_modality, 2);
+    put(4, "&Modality", m_modality, 2);
     put(5, "&Accession number", m_accession, 3);
     put(6, "Study &description", m_description, 4);
 }

@@ -44,6 +44,7 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
     m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(6);
     m_progress->hide();
     m_send->setDefault(true);
     for (QPushButton* button : {m_edit, m_close})
@@ -81,6 +82,9 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     connect(&m_job, &BackgroundJob::progressed, this, [this](const QString&, int done, int total) {
         m_progress->setRange(0, total);
         m_progress->setValue(done);
+        if (total > 1 && done > 0)
+            say(QStringLiteral("Sending · %1 of %2 files").arg(done).arg(total),
+                QStringLiteral("secondary"));
     });
     connect(&m_job, &BackgroundJob::ended, this, [this] { showRunning(false); });
     fillSources();
@@ -109,20 +113,20 @@ void SendDialog::send()
     QSettings().setValue(lastKey, source.name);
     say(QStringLiteral("Sending to %1 …").arg(source.address()), QStringLiteral("secondary"));
     m_progress->setRange(0, 0);
-    m_job.start(
-        [this, source, files = m_files](const core::Progress& progress) -> std::function<void()> {
-            const core::Result<core::SentObjects> sent = core::sendFiles(source, files, progress);
-            return [this, source, sent] {
-                if (!sent)
-                    return say(errorText(sent.error()), QStringLiteral("bad"));
-                QStringList lines{sent->sent == 1
-                        ? QStringLiteral("✓ %1 took it.").arg(source.address())
-                        : QStringLiteral("✓ %1 took %2.").arg(source.address()).arg(sent->sent)};
-                lines += sent->warnings;
-                say(lines.join(u'\n'),
-                    sent->warnings.isEmpty() ? QStringLiteral("good") : QStringLiteral("caution"));
-            };
-        });
+    m_job.start([this, source, files = m_files](
+                    const core::Progress& progress) -> std::function<void()> {
+        const core::Result<core::SentObjects> sent = core::sendFiles(source, files, progress);
+        return [this, source, sent] {
+            if (!sent)
+                return say(errorText(sent.error()), QStringLiteral("bad"));
+            QStringList lines{sent->sent == 1
+                    ? QStringLiteral("✓ %1 took it.").arg(source.address())
+                    : QStringLiteral("✓ %1 took %2 files.").arg(source.address()).arg(sent->sent)};
+            lines += sent->warnings;
+            say(lines.join(u'\n'),
+                sent->warnings.isEmpty() ? QStringLiteral("good") : QStringLiteral("caution"));
+        };
+    });
     showRunning(true);
 }
 

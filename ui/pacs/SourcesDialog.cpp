@@ -2,10 +2,13 @@
 #include "ui/pacs/SourcesDialog.h"
 
 #include "ui/ErrorText.h"
+#include "ui/Icons.h"
 #include "ui/PacsSources.h"
 #include "ui/Theme.h"
 
+#include <QAction>
 #include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,7 +48,7 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     m_name = field(*m_form, "sourceName", QStringLiteral("Name"), QStringLiteral("Archive"));
     m_address = field(*m_form, "sourceAddress", QStringLiteral("Address"),
         QStringLiteral("AETITLE@host:port or https://host/dicom-web"));
-    m_ownTitle = field(*m_form, "sourceOwnTitle", QStringLiteral("Our title"),
+    m_ownTitle = field(*m_form, "sourceOwnTitle", QStringLiteral("Our AE title"),
         QStringLiteral("BURIN; the node must know it"));
     m_movePort->setObjectName(QStringLiteral("sourceMovePort"));
     m_movePort->setRange(0, 65535);
@@ -79,6 +82,9 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     left->addLayout(edits);
     auto* right = new QVBoxLayout;
     right->addWidget(m_fields);
+    right->addSpacing(theme::smallPadding);
+    right->addWidget(m_test, 0, Qt::AlignLeft);
+    right->addWidget(m_state);
     right->addStretch(1);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(theme::padding);
@@ -86,7 +92,6 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     columns->addLayout(right, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_ok = buttons->button(QDialogButtonBox::Ok);
-    buttons->addButton(m_test, QDialogButtonBox::ActionRole);
     m_state->setObjectName(QStringLiteral("sourcesState"));
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
@@ -94,7 +99,6 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
     layout->addLayout(columns, 1);
-    layout->addWidget(m_state);
     layout->addWidget(buttons);
 
     connect(addOne, &QPushButton::clicked, this, &SourcesDialog::add);
@@ -105,6 +109,8 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     connect(m_list, &QListWidget::currentRowChanged, this, &SourcesDialog::showSource);
     connect(m_movePort, &QSpinBox::valueChanged, this, &SourcesDialog::takeOver);
     connect(m_timeout, &QSpinBox::valueChanged, this, &SourcesDialog::takeOver);
+    for (QLineEdit* file : {m_loginFile, m_authority, m_certificate, m_key})
+        offerFiles(*file);
     for (const core::PacsSource& one : m_sources)
         m_list->addItem(one.name);
     if (m_sources.empty())
@@ -122,6 +128,18 @@ QLineEdit* SourcesDialog::field(
     form.addRow(label, edit);
     connect(edit, &QLineEdit::textChanged, this, &SourcesDialog::takeOver);
     return edit;
+}
+
+void SourcesDialog::offerFiles(QLineEdit& edit)
+{
+    const QAction* browse =
+        edit.addAction(stateIcon(QStringLiteral("open")), QLineEdit::TrailingPosition);
+    connect(browse, &QAction::triggered, this, [this, &edit] {
+        const QString file = QFileDialog::getOpenFileName(
+            this, m_form->labelForField(&edit)->property("text").toString(), edit.text());
+        if (!file.isEmpty())
+            edit.setText(file);
+    });
 }
 
 void SourcesDialog::add()

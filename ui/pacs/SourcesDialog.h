@@ -27,6 +27,8 @@ public:
 private:
     QLineEdit* field(
         QFormLayout& form, const char* name, const QString& label, const QString& says);
+    /// A button in the field that looks for a file.
+    void offerFiles(QLineEdit& edit);
     void add();
     void remove();
     void showSource();

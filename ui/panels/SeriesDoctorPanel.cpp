@@ -25,9 +25,10 @@ QString gridText(const core::VolumeGeometry& geometry)
 {
     const glm::dvec3 spacing = geometry.spacingMm();
     const QString apart = geometry.slicePositions.empty()
-        ? QString::number(spacing.z, 'g', 4)
-        : QStringLiteral("≈ ") + QString::number(spacing.z, 'g', 3);
-    return QStringLiteral("%1 × %2 × %3\n%4 × %5 × %6 mm")
+        ? QObject::tr("every %1 mm").arg(QString::number(spacing.z, 'g', 4))
+        : QObject::tr("unevenly spaced");
+    // Three lines: side by side with another in the width of a panel one would be cut off.
+    return QObject::tr("%1 × %2 × %3\n%4 × %5 mm\n%6")
         .arg(geometry.size.x)
         .arg(geometry.size.y)
         .arg(geometry.size.z)
@@ -65,6 +66,8 @@ void SeriesDoctorPanel::build()
     m_decision = new QWidget(this);
     auto* grids = new QGridLayout;
     grids->setHorizontalSpacing(theme::smallPadding);
+    grids->setColumnStretch(0, 1);
+    grids->setColumnStretch(1, 1);
     grids->addWidget(smallText(m_decision, tr("Now")), 0, 0);
     grids->addWidget(smallText(m_decision, tr("Then")), 0, 1);
     m_now = new QLabel(m_decision);

@@ -4,6 +4,7 @@
 #include "ui/Icons.h"
 #include "ui/Theme.h"
 
+#include <QFontMetrics>
 #include <QPainter>
 #include <QStringList>
 
@@ -24,11 +25,10 @@ void paintCautionStrip(QPainter& painter, const QRect& view, const core::Volume&
     painter.save();
     painter.setFont(theme::smallFont());
     constexpr int iconRoom = 26;
-    const QString text = cautionText(volume);
     const QRect room = view.adjusted(theme::padding + iconRoom, 0, -theme::padding, 0);
-    const QRect needed = painter.boundingRect(
-        QRect(room.left(), 0, room.width(), 200), Qt::TextWordWrap | Qt::AlignLeft, text);
-    const int height = needed.height() + 10;
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QString text = metrics.elidedText(cautionText(volume), Qt::ElideRight, room.width());
+    const int height = metrics.height() + 10;
     const QRect strip(view.left(), view.top() + 82, view.width(), height);
     painter.fillRect(strip, QColor(0x3a, 0x2c, 0x12, 0xe6));
     painter.fillRect(QRect(strip.left(), strip.top(), 3, height), theme::caution);
@@ -37,7 +37,7 @@ void paintCautionStrip(QPainter& painter, const QRect& view, const core::Volume&
             QStringLiteral("caution"), theme::caution, 16, painter.device()->devicePixelRatioF()));
     painter.setPen(theme::caution);
     painter.drawText(QRect(room.left(), strip.top(), room.width(), height),
-        Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignVCenter, text);
+        Qt::AlignLeft | Qt::AlignVCenter, text);
     painter.restore();
 }
 

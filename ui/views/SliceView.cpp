@@ -4,6 +4,7 @@
 #include "ui/InitialDisplay.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
+#include "ui/TimeText.h"
 #include "ui/views/Annotations.h"
 #include "ui/views/ClipOutline.h"
 #include "ui/views/EarlyPicture.h"
@@ -321,7 +322,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     texts.titleColour = barColour();
     if (options.showPatient)
         texts.topLeft = patientLines(volume.identity);
-    texts.topRight = {studyText(volume.identity), seriesText(volume.identity)};
+    texts.topRight = {studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = {QStringLiteral("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
     texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
                              .arg(number + 1)

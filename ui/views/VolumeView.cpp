@@ -7,6 +7,7 @@
 #include "ui/Pieces.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
+#include "ui/TimeText.h"
 #include "ui/views/Annotations.h"
 #include "ui/views/ClipOutline.h"
 #include "ui/views/MeasurementLines.h"
@@ -278,7 +279,8 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     texts.titleColour = barColour();
     if (options.showPatient)
         texts.topLeft = patientLines(volume.identity);
-    texts.topRight = {qualityText(), studyText(volume.identity), seriesText(volume.identity)};
+    texts.topRight = {
+        qualityText(), studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = {modeText()};
     paintCorners(painter, rect(), texts);
     cube(camera).paint(painter);

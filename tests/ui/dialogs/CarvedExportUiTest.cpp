@@ -62,6 +62,7 @@ private Q_SLOTS:
         QCOMPARE(exported.size(), 1);
         QVERIFY(QFileInfo::exists(folder.filePath(QStringLiteral("coverage.nii.gz"))));
         QVERIFY(report->isVisible() && report->text().contains(QStringLiteral("Sculpt 1")));
+        QVERIFY(report->text().contains(QStringLiteral("SHA-256")));
         const QString pictures = qEnvironmentVariable("BURIN_SCREENSHOTS");
         if (!pictures.isEmpty())
             QVERIFY(

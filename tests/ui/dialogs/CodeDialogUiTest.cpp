@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/ApplicationFixture.h"
+#include "ui/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
 
 #include "ui/SegmentCodes.h"
@@ -53,6 +55,27 @@ private Q_SLOTS:
         QCOMPARE(code.meaning, QStringLiteral("Skull"));
         QTest::keyClick(search, Qt::Key_Return);
         QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    }
+
+    /// A segment that is called what it is needs one key.
+    void theNameIsTheFirstGuess()
+    {
+        ui::theme::apply(*qApp);
+        ui::CodeDialog dialog(QStringLiteral("skull"), {});
+        dialog.askDetails({});
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+        QCOMPARE(dialog.code().value, QStringLiteral("89546000"));
+        // What the fields of both forms begin at.
+        QCOMPARE(dialog.findChild<QWidget*>(QStringLiteral("codeCategory"))
+                     ->mapTo(&dialog, QPoint())
+                     .x(),
+            dialog.findChild<QWidget*>(QStringLiteral("codeValue"))->mapTo(&dialog, QPoint()).x());
+        test::look(dialog.grab(), "code-dialog.png");
+        const core::CodedConcept liver{
+            QStringLiteral("SCT"), QStringLiteral("10200004"), QStringLiteral("Liver")};
+        QCOMPARE(ui::CodeDialog(QStringLiteral("skull"), liver).code(), liver);
     }
 
     void anyOtherConceptIsTyped()

@@ -3,8 +3,10 @@
 #include "ui/dialogs/ExportDialog.h"
 
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/ApplicationFixture.h"
 #include "tests/support/SmallSeries.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "ui/Theme.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -137,6 +139,36 @@ private Q_SLOTS:
     {
         QVERIFY(m_settings.isValid());
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+        ui::theme::apply(*qApp);
+    }
+
+    /// Each format says in its own words what it is; no letter is lost on the way.
+    void saysWhatFormatsAre()
+    {
+        ExportFixture fixture;
+        ui::ExportDialog dialog(fixture.workspace);
+        const auto* says = dialog.findChild<QLabel*>(text("exportSays"));
+        for (const core::ExportFormatFacts& facts : core::exportFormats()) {
+            choose(dialog, facts.format);
+            QVERIFY2(says->text().mid(1).startsWith(QString::fromUtf8(facts.says).mid(1)),
+                qPrintable(says->text()));
+        }
+    }
+
+    void ticksAllOrNone()
+    {
+        ExportFixture fixture;
+        ui::ExportDialog dialog(fixture.workspace);
+        const auto* ticked = dialog.findChild<QLabel*>(text("exportTicked"));
+        QVERIFY2(ticked->text().startsWith(text("1 of 3")), qPrintable(ticked->text()));
+        button(dialog, "exportAll").click();
+        // What is empty has nothing to export.
+        QVERIFY2(ticked->text().startsWith(text("2 of 3")), qPrintable(ticked->text()));
+        QCOMPARE(row(dialog, "Hidden").checkState(0), Qt::Checked);
+        QCOMPARE(row(dialog, "Empty").checkState(0), Qt::Unchecked);
+        button(dialog, "exportNone").click();
+        QVERIFY2(ticked->text().startsWith(text("0 of 3")), qPrintable(ticked->text()));
+        QVERIFY(!button(dialog, "exportStart").isEnabled());
     }
 
     void saysWhoseStudyAndWhatIsInIt()
@@ -204,6 +236,9 @@ private Q_SLOTS:
         QTest::newRow("glTF") << int(core::ExportFormat::Gltf) << QByteArray("out.glb");
         QTest::newRow("3D Slicer")
             << int(core::ExportFormat::SegNrrd) << QByteArray("out.seg.nrrd");
+        QTest::newRow("CSV") << int(core::ExportFormat::Csv) << QByteArray("out.csv");
+        QTest::newRow("JSON") << int(core::ExportFormat::Json) << QByteArray("out.json");
+        QTest::newRow("SR") << int(core::ExportFormat::Sr) << QByteArray("out-sr.dcm");
     }
     void writesChecksAndReports()
     {
@@ -226,6 +261,12 @@ private Q_SLOTS:
             QCryptographicHash::hash(contents(file), QCryptographicHash::Sha256).toHex();
         QVERIFY2(report.contains(QString::fromLatin1(sum)), qPrintable(report));
         QVERIFY(!dialog.running());
+        test::look(dialog.grab(), qPrintable(QStringLiteral("export-%1.png").arg(format)));
+        // The verdict is about that file alone.
+        const auto* verdict = dialog.findChild<QLabel*>(text("exportReport"));
+        QVERIFY(verdict->isVisible());
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(fixture.path("another"));
+        QVERIFY(!verdict->isVisible());
     }
 
     /// Options of the formats show where they mean something, and reach the file.
@@ -256,6 +297,7 @@ private Q_SLOTS:
         QCOMPARE(seg->patient.name, text("Anonymous"));
         QVERIFY(seg->studyUid != fixture.workspace.volume()->identity.studyUid);
         QCOMPARE(seg->segments.front().label, text("Skull"));
+        test::look(dialog.grab(), "export-deidentified.png");
     }
 
     void asksBeforeItReplaces()
@@ -337,9 +379,10 @@ private Q_SLOTS:
         dialog.findChild<QLineEdit*>(text("exportFile"))->setText(file);
         button(dialog, "exportStart").click();
         QTRY_VERIFY_WITH_TIMEOUT(!dialog.running(), 60000);
-        QVERIFY(dialog.findChild<QLabel*>(text("exportState"))
-                    ->text()
-                    .contains(text("no such folder")));
+        const auto* state = dialog.findChild<QLabel*>(text("exportState"));
+        QVERIFY(state->text().contains(text("no such folder")));
+        QCOMPARE(state->property("role").toString(), text("bad"));
+        test::look(dialog.grab(), "export-failed.png");
         QVERIFY(button(dialog, "exportStart").isEnabled());
     }
 

@@ -208,12 +208,21 @@ void PacsBrowserUiTest::fromSearchToWindow()
     QTreeWidgetItem* study = jane(*dialog);
     QVERIFY(study);
     QCOMPARE(study->text(2), QStringLiteral("2024-01-01"));
+    // The newest come first; a click on a column's head orders by it, and choices stay what they
+    // say.
+    QCOMPARE(hits.topLevelItem(0)->text(2), QStringLiteral("2024-01-03"));
+    QCOMPARE(hits.indexOfTopLevelItem(study), 2);
+    hits.sortByColumn(0, Qt::AscendingOrder);
+    QCOMPARE(hits.indexOfTopLevelItem(study), 0);
+    QCOMPARE(study->child(0)->text(0), QStringLiteral("Series 1"));
+    hits.sortByColumn(2, Qt::DescendingOrder);
+    QCOMPARE(study->child(0)->text(0), QStringLiteral("Series 1"));
     if (isWeb)
-        QCOMPARE(study->text(5), QStringLiteral("%1 in 2").arg(2 * m_slices));
+        QCOMPARE(study->text(6), QString::number(2 * m_slices));
     QTreeWidgetItem* series = study->child(1);
     QCOMPARE(series->text(0), QStringLiteral("Series 2"));
     QCOMPARE(series->text(4), QStringLiteral("axial bone"));
-    QCOMPARE(series->text(5), QString::number(m_slices));
+    QCOMPARE(series->text(6), QString::number(m_slices));
     hits.setCurrentItem(series);
     // The picture of its middle: light in the middle, dark at the edge.
     auto& picture = child<QLabel>(*dialog, "pacsPicture");
@@ -234,11 +243,13 @@ void PacsBrowserUiTest::fromSearchToWindow()
             name.constData());
     }
 
+    if (isWeb)
+        test::look(dialog->grab(), "pacs-browser.png");
     child<QPushButton>(*dialog, "pacsDownload").click();
     QTRY_VERIFY_WITH_TIMEOUT(stateOf(*dialog).startsWith(u'✓'), patience);
     QCOMPARE(stateOf(*dialog), QStringLiteral("✓ %1 images are here, each checked.").arg(m_slices));
-    QTRY_COMPARE(series->text(6), QStringLiteral("✓"));
-    QCOMPARE(study->child(0)->text(6), QString());
+    QTRY_COMPARE(series->text(7), QStringLiteral("✓"));
+    QCOMPARE(study->child(0)->text(7), QString());
     QTRY_VERIFY(!child<QPushButton>(*dialog, "pacsClear").isHidden());
     child<QPushButton>(*dialog, "pacsOpen").click();
     QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), 1, patience);
@@ -296,6 +307,7 @@ void PacsBrowserUiTest::serverGone()
     QTRY_COMPARE_WITH_TIMEOUT(stateOf(dialog),
         node.name() + QStringLiteral(" cannot be reached: Connection refused"), patience);
     QCOMPARE(child<QLabel>(dialog, "pacsState").property("role").toString(), QStringLiteral("bad"));
+    test::look(dialog.grab(), "pacs-gone.png");
     QVERIFY(child<QPushButton>(dialog, "pacsSearch").isEnabled());
     QVERIFY(!child<QPushButton>(dialog, "pacsOpen").isEnabled());
 }
@@ -428,7 +440,7 @@ void PacsBrowserUiTest::masksAreSent()
     child<QPushButton>(dialog, "sendStart").click();
     auto& state = child<QLabel>(dialog, "sendState");
     QTRY_COMPARE_WITH_TIMEOUT(
-        state.text(), QStringLiteral("✓ %1 took 2.").arg(web().address()), patience);
+        state.text(), QStringLiteral("✓ %1 took 2 files.").arg(web().address()), patience);
     test::look(dialog.grab(), "pacs-send.png");
     const auto found = core::findSeries(web(), series.studyUid, core::Progress());
     QVERIFY(found.has_value());
@@ -445,6 +457,21 @@ void PacsBrowserUiTest::masksAreSent()
     QTRY_COMPARE_WITH_TIMEOUT(
         complaint.property("role").toString(), QStringLiteral("bad"), patience);
     QVERIFY(complaint.text().contains(QLatin1String("notes.txt")));
+    // Nor does anything go where nobody answers.
+    core::PacsSource off{.name = QStringLiteral("Off"), .node = {}, .movePort = {}};
+    core::WebNode node;
+    node.url = QUrl(QStringLiteral("http://127.0.0.1:%1/dicom-web").arg(test::freePort()));
+    off.node = node;
+    ui::setPacsSources({off});
+    ui::SendDialog nowhere(files);
+    nowhere.show();
+    child<QPushButton>(nowhere, "sendStart").click();
+    auto& trouble = child<QLabel>(nowhere, "sendState");
+    QTRY_COMPARE_WITH_TIMEOUT(trouble.property("role").toString(), QStringLiteral("bad"), patience);
+    QVERIFY2(
+        trouble.text().contains(QLatin1String("cannot be reached")), qPrintable(trouble.text()));
+    QVERIFY(child<QPushButton>(nowhere, "sendStart").isEnabled());
+    test::look(nowhere.grab(), "pacs-send-off.png");
 }
 
 QTEST_MAIN(PacsBrowserUiTest)

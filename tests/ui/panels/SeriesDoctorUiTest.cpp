@@ -79,6 +79,12 @@ private Q_SLOTS:
         find<QRadioButton>("repairChoice1")->click();
         QVERIFY(find<QLabel>("repairEffect")->isVisible());
         QVERIFY(find<QLabel>("gridAfter")->text().startsWith(QStringLiteral("24 × 22 × 10")));
+        // Both grids stand side by side in whole.
+        for (const char* grid : {"gridNow", "gridAfter"})
+            QTRY_VERIFY(find<QLabel>(grid)->width() >= find<QLabel>(grid)->sizeHint().width());
+        QVERIFY2(!find<QLabel>("repairEffect")->text().contains(QLatin1String("by 0 ")),
+            qPrintable(find<QLabel>("repairEffect")->text()));
+        test::look(window().grab(), "doctor-chosen.png");
         pressAndWait("applyRepair");
         QCOMPARE(volume().repair, QStringLiteral("tilt"));
         QVERIFY(!volume().needsCaution());
@@ -118,6 +124,9 @@ private Q_SLOTS:
         window().bringUp(*doctor());
         QVERIFY(find<QSlider>("timeSlider")->isVisible());
         QCOMPARE(find<QSlider>("timeSlider")->value(), 1);
+        QVERIFY2(window().windowTitle().contains(QLatin1String("point 2 of 2")),
+            qPrintable(window().windowTitle()));
+        test::look(window().grab(), "doctor-time.png");
         QVERIFY(!find<QPushButton>("openTime")->isEnabled());
         find<QSlider>("timeSlider")->setValue(0);
         QVERIFY(find<QLabel>("timeText")->text().contains(QLatin1String("80 ms")));

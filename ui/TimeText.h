@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/Volume.h"
+
+#include <QString>
+
+namespace ui {
+
+/// "point 3 of 10 · trigger time 80 ms" of a volume of a series in time; else empty.
+[[nodiscard]] QString timeText(const core::Volume& volume);
+
+} // namespace ui

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/DeidentifySessionDialog.h"
+
+#include "core/export/MaskSelection.h"
+#include "core/session/AuditReport.h"
+#include "core/session/DeidentifySession.h"
+#include "core/session/EditSession.h"
+#include "ui/Theme.h"
+#include "ui/Workspace.h"
+#include "ui/dialogs/DeidentifyBox.h"
+#include "ui/dialogs/ExportRun.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include <functional>
+#include <initializer_list>
+
+namespace ui {
+
+namespace {
+
+const QLatin1String folderKey("sessions/folder");
+
+} // namespace
+
+DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* parent)
+    : QDialog(parent)
+    , m_workspace(workspace)
+    , m_options(new DeidentifyBox(this))
+    , m_file(new QLineEdit(this))
+    , m_browse(new QPushButton(tr("Browse …"), this))
+    , m_save(new QPushButton(tr("Save and check"), this))
+    , m_close(new QPushButton(tr("Close"), this))
+    , m_run(new ExportRun(QStringLiteral("deidentified"), this))
+{
+    setWindowTitle(tr("Save de-identified session"));
+    resize(620, 300);
+    auto* what = new QLabel(
+        tr("A copy of this session for others: the same steps, without the study's images, place, "
+           "UIDs and description, without authors, pictures and how the window looked. Names that "
+           "were given to segments, sculpt layers and bookmarks stay; one that holds a word of the "
+           "patient's name or numbers keeps the copy from being written."),
+        this);
+    what->setWordWrap(true);
+    m_options->askForSession();
+    m_file->setObjectName(QStringLiteral("deidentifiedFile"));
+    m_save->setObjectName(QStringLiteral("deidentifiedSave"));
+    m_save->setDefault(true);
+    m_close->setAutoDefault(false);
+    m_browse->setAutoDefault(false);
+
+    auto* target = new QHBoxLayout;
+    target->addWidget(new QLabel(tr("File"), this));
+    target->addWidget(m_file, 1);
+    target->addWidget(m_browse);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_close);
+    buttons->addWidget(m_save);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(what);
+    layout->addWidget(m_options);
+    layout->addLayout(target);
+    layout->addWidget(m_run);
+    layout->addStretch(1);
+    layout->addLayout(buttons);
+
+    const QString folder = QSettings().value(folderKey, QDir::homePath()).toString();
+    m_file->setText(QDir(folder).filePath(QStringLiteral("deidentified.burin")));
+    connect(m_file, &QLineEdit::textChanged, this, &DeidentifySessionDialog::showState);
+    connect(m_options, &DeidentifyBox::changed, this, &DeidentifySessionDialog::showState);
+    connect(m_browse, &QPushButton::clicked, this, &DeidentifySessionDialog::browse);
+    connect(m_save, &QPushButton::clicked, this, &DeidentifySessionDialog::start);
+    connect(m_close, &QPushButton::clicked, this, &DeidentifySessionDialog::reject);
+    connect(&m_job, &BackgroundJob::ended, this, &DeidentifySessionDialog::showRunning);
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_job.cancel();
+        QDialog::reject();
+    });
+    showState();
+}
+
+void DeidentifySessionDialog::browse()
+{
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Save de-identified session as"), m_file->text(),
+            tr("Sessions of Burin (*.burin)"), nullptr, QFileDialog::DontConfirmOverwrite);
+    if (!file.isEmpty())
+        m_file->setText(file);
+}
+
+void DeidentifySessionDialog::showState()
+{
+    if (running())
+        return;
+    const bool named = !m_file->text().trimmed().isEmpty();
+    m_run->clearReport();
+    m_run->say(named ? QString() : tr("Name the file."));
+    m_save->setEnabled(named);
+}
+
+void DeidentifySessionDialog::start()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || running())
+        return;
+    const QString target = m_file->text().trimmed();
+    const bool replaces = QFileInfo::exists(target);
+    if (QFileInfo(target) == QFileInfo(session->file()))
+        return m_run->say(tr("That is the open session itself: name another file."), "bad");
+    if (replaces && !mayReplace(target, this))
+        return;
+    QSettings().setValue(folderKey, QFileInfo(target).absolutePath());
+    m_run->clearReport();
+    m_run->showProgress(tr("Writing the last steps"), 0, 0);
+    m_waits = true;
+    showRunning();
+    session->closeGrowth();
+    // It answers behind every step so far. The workspace outlives the session.
+    session->audit([workspace = &m_workspace, guard = QPointer(this), target, replaces](
+                       const core::Result<core::AuditReport>& report) {
+        QMetaObject::invokeMethod(
+            workspace,
+            [guard, target, replaces, report] {
+                if (!guard || !guard->m_waits)
+                    return;
+                guard->m_waits = false;
+                if (report)
+                    guard->write(target, replaces);
+                else
+                    guard->showFailure(report.error());
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void DeidentifySessionDialog::write(const QString& target, bool replaces)
+{
+    m_run->showProgress(tr("Writing and checking the copy"), 0, 0);
+    m_job.start([this, target, replaces, file = m_workspace.session()->file(),
+                    by = m_options->deidentifier(m_workspace.volume()->identity)](
+                    const core::Progress&) -> std::function<void()> {
+        const core::Result<QStringList> done = core::deidentifySession(file, target, replaces, *by);
+        const core::Result<QString> sum =
+            done ? core::sha256OfFile(target) : core::Result<QString>(QString());
+        return [this, target, done, sum] {
+            if (!done)
+                return showFailure(done.error());
+            m_run->showReport({.file = target,
+                .written = *done,
+                .checked = {},
+                .cautions = {},
+                .sha256 = sum.value_or(QString())});
+            m_workspace.say(tr("The de-identified session is saved: %1").arg(target));
+            Q_EMIT saved(target);
+        };
+    });
+    showRunning();
+}
+
+void DeidentifySessionDialog::showRunning()
+{
+    for (QWidget* input : std::initializer_list<QWidget*>{m_options, m_file, m_browse, m_save})
+        input->setEnabled(!running());
+    m_run->setRunning(running());
+}
+
+void DeidentifySessionDialog::showFailure(const core::Error& error)
+{
+    showRunning();
+    m_run->showFailure(error);
+}
+
+/// A copy that is being written is done in a moment, whole or not at all.
+void DeidentifySessionDialog::reject()
+{
+    if (!running())
+        QDialog::reject();
+}
+
+} // namespace ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/StudyBlock.h"
+
+#include "ui/StudyTexts.h"
+#include "ui/Theme.h"
+#include "ui/TimeText.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace ui {
+
+StudyBlock::StudyBlock(const core::Volume& volume, QWidget* parent)
+    : QFrame(parent)
+{
+    setProperty("role", QStringLiteral("bar"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    column->setSpacing(4);
+    addLine(patientText(volume.identity), "heading", "exportPatient");
+    QStringList study{studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
+    study.removeAll(QString());
+    addLine(study.join(QStringLiteral(" · ")), "secondary");
+    for (const core::VolumeProblem& problem : volume.problems) {
+        if (problem.caution)
+            addLine(tr("Caution: %1").arg(problem.text), "caution");
+    }
+}
+
+void StudyBlock::addLine(const QString& text, const char* role, const char* name)
+{
+    if (text.isEmpty())
+        return;
+    auto* label = new QLabel(text, this);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setProperty("role", QLatin1String(role));
+    layout()->addWidget(label);
+}
+
+} // namespace ui

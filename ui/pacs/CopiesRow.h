@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sources/DownloadCache.h"
+#include "ui/pacs/BackgroundJob.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace ui {
+
+/// How much room local copies take and may take, and a button that removes them.
+class CopiesRow : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CopiesRow(const core::DownloadCache& cache, QWidget* parent = nullptr);
+
+    /// Counts anew, beside the GUI thread.
+    void count();
+    void setClearable(bool clearable);
+
+Q_SIGNALS:
+    /// @param someStay those of what is open
+    void cleared(int removed, bool someStay);
+
+private:
+    void clear();
+
+    core::DownloadCache m_cache;
+    QLabel* m_copies;
+    QSpinBox* m_limit;
+    QPushButton* m_clear;
+    BackgroundJob m_job;
+};
+
+} // namespace ui
