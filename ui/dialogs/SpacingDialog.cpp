@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -29,13 +30,21 @@ QLabel* smallText(const QString& text, QWidget* parent)
     return label;
 }
 
-/// Trailing zeros say nothing of a length.
+/// Trailing zeros say nothing of a length; and what stands there gives way to what is typed, also
+/// after a click: no digit goes in between the letters of "not said".
 class LengthField : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;
     [[nodiscard]] QString textFromValue(double value) const override
     {
         return locale().toString(value, 'g', 10);
+    }
+
+protected:
+    void focusInEvent(QFocusEvent* event) override
+    {
+        QDoubleSpinBox::focusInEvent(event);
+        QTimer::singleShot(0, this, &QDoubleSpinBox::selectAll);
     }
 };
 

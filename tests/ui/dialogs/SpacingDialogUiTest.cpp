@@ -11,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -78,6 +79,25 @@ private Q_SLOTS:
         QCOMPARE(dialog.repair(), QStringLiteral("spacing=0.351562x0.351562x1.25"));
         QTest::keyClick(&field(dialog, "spacingSlices"), Qt::Key_Return);
         QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    }
+
+    void aClickLetsTypeAnew()
+    {
+        ui::SpacingDialog dialog(entryOf({0.0, 0.0, 0.0}));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        dialog.activateWindow();
+        for (const char* name : {"spacingSlices", "spacingRows", "spacingColumns"}) {
+            auto* line = field(dialog, name).findChild<QLineEdit*>();
+            QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(25, line->height() / 2));
+            // As a window that is active has it, which needs a window manager.
+            QFocusEvent focus(QEvent::FocusIn, Qt::MouseFocusReason);
+            QCoreApplication::sendEvent(&field(dialog, name), &focus);
+            QCoreApplication::processEvents();
+            QTRY_VERIFY(!line->selectedText().isEmpty());
+            QTest::keyClicks(line, QStringLiteral("2.5"));
+        }
+        QCOMPARE(dialog.repair(), QStringLiteral("spacing=2.5x2.5x2.5"));
     }
 
     void theWindowAsks_data()
