@@ -102,6 +102,42 @@ private Q_SLOTS:
         QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
     }
 
+    /// A state of the history, exported later.
+    void replayTakesThePatientOut()
+    {
+        const QTemporaryDir studies;
+        const QTemporaryDir out;
+        const QString study = studies.filePath(QStringLiteral("one"));
+        test::writeSeries(test::markedSeries(), study);
+        QJsonObject content = ::recipe(out);
+        content.remove(key("export"));
+        const Outcome made = burin({key("run"), CommandFixture::recipe("r.json", content),
+            key("--study"), study, key("--session"), path("a.burin")});
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        const auto replayed = [&](const char* file, const QStringList& more) {
+            return burin(QStringList{key("replay"), path("a.burin"), key("--export"),
+                             out.filePath(QLatin1String(file)), key("--study"), study}
+                + more);
+        };
+        const QStringList both{key("--deidentify"), key("--deflated")};
+        const Outcome plain = replayed("plain.dcm", {});
+        QVERIFY2(plain.status == 0, qPrintable(plain.complaint));
+        QVERIFY(!test::markersIn(out.filePath(QStringLiteral("plain.dcm"))).isEmpty());
+        const Outcome taken = replayed("seg.dcm", both);
+        QVERIFY2(taken.status == 0, qPrintable(taken.complaint));
+        const QByteArrayList found = test::markersIn(out.filePath(QStringLiteral("seg.dcm")));
+        QVERIFY2(found.isEmpty(), found.join(' ').constData());
+        DcmFileFormat file;
+        QVERIFY(file.loadFile(out.filePath(QStringLiteral("seg.dcm")).toUtf8().constData()).good());
+        OFString syntax;
+        QVERIFY(file.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax).good());
+        QCOMPARE(syntax.c_str(), UID_DeflatedExplicitVRLittleEndianTransferSyntax);
+        // What a format does not know is refused by its option's name.
+        const Outcome refused = replayed("map.nii.gz", both);
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.complaint.contains(key("--deflated")), qPrintable(refused.complaint));
+    }
+
     /// The pictures that a session shows itself by are those of voxels alone.
     void picturesInSessionsNameNobody()
     {

@@ -79,7 +79,9 @@ private Q_SLOTS:
         find<QRadioButton>("repairChoice1")->click();
         QVERIFY(find<QLabel>("repairEffect")->isVisible());
         QVERIFY(find<QLabel>("gridAfter")->text().startsWith(QStringLiteral("24 × 22 × 10")));
-        // Both grids stand side by side in whole.
+        // Both grids stand side by side in whole, once the panel has its place.
+        QTRY_VERIFY(doctor()->mapTo(&window(), QPoint()).x() > window().width() / 2);
+        QTest::qWait(300);
         for (const char* grid : {"gridNow", "gridAfter"})
             QTRY_VERIFY(find<QLabel>(grid)->width() >= find<QLabel>(grid)->sizeHint().width());
         QVERIFY2(!find<QLabel>("repairEffect")->text().contains(QLatin1String("by 0 ")),
@@ -126,6 +128,7 @@ private Q_SLOTS:
         QCOMPARE(find<QSlider>("timeSlider")->value(), 1);
         QVERIFY2(window().windowTitle().contains(QLatin1String("point 2 of 2")),
             qPrintable(window().windowTitle()));
+        QTest::qWait(300);
         test::look(window().grab(), "doctor-time.png");
         QVERIFY(!find<QPushButton>("openTime")->isEnabled());
         find<QSlider>("timeSlider")->setValue(0);
