@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/Application.h"
+#include "app/DemonstrationStudy.h"
 #include "core/session/EditSession.h"
+#include "core/study/StudyLoader.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/SharedData.h"
 #include "ui/MainWindow.h"
 #include "ui/PanelSection.h"
 #include "ui/Workspace.h"
+#include "ui/dialogs/ExportDialog.h"
+#include "ui/dialogs/OpenStudyDialog.h"
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryTimeline.h"
 #include "ui/panels/KeyframePopup.h"
 #include "ui/panels/Panel.h"
+#include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
 
 #include <QApplication>
 #include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QListView>
 #include <QPainter>
+#include <QPushButton>
+#include <QRadioButton>
 #include <QSettings>
+#include <QSignalBlocker>
+#include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <QtTest>
 
 namespace {
@@ -26,7 +41,8 @@ constexpr int patience = 300000; ///< ms; only a hang takes that long
 
 } // namespace
 
-/// The manual's pictures of the history, in the real window on the demonstration study. It takes a
+/// The manual's pictures of the history, of studies that come in and of masks that go out, in the
+/// real window on the demonstration study and on shared ones. It takes a
 /// minute, so it only runs where somebody wants them: BURIN_SCREENSHOTS names the folder.
 class ManualPicturesUiTest : public QObject {
     Q_OBJECT
@@ -93,6 +109,72 @@ private:
             Qt::NoButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&timeline(), &event);
     }
+    static void save(const QPixmap& picture, const char* name)
+    {
+        QVERIFY(picture.save(
+            QDir(qEnvironmentVariable("BURIN_SCREENSHOTS")).filePath(QLatin1String(name))));
+    }
+    /// A new window of the usual size.
+    void start()
+    {
+        m_application.reset();
+        m_application = std::move(*app::Application::create());
+        window().resize(1280, 800);
+        window().show();
+    }
+    void open(const QString& study)
+    {
+        window().opener().open(study);
+        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(waitUntilDrawn());
+    }
+    /// The demonstration study without some of its slices.
+    [[nodiscard]] QString gapped()
+    {
+        const QString folder = m_folder.filePath(QStringLiteral("gapped"));
+        if (QDir(folder).exists())
+            return folder;
+        QDir().mkpath(folder);
+        if (!app::loadDemonstration(core::Progress()))
+            qFatal("no demonstration study");
+        const QDir from(app::demonstrationFolder());
+        for (const QString& name : from.entryList({QStringLiteral("*.dcm")}, QDir::Files)) {
+            const int slice = QFileInfo(name).baseName().right(4).toInt();
+            if (slice < 120 || slice > 123)
+                QFile::copy(from.filePath(name), folder + u'/' + name);
+        }
+        return folder;
+    }
+    /// A study whose slices a gantry tilted; empty where there are no shared data.
+    [[nodiscard]] static QString tilted()
+    {
+        const test::SharedCase tilted = test::sharedCase(QStringLiteral("ct_tilt_study_philips"));
+        return tilted.source.isEmpty() ? QString() : tilted.unpacked;
+    }
+    static void copyAll(const QString& from, const QString& to)
+    {
+        QDirIterator files(from, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            const QString file = files.next();
+            const QString copy = to + u'/' + QDir(from).relativeFilePath(file);
+            QVERIFY(QDir().mkpath(QFileInfo(copy).path()) && QFile::copy(file, copy));
+        }
+    }
+    /// The series doctor with one of its offers chosen.
+    void keepDoctor(const QString& study, const char* name)
+    {
+        start();
+        open(study);
+        foldAllBut({QStringLiteral("Series doctor"), QStringLiteral("Segments")});
+        auto* doctor = window().findChild<ui::SeriesDoctorPanel*>();
+        QVERIFY(doctor);
+        auto* offer = doctor->findChild<QRadioButton*>(QStringLiteral("repairChoice1"));
+        QVERIFY(offer);
+        offer->click();
+        QCOMPARE(doctor->findChild<QPushButton*>(QStringLiteral("applyRepair"))->text(),
+            QStringLiteral("Apply"));
+        keep(name);
+    }
     /// The window, with what floats over it.
     void keep(const char* name)
     {
@@ -103,8 +185,7 @@ private:
             painter.drawPixmap(window().mapFromGlobal(popup.mapToGlobal(QPoint())),
                 const_cast<QWidget&>(popup).grab());
         }
-        QVERIFY(picture.save(
-            QDir(qEnvironmentVariable("BURIN_SCREENSHOTS")).filePath(QLatin1String(name))));
+        save(picture, name);
     }
 
 private Q_SLOTS:
@@ -120,11 +201,73 @@ private Q_SLOTS:
     }
     void init() { test::failOnUnexpectedMessages(); }
 
+    void studyBrowser()
+    {
+        if (tilted().isEmpty())
+            QSKIP("no shared data here");
+        const QString folder = m_folder.filePath(QStringLiteral("CD of the hospital"));
+        QVERIFY(QDir().mkpath(folder));
+        const test::SharedCase times = test::sharedCase(QStringLiteral("mr_4d_fmri_ge"));
+        for (const auto& [study, name] : {std::pair(gapped(), "one"), std::pair(tilted(), "two"),
+                 std::pair(times.unpacked, "three")})
+            copyAll(study, folder + u'/' + QLatin1String(name));
+        const auto study = core::Study::scan(folder, core::Progress());
+        QVERIFY(study);
+        start();
+        ui::OpenStudyDialog dialog(study->listing());
+        dialog.show();
+        auto* list = dialog.findChild<QTreeWidget*>();
+        QCOMPARE(list->topLevelItemCount(), 3);
+        for (int row = 0; row < 3; ++row)
+            QVERIFY(wait([&] { return !list->topLevelItem(row)->icon(0).isNull(); }));
+        list->setCurrentItem(list->topLevelItem(0));
+        QTest::qWait(300);
+        save(dialog.grab(), "study-browser.png");
+    }
+
+    void seriesDoctor()
+    {
+        if (tilted().isEmpty())
+            QSKIP("no shared data here");
+        keepDoctor(tilted(), "series-doctor-tilt.png");
+        keepDoctor(gapped(), "series-doctor-gap.png");
+    }
+
+    void exportWithVerdict()
+    {
+        start();
+        m_application->openDemonstration();
+        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(waitUntilDrawn());
+        const auto code = [](const char* value, const char* meaning) {
+            return core::CodedConcept{
+                QStringLiteral("SCT"), QLatin1String(value), QLatin1String(meaning)};
+        };
+        apply(core::AddSegment{
+            QStringLiteral("Ventricles"), 0x4AA3FF, code("35764002", "Brain ventricle")});
+        apply(core::SeedStroke{.segment = 1, .pointsLps = {{-16.0, 0.5, 20.5}}});
+        apply(core::GrowSteps{.criteria = {.lower = -20, .upper = 18}, .steps = 12});
+        apply(core::AddSegment{QStringLiteral("Trepanation"), 0xE07A5F, code("89546000", "Skull")});
+        apply(drill({-0.08, 0.21}, {0.08, 0.21}, 12, 14));
+        apply(core::LayerToSegment{.layer = 1, .target = {.segment = 2}});
+        ui::ExportDialog dialog(m_application->workspace());
+        dialog.findChild<QLineEdit*>(QStringLiteral("exportFile"))
+            ->setText(m_folder.filePath(QStringLiteral("head-seg.dcm")));
+        dialog.show();
+        QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
+        dialog.findChild<QPushButton*>(QStringLiteral("exportStart"))->click();
+        QVERIFY(wait([&] { return exported.count() == 1; }));
+        // A place of nobody's machine.
+        QLineEdit* file = dialog.findChild<QLineEdit*>(QStringLiteral("exportFile"));
+        const QSignalBlocker quiet(file);
+        file->setText(QStringLiteral("/home/jane/masks/head-seg.dcm"));
+        QTest::qWait(300);
+        save(dialog.grab(), "export-verdict.png");
+    }
+
     void historyWithBranchesAndTimeline()
     {
-        m_application = std::move(*app::Application::create());
-        window().resize(1280, 800);
-        window().show();
+        start();
         m_application->openDemonstration();
         QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
         QVERIFY(waitUntilDrawn());
