@@ -214,7 +214,9 @@ private Q_SLOTS:
         const auto study = core::Study::scan(folder, core::Progress());
         QVERIFY(study);
         start();
-        ui::OpenStudyDialog dialog(study->listing());
+        core::StudyListing listing = study->listing();
+        listing.path = QStringLiteral("/media/jane/CD of the hospital");
+        ui::OpenStudyDialog dialog(listing);
         dialog.show();
         auto* list = dialog.findChild<QTreeWidget*>();
         QCOMPARE(list->topLevelItemCount(), 3);
