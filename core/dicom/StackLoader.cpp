@@ -98,6 +98,7 @@ int middleOf(const SliceStack& stack)
     return int(stack.slices.size() / 2);
 }
 
+using Stored = std::vector<std::uint16_t>;
 using Errors = std::vector<std::optional<Error>>;
 
 std::size_t sliceSize(const SliceStack& stack)
@@ -106,10 +107,10 @@ std::size_t sliceSize(const SliceStack& stack)
 }
 
 /// Decodes all slices into the codes of @p loaded.
-/// @param middle what the slice in the middle stores, where that is known already; else empty
-/// @param there told of each that is decoded, on the thread that did it @return per slice
-Errors decodeAll(const SliceStack& stack, SharedFiles& files,
-    const std::vector<std::uint16_t>& middle, LoadedVolume& loaded, const Progress& progress,
+/// @param decode of slice k @param there told of each that is decoded, on the thread that did it
+/// @return per slice
+Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& progress,
+    const std::function<Result<void>(int k, std::span<std::uint16_t> stored)>& decode,
     const std::function<void(int k)>& there)
 {
     const std::size_t size = sliceSize(stack);
@@ -119,12 +120,7 @@ Errors decodeAll(const SliceStack& stack, SharedFiles& files,
         if (progress.cancelled())
             return;
         const auto slot = std::size_t(k);
-        const std::span<std::uint16_t> codes = std::span(loaded.codes).subspan(slot * size, size);
-        Result<void> decoded;
-        if (k == middleOf(stack) && !middle.empty())
-            std::copy(middle.begin(), middle.end(), codes.begin());
-        else
-            decoded = files.decode(stack.slices[slot], codes);
+        const Result<void> decoded = decode(k, std::span(loaded.codes).subspan(slot * size, size));
         if (decoded)
             there(k);
         else
@@ -201,7 +197,7 @@ std::vector<SliceRescale> rescalesOf(const SliceStack& stack)
 }
 
 std::shared_ptr<const EarlySlice> earlySlice(const ListedStack& listed, const SliceStack& stack,
-    const SliceRescale& rescale, const std::vector<std::uint16_t>& stored)
+    const SliceRescale& rescale, const Stored& stored)
 {
     auto early = std::make_shared<EarlySlice>();
     early->volume = describe(listed, stack);
@@ -222,21 +218,32 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
     loaded.volume.geometry = wanted.geometry;
     SharedFiles files(wanted.slices);
     // It takes the system a while to find that much memory: who waits sees a slice meanwhile.
-    std::vector<std::uint16_t> first; // empty: it has its turn like the others
-    std::future<void> told = std::async(std::launch::async, [&] {
-        if (!early || !hasWindow(wanted) || progress.cancelled())
-            return;
-        first.resize(sliceSize(wanted));
-        if (files.decode(wanted.slices[middle], first))
-            early(earlySlice(listed, wanted, rescales[middle], first));
-        else
-            first.clear();
-    });
+    std::future<Result<Stored>> first;
+    if (early && hasWindow(wanted)) {
+        first = std::async(std::launch::async, [&]() -> Result<Stored> {
+            Stored stored(sliceSize(wanted));
+            const Result<void> decoded = files.decode(wanted.slices[middle], stored);
+            if (!decoded)
+                return tl::unexpected<Error>(decoded.error());
+            if (!progress.cancelled())
+                early(earlySlice(listed, wanted, rescales[middle], stored));
+            return stored;
+        });
+    }
     resizeInLargePages(loaded.codes, wanted.geometry.voxelCount());
-    told.get();
     StoredEncoder encoder(loaded, rescales);
+    const auto decode = [&](int k, std::span<std::uint16_t> codes) -> Result<void> {
+        if (std::size_t(k) != middle || !first.valid())
+            return files.decode(wanted.slices[std::size_t(k)], codes);
+        // Not a second time: a slice on which the decoder hangs costs enough.
+        const Result<Stored> stored = first.get();
+        if (!stored)
+            return tl::unexpected<Error>(stored.error());
+        std::copy(stored->begin(), stored->end(), codes.begin());
+        return {};
+    };
     const Errors errors =
-        decodeAll(wanted, files, first, loaded, progress, [&](int k) { encoder.sliceIsThere(k); });
+        decodeAll(wanted, loaded, progress, decode, [&](int k) { encoder.sliceIsThere(k); });
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
 
