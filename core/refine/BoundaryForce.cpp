@@ -14,6 +14,10 @@ constexpr double stepVoxels = 0.25;
 constexpr double cutShare = 7.0 / 24.0;
 /// In distances of neighbours.
 constexpr double mostCut = 0.1;
+/// Of the occupancy over the width of a voxel, to tell where the outside is.
+constexpr double leastFall = 0.1;
+/// Of the angle between that and the normal, for the normal to tell the side: 60 degrees.
+constexpr double leastCosine = 0.5;
 constexpr int halvings = 2;
 
 } // namespace
@@ -23,20 +27,37 @@ BoundaryForce::BoundaryForce(
     : m_toIndex(geometry)
     , m_occupancy(mask)
     , m_reachVoxels(reachVoxels)
+    , m_indexPerMm(glm::transpose(glm::dmat3(geometry.worldToIndex())))
 {
+    const glm::dvec3 spacing = geometry.spacingMm();
+    m_widthMm = std::min({spacing.x, spacing.y, spacing.z});
 }
 
 glm::dvec3 BoundaryForce::forceMm(const SurfacePoint& point) const
 {
     if (point.mark != SurfaceMark::Yellow)
         return glm::dvec3(0.0);
-    const auto offMm = alongNormalMm(point.positionLps, point.normalLps);
+    const glm::dvec3 normal = wayOut(point.positionLps, point.normalLps);
+    const auto offMm = alongNormalMm(point.positionLps, normal);
     if (!offMm)
         return glm::dvec3(0.0);
     const double most = mostCut * point.distanceMm;
     const double cutMm = std::clamp(
         cutShare * point.curvaturePerMm * point.distanceMm * point.distanceMm, -most, most);
-    return (*offMm + cutMm) * point.normalLps;
+    return (*offMm + cutMm) * normal;
+}
+
+glm::dvec3 BoundaryForce::wayOut(const glm::dvec3& positionLps, const glm::dvec3& normalLps) const
+{
+    // As it falls per mm: a rise along the axes of the index, by how these change with the place.
+    const glm::dvec3 fall = -(m_indexPerMm * m_occupancy.rise(m_toIndex(positionLps)));
+    const double steep = glm::length(fall);
+    const double along = glm::dot(fall, normalLps);
+    const double sure = leastCosine * steep;
+    const bool isThrough = along <= -sure && m_occupancy.at(m_toIndex(positionLps)) >= level;
+    if (steep * m_widthMm < leastFall || along >= sure || isThrough)
+        return normalLps;
+    return fall / steep;
 }
 
 std::optional<double> BoundaryForce::alongNormalMm(

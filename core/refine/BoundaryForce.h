@@ -28,9 +28,18 @@ public:
         const glm::dvec3& positionLps, const glm::dvec3& normalLps) const;
 
 private:
+    /// The normal; but where it lies along the boundary rather than across it, or a vertex outside
+    /// looks inwards, as in a surface that is crumpled around a thin part: the way the mask falls
+    /// off. A vertex inside that looks inwards was moved past the middle of such a part, and goes
+    /// back through it along its normal.
+    [[nodiscard]] glm::dvec3 wayOut(
+        const glm::dvec3& positionLps, const glm::dvec3& normalLps) const;
+
     WorldToIndex m_toIndex;
     SmoothOccupancy m_occupancy;
     double m_reachVoxels;
+    glm::dmat3 m_indexPerMm; ///< transposed
+    double m_widthMm = 0.0; ///< of the narrowest side of a voxel
 };
 
 } // namespace core

@@ -18,6 +18,34 @@ constexpr double lastInternal = 0.15;
 /// The first surface lies off by less.
 constexpr double reachVoxels = 4.0;
 
+/// Parts of so few vertices say no more than which voxels they are around, which the first surface
+/// does as well; forces would only crumple them.
+constexpr std::size_t fewVertices = 64;
+
+/// Those of parts that are large enough to be deformed.
+std::vector<VertexId> verticesToFit(const SimplexMesh& mesh)
+{
+    std::vector<VertexId> vertices;
+    std::vector<bool> seen(mesh.vertexSlots(), false);
+    for (VertexId first = 0; first < mesh.vertexSlots(); ++first) {
+        if (seen[first] || !mesh.hasVertex(first))
+            continue;
+        seen[first] = true;
+        const std::size_t begin = vertices.size();
+        vertices.push_back(first);
+        for (std::size_t i = begin; i < vertices.size(); ++i) {
+            for (const VertexId near : mesh.neighbours(vertices[i])) {
+                if (!seen[near])
+                    vertices.push_back(near);
+                seen[near] = true;
+            }
+        }
+        if (vertices.size() - begin < fewVertices)
+            vertices.resize(begin);
+    }
+    return vertices;
+}
+
 } // namespace
 
 Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geometry,
@@ -36,14 +64,14 @@ Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geomet
     RestructuringSettings structure{.areaMm2 = meanFaceAreaMm2(*mesh)};
     SimplexMeshEdit edit(*mesh);
     Deformation deformation(motion);
-    deformation.activateAll(*mesh);
+    deformation.activate(*mesh, verticesToFit(*mesh));
     for (int i = 0; i < settings.steps && !deformation.active().empty(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         if (i == settings.steps - lastSteps) {
             motion.internal = lastInternal;
             deformation = Deformation(motion);
-            deformation.activateAll(*mesh);
+            deformation.activate(*mesh, verticesToFit(*mesh));
         }
         deformation.step(edit, forces);
         progress.report(step, i + 1, settings.steps);

@@ -115,19 +115,43 @@ double SmoothOccupancy::valueAt(const glm::ivec3& voxel) const
     return m_bricks[std::size_t(entry)][std::size_t((in.z * edge + in.y) * edge + in.x)];
 }
 
-double SmoothOccupancy::at(const glm::dvec3& index) const
+SmoothOccupancy::Cell SmoothOccupancy::cellAt(const glm::dvec3& index) const
 {
     constexpr double farthest = 1e9;
     const glm::dvec3 held = glm::clamp(index, -farthest, farthest);
     const glm::dvec3 low = glm::floor(held);
-    const glm::dvec3 share = held - low;
     const glm::ivec3 voxel(low);
+    Cell cell{.share = held - low};
+    for (int i = 0; i < 8; ++i)
+        cell.corners[std::size_t(i)] =
+            valueAt(voxel + glm::ivec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
+    return cell;
+}
+
+double SmoothOccupancy::at(const glm::dvec3& index) const
+{
+    const auto [corners, share] = cellAt(index);
     double sum = 0.0;
-    for (int z = 0; z < 2; ++z) {
-        for (int y = 0; y < 2; ++y) {
-            const double along = (1.0 - share.x) * valueAt(voxel + glm::ivec3(0, y, z))
-                + share.x * valueAt(voxel + glm::ivec3(1, y, z));
-            sum += (y == 0 ? 1.0 - share.y : share.y) * (z == 0 ? 1.0 - share.z : share.z) * along;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double along = (1.0 - share.x) * corners[2 * i] + share.x * corners[2 * i + 1];
+        sum += (i % 2 == 0 ? 1.0 - share.y : share.y) * (i < 2 ? 1.0 - share.z : share.z) * along;
+    }
+    return sum / double(one);
+}
+
+glm::dvec3 SmoothOccupancy::rise(const glm::dvec3& index) const
+{
+    const auto [corners, share] = cellAt(index);
+    glm::dvec3 sum(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int next = (axis + 1) % 3;
+        const int second = (axis + 2) % 3;
+        for (int i = 0; i < 4; ++i) {
+            const int before = ((i & 1) << next) | ((i >> 1) << second);
+            const double weight = ((i & 1) == 0 ? 1.0 - share[next] : share[next])
+                * (i < 2 ? 1.0 - share[second] : share[second]);
+            sum[axis] += weight
+                * (corners[std::size_t(before | (1 << axis))] - corners[std::size_t(before)]);
         }
     }
     return sum / double(one);

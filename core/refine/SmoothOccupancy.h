@@ -21,6 +21,8 @@ public:
 
     /// 0 outside … 1 inside; a little beyond both near the boundary.
     [[nodiscard]] double at(const glm::dvec3& index) const;
+    /// How it rises there, along each index axis.
+    [[nodiscard]] glm::dvec3 rise(const glm::dvec3& index) const;
 
 private:
     static constexpr int edge = 8;
@@ -31,6 +33,12 @@ private:
     /// In the table: what has one value throughout.
     enum Uniform : std::int32_t { Outside = -1, Inside = -2 };
 
+    /// The eight centres around a place, and where it lies between them.
+    struct Cell {
+        std::array<double, 8> corners{}; ///< x, then y, then z
+        glm::dvec3 share{0.0};
+    };
+    [[nodiscard]] Cell cellAt(const glm::dvec3& index) const;
     [[nodiscard]] double valueAt(const glm::ivec3& voxel) const;
 
     glm::ivec3 m_first{0};

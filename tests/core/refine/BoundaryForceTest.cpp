@@ -19,6 +19,8 @@ private Q_SLOTS:
     void thinPartsHaveABoundary();
     void theWayToTheBoundary();
     void onUnevenSlices();
+    void crumpledNormals();
+    void bentSurfacesAreWantedFartherOut();
     void onlyYellowFollows();
 };
 
@@ -143,6 +145,44 @@ void BoundaryForceTest::onUnevenSlices()
     const auto off = force.alongNormalMm(made.lps({9, 9, 6.5}), {0, 0, 1});
     QVERIFY(off.has_value());
     QVERIFY2(std::abs(6.5 + *off - 7.5) < 1e-3, qPrintable(QString::number(6.5 + *off)));
+}
+
+void BoundaryForceTest::crumpledNormals()
+{
+    test::ShapedMask made({30, 30, 30}, {1, 1, 2});
+    made.fill([](const glm::dvec3& at) { return at.z > 19.0; });
+    const core::BoundaryForce force(made.mask(), made.geometry, 4.0);
+    // Along the boundary, or, outside, inwards: the shortest way. The boundary lies at 19 mm.
+    for (const glm::dvec3& normal :
+        {glm::dvec3(1, 0, 0), glm::normalize(glm::dvec3(1, 1, -0.3)), glm::dvec3(0, 0, 1)}) {
+        const core::SurfacePoint outside{
+            .positionLps = made.lps({9, 9, 18.3}), .normalLps = normal};
+        QVERIFY(glm::distance(force.forceMm(outside), glm::dvec3(0, 0, 0.7)) < 1e-3);
+    }
+    const core::SurfacePoint inside{
+        .positionLps = made.lps({9, 9, 19.6}), .normalLps = {0.8, 0.6, 0}};
+    QVERIFY(glm::distance(force.forceMm(inside), glm::dvec3(0, 0, -0.6)) < 1e-3);
+    // Through a sheet of one voxel, where the vertex's own side is.
+    test::ShapedMask sheet({20, 20, 20});
+    sheet.fill([](const glm::dvec3& at) { return at.z == 10.0; });
+    const core::BoundaryForce thin(sheet.mask(), sheet.geometry, 4.0);
+    const core::SurfacePoint below{.positionLps = sheet.lps({9, 9, 9.8}), .normalLps = {0, 0, 1}};
+    const glm::dvec3 back = thin.forceMm(below);
+    QVERIFY2(back.z > 0.45 && back.z < 0.75, qPrintable(QString::number(back.z)));
+}
+
+void BoundaryForceTest::bentSurfacesAreWantedFartherOut()
+{
+    test::ShapedMask made({20, 20, 20});
+    made.fill([](const glm::dvec3& at) { return at.x < 9.6; });
+    const core::BoundaryForce force(made.mask(), made.geometry, 4.0);
+    core::SurfacePoint point{.positionLps = made.lps({8.5, 9, 9}), .normalLps = {1, 0, 0}};
+    point.distanceMm = 1.2;
+    for (const double curvature : {0.1, -0.1, 5.0}) {
+        point.curvaturePerMm = curvature;
+        const double cut = std::min(7.0 / 24.0 * curvature * 1.44, 0.12);
+        QVERIFY(std::abs(force.forceMm(point).x - 1.0 - cut) < 1e-3);
+    }
 }
 
 void BoundaryForceTest::onlyYellowFollows()
