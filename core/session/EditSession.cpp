@@ -415,6 +415,15 @@ void EditSession::audit(std::function<void(const Result<AuditReport>&)> take) co
             QStringLiteral("it is kept in no file")));
 }
 
+void EditSession::copyTo(const QString& path, std::function<void(const Result<void>&)> done) const
+{
+    if (const auto& file = m_queue->state().file)
+        file->copyTo(path, std::move(done));
+    else
+        done(failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("this session is kept in memory only")));
+}
+
 void EditSession::setSegmentVisible(int label, bool visible)
 {
     m_queue->state().setVisible(label, visible);

@@ -179,6 +179,11 @@ public:
     /// thread, before the session is gone. A session without a file says so (InvalidField).
     void audit(std::function<void(const Result<AuditReport>&)> take) const;
 
+    /// A copy of everything so far, without the study's images, in @p path, which must not exist;
+    /// the session goes on where it is. Never waits; @p done is called once, on another thread,
+    /// before the session is gone. Errors: those of saveAs().
+    void copyTo(const QString& path, std::function<void(const Result<void>&)> done) const;
+
     /// Display state is no step of undo.
     void setSegmentVisible(int label, bool visible);
     /// How the window looked at it, kept for the next time it is opened: an object that means

@@ -223,6 +223,17 @@ void SessionFile::saveAs(const QString& target, bool replaceExisting,
     });
 }
 
+void SessionFile::copyTo(const QString& path, std::function<void(const Result<void>&)> done)
+{
+    m_writer.post([this, path, done = std::move(done)] {
+        writeWaiting();
+        const Result<void> copied = copyInto(path, {.kept = false});
+        if (!copied)
+            removeSession(path);
+        done(copied);
+    });
+}
+
 /// Into a staged file that is empty, or holds images and nothing else; with what waits.
 Result<void> SessionFile::copyInto(const QString& path, const SavedImages& images)
 {

@@ -89,6 +89,11 @@ public:
     void saveAs(const QString& target, bool replaceExisting,
         std::function<void(const Result<void>&)> done, SavedImages images = {});
 
+    /// Copies all but the study's images into @p path, which must not exist, and goes on where it
+    /// is.
+    /// @p done: on the writer's thread. Errors: FileUnwritable.
+    void copyTo(const QString& path, std::function<void(const Result<void>&)> done);
+
     /// Tries again what waits in memory. Never waits.
     void retry();
     /// Why something waits in memory (without a file: a step); none: all is on disk or on its way.

@@ -169,7 +169,7 @@ void MainWindowUiTest::listOfVolumesChoosesNothing()
     const auto labels = dialog.findChildren<QLabel*>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
         return label->text()
-            == QLatin1String("Also found: 1 × single image (open its file), 3 × localizer");
+            == QStringLiteral("Also found: 1 × single image (open its file), 3 × localizer");
     }));
     QVERIFY(!dialog.findChild<QComboBox*>()->isVisible());
     list->topLevelItem(1)->setSelected(true);

@@ -2,7 +2,6 @@
 #include "ui/dialogs/DeidentifySessionDialog.h"
 
 #include "core/export/MaskSelection.h"
-#include "core/session/AuditReport.h"
 #include "core/session/DeidentifySession.h"
 #include "core/session/EditSession.h"
 #include "ui/Theme.h"
@@ -19,6 +18,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
+#include <QTemporaryDir>
 #include <QVBoxLayout>
 
 #include <functional>
@@ -29,6 +29,12 @@ namespace ui {
 namespace {
 
 const QLatin1String folderKey("sessions/folder");
+
+/// Where the session is copied to; only its owner may look into the folder.
+QString copyIn(const QTemporaryDir& folder)
+{
+    return folder.filePath(QStringLiteral("session.burin"));
+}
 
 } // namespace
 
@@ -127,36 +133,43 @@ void DeidentifySessionDialog::start()
     m_waits = true;
     showRunning();
     session->closeGrowth();
-    // It answers behind every step so far. The workspace outlives the session.
-    session->audit([workspace = &m_workspace, guard = QPointer(this), target, replaces](
-                       const core::Result<core::AuditReport>& report) {
-        QMetaObject::invokeMethod(
-            workspace,
-            [guard, target, replaces, report] {
-                if (!guard || !guard->m_waits)
-                    return;
-                guard->m_waits = false;
-                if (report)
-                    guard->write(target, replaces);
-                else
-                    guard->showFailure(report.error());
-            },
-            Qt::QueuedConnection);
-    });
+    // The session's own file is open, and stays so. The workspace outlives the session.
+    const auto folder = std::make_shared<QTemporaryDir>();
+    session->copyTo(copyIn(*folder),
+        [workspace = &m_workspace, guard = QPointer(this), target, replaces, folder](
+            const core::Result<void>& copied) {
+            QMetaObject::invokeMethod(
+                workspace,
+                [guard, target, replaces, folder, copied] {
+                    if (!guard || !guard->m_waits)
+                        return;
+                    guard->m_waits = false;
+                    if (copied)
+                        guard->write(target, replaces, folder);
+                    else
+                        guard->showFailure(copied.error());
+                },
+                Qt::QueuedConnection);
+        });
 }
 
-void DeidentifySessionDialog::write(const QString& target, bool replaces)
+void DeidentifySessionDialog::write(
+    const QString& target, bool replaces, const std::shared_ptr<QTemporaryDir>& folder)
 {
     m_run->showProgress(tr("Writing and checking the copy"), 0, 0);
-    m_job.start([this, target, replaces, file = m_workspace.session()->file(),
+    m_job.start([this, target, replaces, folder,
                     by = m_options->deidentifier(m_workspace.volume()->identity)](
                     const core::Progress&) -> std::function<void()> {
-        const core::Result<QStringList> done = core::deidentifySession(file, target, replaces, *by);
+        const core::Result<QStringList> done =
+            core::deidentifySession(copyIn(*folder), target, replaces, *by);
         const core::Result<QString> sum =
             done ? core::sha256OfFile(target) : core::Result<QString>(QString());
-        return [this, target, done, sum] {
-            if (!done)
-                return showFailure(done.error());
+        return [this, target, folder, done, sum] {
+            if (!done) {
+                core::Error error = done.error();
+                error.arguments.replaceInStrings(copyIn(*folder), m_workspace.session()->file());
+                return showFailure(error);
+            }
             m_run->showReport({.file = target,
                 .written = *done,
                 .checked = {},

@@ -6,8 +6,11 @@
 
 #include <QDialog>
 
+#include <memory>
+
 class QLineEdit;
 class QPushButton;
+class QTemporaryDir;
 
 namespace ui {
 
@@ -33,7 +36,7 @@ private:
     void browse();
     void showState();
     void start();
-    void write(const QString& target, bool replaces);
+    void write(const QString& target, bool replaces, const std::shared_ptr<QTemporaryDir>& folder);
     void showRunning();
     void showFailure(const core::Error& error);
     void reject() override;
