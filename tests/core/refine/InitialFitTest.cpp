@@ -3,6 +3,7 @@
 #include "core/masks/MaskOnVolume.h"
 #include "core/refine/BoundaryForce.h"
 #include "core/refine/FaceShape.h"
+#include "core/refine/SelfIntersections.h"
 #include "core/refine/SimplexDual.h"
 #include "core/refine/SurfaceVoxels.h"
 #include "core/study/StudyLoader.h"
@@ -140,6 +141,7 @@ void InitialFitTest::shapes()
     const core::SimplexMesh mesh = fitted(mask, made.geometry, {.vertices = 12'000});
     const auto ms = timer.elapsed();
     QCOMPARE(test::eulerCharacteristics(mesh), characteristics);
+    QVERIFY(core::selfIntersections(mesh, made.geometry).empty());
     const RoundTrip trip = roundTrip(mesh, made.geometry, made.voxels());
     const core::BoundaryForce boundary(mask, made.geometry, 4.0);
     double farthest = 0.0;
@@ -283,11 +285,13 @@ void InitialFitTest::masksOfOthers()
         const core::SimplexMesh mesh = fitted(
             core::BoxMask::of(segment.voxels, geometry.size), geometry, {.vertices = 12'000});
         QVERIFY(!test::eulerCharacteristics(mesh).empty());
+        const std::size_t crossings = core::selfIntersections(mesh, geometry).size();
         const RoundTrip trip = roundTrip(mesh, geometry, segment.voxels);
         worst = std::max(worst, std::abs(trip.drift));
-        qInfo("%s, %llu voxels: %zu vertices, drift %+.3f %%, differing %.3f %%",
+        qInfo("%s, %llu voxels: %zu vertices, drift %+.3f %%, differing %.3f %%, "
+              "%zu crossings",
             qPrintable(segment.name), static_cast<unsigned long long>(trip.voxels),
-            mesh.vertexCount(), 100.0 * trip.drift, 100.0 * trip.differing);
+            mesh.vertexCount(), 100.0 * trip.drift, 100.0 * trip.differing, crossings);
     }
     QVERIFY2(worst < 0.005, qPrintable(QString::number(worst)));
 }
