@@ -128,10 +128,14 @@ std::vector<RepairOffer> offersFor(const VolumeProblem& problem, const VolumeGeo
     std::vector<RepairOffer> offers;
     using Kind = VolumeProblem::Kind;
     switch (problem.kind) {
-    case Kind::MissingSlices:
-        offers.push_back(latticeOffer(slices, SeriesRepair::Lattice::Filled));
+    case Kind::MissingSlices: {
+        // Of pictures only the names tell that one is missing: there is no gap to fill.
+        RepairOffer filled = latticeOffer(slices, SeriesRepair::Lattice::Filled);
+        if (filled.result.size.z > slices.size.z)
+            offers.push_back(std::move(filled));
         offerParts(slices, offers);
         break;
+    }
     case Kind::UnevenSpacing:
         offers.push_back(latticeOffer(slices, SeriesRepair::Lattice::Even));
         offerParts(slices, offers);

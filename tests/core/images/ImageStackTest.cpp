@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/MaskSelection.h"
 #include "core/images/NaturalOrder.h"
+#include "core/repair/SeriesFindings.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/ImageFiles.h"
@@ -320,6 +321,14 @@ void ImageStackTest::numbersThatAreMissing()
     QVERIFY(tells(
         *loaded, VolumeProblem::Kind::MissingSlices, "2 between CT_0014.png and CT_0020.png"));
     QVERIFY(loaded->volume.needsCaution());
+    // Where the pictures lie nothing is missing that could be filled.
+    const Result<core::StudyListing> listing = core::scanStudies(folder());
+    QVERIFY(listing);
+    const core::SeriesEntry& entry = listing->studies.front().series.front();
+    for (const core::SeriesFinding& finding : core::seriesFindings(*listing, entry)) {
+        for (const core::RepairOffer& offer : finding.offers)
+            QVERIFY2(!offer.repair.contains(QLatin1String("gap")), qPrintable(offer.repair));
+    }
     // Names that are not numbered, or otherwise, say nothing.
     QVERIFY(core::numberGaps({QStringLiteral("a.png"), QStringLiteral("c.png")}).empty());
     QVERIFY(core::numberGaps({QStringLiteral("a1.png"), QStringLiteral("b9.png")}).empty());
