@@ -3,6 +3,7 @@
 #include "core/masks/MaskOnVolume.h"
 #include "core/meshfile/MeshReader.h"
 #include "tests/support/FileSizeLimit.h"
+#include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -111,6 +112,8 @@ class ExportSurfaceTest : public QObject {
 private Q_SLOTS:
     void everyGeometry_data();
     void everyGeometry();
+    void readByOthers_data();
+    void readByOthers();
     void rasIsHalfATurn();
     void namesOfAnyKind();
     void fullDiskLeavesNothing();
@@ -183,6 +186,61 @@ void ExportSurfaceTest::everyGeometry()
 }
 
 /// The same points, seen from the other axes.
+void ExportSurfaceTest::readByOthers_data()
+{
+    QTest::addColumn<Format>("format");
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<bool>("ras");
+    for (const auto& [format, name] : formats) {
+        QTest::addRow("%s LPS", name) << format << QByteArray(name) << false;
+        QTest::addRow("%s RAS", name) << format << QByteArray(name) << true;
+    }
+}
+
+/// A reader in Python that knows the formats and nothing of Burin finds the same voxels inside, on
+/// a grid that is turned and tilted.
+void ExportSurfaceTest::readByOthers()
+{
+    QFETCH(Format, format);
+    QFETCH(QByteArray, name);
+    QFETCH(bool, ras);
+    test::SmallSeries series;
+    series.size = {9, 7, 5};
+    const glm::dmat3 turned(
+        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))));
+    series.rowDirection = turned[0];
+    series.columnDirection = turned[1];
+    series.placeEvenly({-40.25, -31.5, 812.125}, turned[2] * 2.5 + 0.6 * turned[1]);
+    const Fixture on(series);
+    const auto report =
+        on.exported(format, name.constData(), ras ? core::MeshSpace::Ras : core::MeshSpace::Lps);
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+
+    QFile places(on.file("places.txt"));
+    QVERIFY(places.open(QIODevice::WriteOnly));
+    QByteArray expected;
+    std::size_t at = 0;
+    for (int z = 0; z < series.size.z; ++z) {
+        for (int y = 0; y < series.size.y; ++y) {
+            for (int x = 0; x < series.size.x; ++x, ++at) {
+                const glm::dvec3 place = on.volume.geometry.toWorld({x, y, z});
+                places.write(QStringLiteral("%1 %2 %3\n")
+                                 .arg(place.x, 0, 'g', 17)
+                                 .arg(place.y, 0, 'g', 17)
+                                 .arg(place.z, 0, 'g', 17)
+                                 .toLatin1());
+                expected += on.labels[at] == 1 || on.labels[at] == 3 ? '1' : '0';
+            }
+        }
+    }
+    places.close();
+    const auto read = test::runScript(QStringLiteral("surface_inside.py"),
+        {on.file(name.constData()), places.fileName(),
+            ras ? QStringLiteral("RAS") : QStringLiteral("LPS")});
+    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
+    QCOMPARE(read.output.trimmed(), expected);
+}
+
 void ExportSurfaceTest::rasIsHalfATurn()
 {
     const Fixture on;
