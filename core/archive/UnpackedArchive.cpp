@@ -62,6 +62,8 @@ Result<void> gather(const QString& path, const QString& folder, const Progress& 
         return failure(ErrorCode::FileUnwritable, path,
             QStringLiteral("no folder %1 to unpack to").arg(gathering));
     Result<void> unpacked = unpackArchive(path, gathering, progress);
+    if (unpacked && QDir(gathering).isEmpty())
+        unpacked = failure(ErrorCode::FolderEmpty, path);
     if (unpacked && !QDir().rename(gathering, folder))
         unpacked = failure(ErrorCode::FileUnwritable, path, QStringLiteral("cannot rename"));
     QDir(gathering).removeRecursively();
