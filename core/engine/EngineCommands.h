@@ -74,11 +74,11 @@ struct CapsuleCut {
 /// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
 /// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
 /// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
-/// layers and segments, whole at once; LabelListed there: a mask that comes in. Those of growth:
-/// growth/GrowthCommands.h.
+/// layers and segments, whole at once; LabelListed there: a mask that comes in; RelabelListed: what
+/// a segment gets and loses, by voxel. Those of growth: growth/GrowthCommands.h.
 using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel,
-    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed, CoverLabel,
-    FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, SpreadLabels>;
+    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed,
+    RelabelListed, CoverLabel, FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, SpreadLabels>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -130,8 +130,8 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // of another length than 256; growing from seeds that is not sound (isSound()) or with seeds of
 // fewer than two labels; TraceTolerance while a transaction is open, by a rule that is not sound
 // (isSound()) or of a label without seeds; ForeseeCut while a transaction is open, or of a cut that
-// could not begin.
-// ReadBricks, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and
+// could not begin; a box of codes that is empty or not within the volume.
+// ReadBricks, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and
 // DropForesight are served while a transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
@@ -162,6 +162,11 @@ struct MuteLayers {
 /// Fetch bricks; the result lists each with `after` filled and `before` empty, in this order.
 struct ReadBricks {
     std::vector<BrickKey> keys;
+};
+/// Fetch the codes of a box: 16 bits each, x fastest (`codes`). Cost: it waits until the box has
+/// been copied, so a large one costs frames.
+struct ReadCodes {
+    VoxelBox box;
 };
 /// Codes, labels and pending seeds at voxels, for readouts; and tolerances where a tolerance field
 /// stands.
@@ -235,7 +240,7 @@ struct PickVoxels {
 };
 
 using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
-    ReadBricks, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance,
+    ReadBricks, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance,
     DropTolerance, ForeseeCut, DropForesight>;
 
 // --- Results
@@ -276,6 +281,7 @@ struct EngineResult {
     std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the counter at its end
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::optional<LeakAlarm> alarm{}; ///< EndEdit of a growth: why it stopped
+    std::vector<std::uint16_t> codes{}; ///< ReadCodes
     std::vector<ProbedVoxel> probes;
     std::vector<ProbedSeeds> seeds; ///< groups in their order, then the seeds in none, by label;
                                     ///< only those that have voxels

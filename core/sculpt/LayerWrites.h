@@ -58,6 +58,20 @@ struct LabelListed {
     std::vector<Brick> bricks{}; ///< ascending, each once
 };
 
+/// Give a label to voxels that are listed, and take it from others. One that is to receive it goes
+/// by the rule of LabelTarget. One that is to lose it becomes 0 where the plane holds the label at
+/// it, and a seed word there that bears the label becomes unvisited (as PaintLabel erases).
+struct RelabelListed {
+    static constexpr std::uint8_t give = 1;
+    static constexpr std::uint8_t take = 2;
+    struct Brick {
+        std::uint32_t brick = 0;
+        std::vector<std::uint8_t> asked; ///< of its 4096 voxels: give, take or 0, which is nothing
+    };
+    LabelTarget target{};
+    std::vector<Brick> bricks{}; ///< ascending, each once
+};
+
 /// Coverage of the layer = 255 wherever the plane holds the label.
 struct CoverLabel {
     std::uint8_t layer = 0;
@@ -71,17 +85,36 @@ struct FoldLayer {
     std::optional<std::uint8_t> into{};
 };
 
-/// Whether its bricks are whole, ascend and are the volume's.
-[[nodiscard]] inline bool isSound(const LabelListed& edit, int brickCount)
+/// Whether listed bricks are whole, ascend and are the volume's.
+template <class Brick>
+[[nodiscard]] bool areSound(
+    const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels, int brickCount)
 {
     std::int64_t last = -1;
-    for (const LabelListed::Brick& brick : edit.bricks) {
-        if (brick.labels.size() != 4096 || std::int64_t(brick.brick) <= last
+    for (const Brick& brick : bricks) {
+        if ((brick.*voxels).size() != 4096 || std::int64_t(brick.brick) <= last
             || std::int64_t(brick.brick) >= brickCount)
             return false;
         last = brick.brick;
     }
     return true;
+}
+
+[[nodiscard]] inline bool isSound(const LabelListed& edit, int brickCount)
+{
+    return areSound(edit.bricks, &LabelListed::Brick::labels, brickCount);
+}
+
+/// Also whether nothing else is asked for than it knows.
+[[nodiscard]] inline bool isSound(const RelabelListed& edit, int brickCount)
+{
+    for (const RelabelListed::Brick& brick : edit.bricks) {
+        for (const std::uint8_t asked : brick.asked) {
+            if (asked > RelabelListed::take)
+                return false;
+        }
+    }
+    return areSound(edit.bricks, &RelabelListed::Brick::asked, brickCount);
 }
 
 /// Whether every normal is short enough for a volume of this size.

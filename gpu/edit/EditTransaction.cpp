@@ -141,6 +141,13 @@ core::Result<void> check(const core::LabelListed& edit, const core::BrickGrid& g
     return {};
 }
 
+core::Result<void> check(const core::RelabelListed& edit, const core::BrickGrid& grid)
+{
+    if (!core::isSound(edit, grid.brickCount()))
+        return refusal("bricks", "are not sound");
+    return check(edit.target);
+}
+
 core::Result<void> check(const core::CoverLabel& edit, const core::BrickGrid&)
 {
     if (edit.label == 0)
@@ -235,6 +242,8 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_wholeKeys = labelSeen(programs.label, fields, before, *seen);
     } else if (const auto* listed = std::get_if<core::LabelListed>(&edit)) {
         transaction->m_wholeKeys = labelListed(programs.label, fields, before, *listed);
+    } else if (const auto* relabelled = std::get_if<core::RelabelListed>(&edit)) {
+        transaction->m_wholeKeys = relabelListed(programs.label, fields, before, *relabelled);
     } else if (const auto* cover = std::get_if<core::CoverLabel>(&edit)) {
         transaction->m_wholeKeys = coverLabel(programs.erase, fields, before, *cover);
     } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {

@@ -368,6 +368,20 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
     return result;
 }
 
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadCodes& command)
+{
+    const core::VoxelBox& box = command.box;
+    if (box.empty() || glm::any(glm::lessThan(box.minimum, glm::ivec3(0)))
+        || glm::any(glm::greaterThan(box.maximum, m_fields->grid().volumeSize)))
+        return refusal("box", "is empty or not within the volume");
+    const glm::ivec3 size = box.maximum - box.minimum;
+    core::EngineResult result;
+    result.codes.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    m_fields->codes().read(
+        box.minimum, size, std::as_writable_bytes(std::span<std::uint16_t>(result.codes)));
+    return result;
+}
+
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
 {
     for (const glm::ivec3& voxel : command.voxels) {

@@ -71,6 +71,7 @@ private:
     Outcome carryOut(core::SwapBricks& command);
     Outcome carryOut(const core::MuteLayers& command);
     Outcome carryOut(const core::ReadBricks& command);
+    Outcome carryOut(const core::ReadCodes& command);
     Outcome carryOut(const core::ProbeVoxels& command);
     Outcome carryOut(const core::ProbeSeeds& command);
     Outcome carryOut(const core::PickVoxels& command);

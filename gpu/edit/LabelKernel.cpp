@@ -95,12 +95,51 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
     return keys;
 }
 
+template <class Brick> std::vector<std::uint32_t> numbersOf(const std::vector<Brick>& bricks)
+{
+    std::vector<std::uint32_t> numbers;
+    for (const Brick& brick : bricks)
+        numbers.push_back(brick.brick);
+    return numbers;
+}
+
+/// Binds what is asked of the voxels of listed bricks.
+template <class Brick> class AskedBytes {
+public:
+    AskedBytes(const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels)
+        : m_bricks(bricks)
+        , m_voxels(voxels)
+        , m_buffer(
+              {.label = "asked voxels", .bytes = bricksAtOnce * core::BrickGrid::voxelsPerBrick})
+    {
+    }
+
+    void operator()(const std::vector<std::uint32_t>& numbers) const
+    {
+        std::vector<std::uint8_t> bytes;
+        bytes.reserve(numbers.size() * core::BrickGrid::voxelsPerBrick);
+        for (const std::uint32_t number : numbers) {
+            const auto brick = std::lower_bound(m_bricks.begin(), m_bricks.end(), number,
+                [](const Brick& one, std::uint32_t wanted) { return one.brick < wanted; });
+            bytes.insert(bytes.end(), ((*brick).*m_voxels).begin(), ((*brick).*m_voxels).end());
+        }
+        m_buffer.write(std::span<const std::uint8_t>(bytes));
+        m_buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    }
+
+private:
+    const std::vector<Brick>& m_bricks;
+    std::vector<std::uint8_t> Brick::*m_voxels;
+    mutable Buffer m_buffer;
+};
+
 } // namespace
 
 LabelPrograms::LabelPrograms(const ShaderLibrary& library)
     : carved(program(library, {}))
     , seen(program(library, {{"SEEN", 1}}))
     , listed(program(library, {{"LISTED", 1}}))
+    , relabelled(program(library, {{"RELABELLED", 1}}))
 {
 }
 
@@ -139,27 +178,17 @@ std::vector<core::BrickKey> labelSeen(
 std::vector<core::BrickKey> labelListed(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelListed& edit)
 {
-    std::vector<std::uint32_t> bricks;
-    for (const core::LabelListed::Brick& brick : edit.bricks)
-        bricks.push_back(brick.brick);
-    Buffer asked(
-        {.label = "asked labels", .bytes = bricksAtOnce * core::BrickGrid::voxelsPerBrick});
-    const auto bindAsked = [&](const std::vector<std::uint32_t>& listed) {
-        std::vector<std::uint8_t> labels;
-        labels.reserve(listed.size() * core::BrickGrid::voxelsPerBrick);
-        for (const std::uint32_t number : listed) {
-            const auto brick = std::lower_bound(edit.bricks.begin(), edit.bricks.end(), number,
-                [](const core::LabelListed::Brick& one, std::uint32_t wanted) {
-                    return one.brick < wanted;
-                });
-            labels.insert(labels.end(), brick->labels.begin(), brick->labels.end());
-        }
-        asked.write(std::span<const std::uint8_t>(labels));
-        asked.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    };
     const core::LabelTarget target{
         .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
-    return label(programs.listed, fields, before, target, bricks, bindAsked);
+    return label(programs.listed, fields, before, target, numbersOf(edit.bricks),
+        AskedBytes(edit.bricks, &core::LabelListed::Brick::labels));
+}
+
+std::vector<core::BrickKey> relabelListed(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::RelabelListed& edit)
+{
+    return label(programs.relabelled, fields, before, edit.target, numbersOf(edit.bricks),
+        AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
 }
 
 } // namespace gpu

@@ -1,5 +1,5 @@
-// Gives a label to chosen voxels of listed bricks (LabelCarved, LabelSeen, LabelListed in
-// core/sculpt/LayerWrites.h). Tells what changes in each; writes only where it is told to. One
+// Gives a label to chosen voxels of listed bricks (LabelCarved, LabelSeen, LabelListed,
+// RelabelListed in core/sculpt/LayerWrites.h), or takes it from them. Tells what changes in each; writes only where it is told to. One
 // work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
@@ -14,8 +14,8 @@ layout(binding = 2, std430) readonly buffer Bounds { ivec4 bounds[]; };
 uniform uint boundCount;
 uniform uint lowCode;
 uniform uint highCode;
-#elif defined(LISTED)
-layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four labels each, by brick
+#elif defined(LISTED) || defined(RELABELLED)
+layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four voxels each, by brick
 #else
 layout(binding = 0) uniform usampler3D coverage; // atlas
 layout(binding = 2) uniform usampler3D coveragePages;
@@ -48,7 +48,13 @@ bool isChosen(ivec3 voxel)
     }
     return true;
 }
-#elif !defined(LISTED)
+#elif defined(LISTED) || defined(RELABELLED)
+uint askedFor(int offset)
+{
+    uint four = asked[gl_WorkGroupID.x * 1024u + uint(offset >> 2)];
+    return four >> (8 * (offset & 3)) & 255u;
+}
+#else
 bool isChosen(ivec3 voxel)
 {
     uint entry = texelFetch(coveragePages, voxel >> 4, 0).r;
@@ -60,10 +66,21 @@ bool isChosen(ivec3 voxel)
 uint labelFor(ivec3 voxel, int offset)
 {
 #ifdef LISTED
-    uint four = asked[gl_WorkGroupID.x * 1024u + uint(offset >> 2)];
-    return four >> (8 * (offset & 3)) & 255u;
+    return askedFor(offset);
+#elif defined(RELABELLED)
+    return askedFor(offset) != 0u ? label : 0u;
 #else
     return isChosen(voxel) ? label : 0u;
+#endif
+}
+
+/// Whether that label is to go from here.
+bool isTaken(int offset)
+{
+#ifdef RELABELLED
+    return askedFor(offset) == 2u;
+#else
+    return false;
 #endif
 }
 
@@ -78,18 +95,19 @@ void main()
         if (wanted == 0u)
             continue;
         uint held = imageLoad(labels, voxel).r;
-        if (held != 0u && held != wanted && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+        bool taken = isTaken(offset);
+        if (!taken && held != 0u && held != wanted && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
             continue;
-        if (held != wanted) {
+        if ((held == wanted) == taken) {
             found |= changedLabel;
             if (write)
-                imageStore(labels, voxel, uvec4(wanted));
+                imageStore(labels, voxel, uvec4(taken ? 0u : wanted));
         }
         if (entry == 0u)
             continue;
         ivec3 texel = atlasTexel(entry, voxel);
         uint word = imageLoad(words, texel).r;
-        if ((isMember(word) || isPendingSeed(word)) && labelOf(word) != wanted) {
+        if ((isMember(word) || isPendingSeed(word)) && (labelOf(word) == wanted) == taken) {
             found |= changedWord;
             if (write)
                 imageStore(words, texel, uvec4(unvisited));

@@ -31,6 +31,17 @@ void give(DenseFields& fields, const core::LabelTarget& target, const glm::ivec3
         word = seedWord::unvisited;
 }
 
+void take(DenseFields& fields, const core::LabelTarget& target, const glm::ivec3& voxel)
+{
+    std::uint8_t& held = fields.labels(target.plane).at(voxel);
+    if (held == target.label)
+        held = 0;
+    std::uint32_t& word = fields.seedWords(target.plane).at(voxel);
+    const bool bears = seedWord::isMember(word) || seedWord::isPendingSeed(word);
+    if (bears && seedWord::label(word) == target.label)
+        word = seedWord::unvisited;
+}
+
 bool within(const std::vector<core::VoxelBound>& bounds, const glm::ivec3& voxel)
 {
     return std::all_of(bounds.begin(), bounds.end(), [&voxel](const core::VoxelBound& bound) {
@@ -76,6 +87,21 @@ void labelListed(DenseFields& fields, const core::LabelListed& edit)
                 give(fields, {edit.plane, asked, edit.overwritable}, voxel);
         });
     }
+}
+
+void relabelListed(DenseFields& fields, const core::RelabelListed& edit)
+{
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        for (const core::RelabelListed::Brick& brick : edit.bricks) {
+            if (int(brick.brick) != core::BrickGrid{fields.size()}.brickOf(voxel))
+                continue;
+            const int asked = brick.asked[std::size_t(core::BrickGrid::offsetInBrick(voxel))];
+            if (asked == core::RelabelListed::give)
+                give(fields, edit.target, voxel);
+            else if (asked == core::RelabelListed::take)
+                take(fields, edit.target, voxel);
+        }
+    });
 }
 
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit)

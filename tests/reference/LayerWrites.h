@@ -13,6 +13,7 @@ void labelCarved(DenseFields& fields, const core::LabelCarved& edit);
 void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
     DenseFields& fields, const core::LabelSeen& edit);
 void labelListed(DenseFields& fields, const core::LabelListed& edit);
+void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);
 void foldLayer(DenseFields& fields, const core::FoldLayer& edit);
 

@@ -279,6 +279,16 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelListed& ed
     return Done{};
 }
 
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::RelabelListed& edit)
+{
+    if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
+        return refuse("bricks", "are not sound");
+    if (edit.target.label == 0)
+        return refuse("label", "0 is no segment");
+    relabelListed(m_fields, edit);
+    return Done{};
+}
+
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CoverLabel& edit)
 {
     if (edit.label == 0)

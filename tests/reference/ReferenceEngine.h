@@ -65,6 +65,7 @@ private:
     [[nodiscard]] Outcome carryOut(core::SwapBricks& command);
     [[nodiscard]] Outcome carryOut(core::MuteLayers& command);
     [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
+    [[nodiscard]] Outcome carryOut(core::ReadCodes& command);
     [[nodiscard]] Outcome carryOut(core::ProbeVoxels& command);
     [[nodiscard]] Outcome carryOut(core::ProbeSeeds& command);
     [[nodiscard]] Outcome carryOut(core::PickVoxels& command);
@@ -92,6 +93,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::LabelCarved& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelSeen& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelListed& edit);
+    [[nodiscard]] core::Result<Work> begin(core::RelabelListed& edit);
     [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);
     [[nodiscard]] core::Result<Work> begin(core::LaserCut& edit);

@@ -19,6 +19,19 @@ auto refuse(const char* field, const char* reason)
 
 } // namespace
 
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ReadCodes& command)
+{
+    const core::VoxelBox& box = command.box;
+    if (box.empty() || !m_codes.contains(box.minimum) || !m_codes.contains(box.maximum - 1))
+        return refuse("box", "is empty or not within the volume");
+    core::EngineResult result;
+    for (int z = box.minimum.z; z < box.maximum.z; ++z)
+        for (int y = box.minimum.y; y < box.maximum.y; ++y)
+            for (int x = box.minimum.x; x < box.maximum.x; ++x)
+                result.codes.push_back(m_codes.at({x, y, z}));
+    return result;
+}
+
 ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
 {
     core::EngineResult result;

@@ -395,6 +395,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
         if (!text.isEmpty())
             return text;
     }
+    if (a.codes != b.codes)
+        return QStringLiteral("other codes of a box");
     if (a.generationSizes != b.generationSizes)
         return QStringLiteral("members of generations differ");
     if (a.tolerance != b.tolerance)
