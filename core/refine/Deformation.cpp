@@ -106,7 +106,7 @@ void Deformation::forgetInactive()
 }
 
 DeformationStep Deformation::step(
-    SimplexMeshEdit& edit, std::span<const ExternalForce* const> forces)
+    SimplexMeshEdit& edit, std::span<const ExternalForce* const> forces, SurfaceGuide* guide)
 {
     const SimplexMesh& mesh = edit.mesh();
     m_motions.resize(std::max<std::size_t>(m_motions.size(), mesh.vertexSlots()));
@@ -138,6 +138,8 @@ DeformationStep Deformation::step(
             + m_settings.external * external;
         pull.place = point.positionLps + (1.0 - m_settings.damping) * m_motions[id].speed
             + m_settings.timeStep * pull.force;
+        if (guide)
+            guide->guide(point, pull.force, pull.place);
     });
 
     DeformationStep report{.active = m_active.size()};

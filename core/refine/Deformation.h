@@ -56,7 +56,8 @@ public:
     [[nodiscard]] const std::vector<VertexId>& active() const { return m_active; }
 
     /// Moves the active vertices once; the external forces add up.
-    DeformationStep step(SimplexMeshEdit& edit, std::span<const ExternalForce* const> forces);
+    DeformationStep step(SimplexMeshEdit& edit, std::span<const ExternalForce* const> forces,
+        SurfaceGuide* guide = nullptr);
 
 private:
     struct Motion {

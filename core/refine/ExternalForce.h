@@ -28,4 +28,19 @@ public:
     [[nodiscard]] virtual glm::dvec3 forceMm(const SurfacePoint& point) const = 0;
 };
 
+/// Has the last word on where a vertex goes, after all forces: what a tool holds on to is exactly
+/// where the tool has it.
+class SurfaceGuide {
+public:
+    SurfaceGuide() = default;
+    virtual ~SurfaceGuide() = default;
+    SurfaceGuide(const SurfaceGuide&) = delete;
+    SurfaceGuide& operator=(const SurfaceGuide&) = delete;
+
+    /// Called by several threads at once, but once a step for a vertex, none of them green.
+    /// @param forceMm what works on it: decides who rests and who wakes neighbours
+    /// @param placeLps where the step would take it
+    virtual void guide(const SurfacePoint& point, glm::dvec3& forceMm, glm::dvec3& placeLps) = 0;
+};
+
 } // namespace core

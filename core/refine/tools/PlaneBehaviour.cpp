@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/refine/tools/ToolBehaviour.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+/// Nearer to the plane than this a vertex lies on it.
+constexpr double skinMm = 1e-10;
+
+class PlaneBehaviour final : public ToolBehaviour {
+public:
+    PlaneBehaviour(const PlaneTool& tool, const ToolScale& scale)
+        : ToolBehaviour(scale)
+        , m_tool(tool)
+    {
+    }
+
+    double walkMm(double pressure) const override
+    {
+        return std::min(0.5 * m_scale.edgeMm, 0.25 * m_tool.radiusMm * pressure);
+    }
+
+    std::vector<VertexId> moveTo(const SimplexMesh& mesh, const SurfaceSample& sample) override
+    {
+        const glm::dvec3 normal =
+            sample.normalLps == glm::dvec3(0.0) ? m_tool.normalLps : sample.normalLps;
+        const double length = glm::length(normal);
+        m_normal = length > 0.0 ? normal / length : glm::dvec3(0.0);
+        m_centre = sample.placeLps;
+        m_radiusMm = m_tool.radiusMm * sample.pressure;
+        std::vector<VertexId> reached;
+        for (VertexId id = 0; id < mesh.vertexSlots(); ++id) {
+            if (mesh.hasVertex(id) && mesh.mark(id) != SurfaceMark::Green
+                && isReached(mesh.position(id)))
+                reached.push_back(id);
+        }
+        return reached;
+    }
+
+    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) const override
+    {
+        if (!isReached(point.positionLps))
+            return std::nullopt;
+        const double leftMm = glm::dot(point.positionLps - m_centre, m_normal);
+        const double strideMm = m_scale.strideMm(point);
+        const glm::dvec3 moved = placeLps - point.positionLps;
+        glm::dvec3 aside = moved - glm::dot(moved, m_normal) * m_normal;
+        const double asideMm = glm::length(aside);
+        if (asideMm > 0.5 * strideMm)
+            aside *= 0.5 * strideMm / asideMm;
+        glm::dvec3 place = point.positionLps + aside - std::min(leftMm, strideMm) * m_normal;
+        if (leftMm > strideMm)
+            return Grip{.placeLps = place, .leftMm = leftMm, .normalLps = glm::dvec3(0.0)};
+        // Twice: the first takes it there but for the rounding of long ways.
+        for (int i = 0; i < 2; ++i)
+            place -= glm::dot(place - m_centre, m_normal) * m_normal;
+        return Grip{.placeLps = place, .leftMm = leftMm, .normalLps = m_normal};
+    }
+
+private:
+    [[nodiscard]] bool isReached(const glm::dvec3& positionLps) const
+    {
+        const glm::dvec3 from = positionLps - m_centre;
+        const double height = glm::dot(from, m_normal);
+        return height > skinMm && height <= m_tool.heightMm
+            && glm::dot(from, from) - height * height <= m_radiusMm * m_radiusMm;
+    }
+
+    PlaneTool m_tool;
+    glm::dvec3 m_normal{0.0};
+    glm::dvec3 m_centre{0.0};
+    double m_radiusMm = 0.0;
+};
+
+} // namespace
+
+std::unique_ptr<ToolBehaviour> behaviourOf(const PlaneTool& tool, const ToolScale& scale)
+{
+    return std::make_unique<PlaneBehaviour>(tool, scale);
+}
+
+} // namespace core

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/refine/tools/SurfaceHolds.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+/// Of the way home.
+constexpr double springShare = 0.5;
+
+} // namespace
+
+void SurfaceHolds::learn(const SimplexMesh& mesh, std::span<const VertexId> active)
+{
+    m_holds.resize(std::max<std::size_t>(m_holds.size(), mesh.vertexSlots()));
+    ++m_step;
+    for (const VertexId id : active) {
+        Hold& hold = m_holds[id];
+        if (isSame(mesh, id))
+            continue;
+        hold = {.home = mesh.position(id),
+            .normal = normalAround(mesh, id),
+            .last = mesh.position(id),
+            .isKnown = true};
+        m_tool.adopt(mesh, id);
+    }
+}
+
+bool SurfaceHolds::isSame(const SimplexMesh& mesh, VertexId id) const
+{
+    return id < m_holds.size() && m_holds[id].isKnown && m_holds[id].last == mesh.position(id);
+}
+
+glm::dvec3 SurfaceHolds::normalAround(const SimplexMesh& mesh, VertexId id) const
+{
+    glm::dvec3 sum(0.0);
+    int touched = 0;
+    for (const VertexId near : mesh.neighbours(id)) {
+        if (!isSame(mesh, near) || m_holds[near].normal == glm::dvec3(0.0))
+            continue;
+        sum += m_holds[near].normal;
+        ++touched;
+    }
+    const double length = glm::length(sum);
+    return touched < 2 || length < 1.0 ? glm::dvec3(0.0) : sum / length;
+}
+
+glm::dvec3 SurfaceHolds::forceMm(const SurfacePoint& point) const
+{
+    if (follows(point.mark))
+        return glm::dvec3(0.0);
+    return springShare * (m_holds[point.vertex].home - point.positionLps);
+}
+
+void SurfaceHolds::guide(const SurfacePoint& point, glm::dvec3& forceMm, glm::dvec3& placeLps)
+{
+    Hold& hold = m_holds[point.vertex];
+    const bool isFree = m_isYellowFree && follows(point.mark);
+    const auto grip =
+        isFree ? std::optional<ToolBehaviour::Grip>() : m_tool.gripOf(point, placeLps);
+    if (grip) {
+        placeLps = grip->placeLps;
+        forceMm = placeLps - point.positionLps;
+        hold.home = placeLps;
+        hold.normal = grip->normalLps;
+        hold.leftMm = grip->leftMm;
+        hold.gripped = m_step;
+    } else if (hold.normal != glm::dvec3(0.0) && !isFree) {
+        forceMm -= glm::dot(forceMm, hold.normal) * hold.normal;
+        placeLps -= glm::dot(placeLps - hold.home, hold.normal) * hold.normal;
+    }
+    hold.last = placeLps;
+}
+
+double SurfaceHolds::leftMm(std::span<const VertexId> active) const
+{
+    double most = 0.0;
+    for (const VertexId id : active) {
+        if (isGripped(id))
+            most = std::max(most, m_holds[id].leftMm);
+    }
+    return most;
+}
+
+} // namespace core

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/refine/tools/SurfaceStroke.h"
+
+#include "core/refine/BoundaryForce.h"
+#include "core/refine/Deformation.h"
+#include "core/refine/MeshRestructuring.h"
+#include "core/refine/tools/MarkPaint.h"
+#include "core/refine/tools/SurfaceHolds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+/// A regular hexagon of area 1 has edges of this length.
+constexpr double hexagonEdge = 0.6204032394013997;
+/// Steps at one place of the pen: enough to come a radius far.
+constexpr int mostStepsAtPlace = 48;
+constexpr int mostStepsToSettle = 200;
+/// The last steps change no structure, so that they can come to an end.
+constexpr int stepsWithStructure = 60;
+/// How far from where the tool wants them vertices may be left on the way, in edges.
+constexpr double leftOnTheWay = 0.25;
+
+} // namespace
+
+class SurfaceStroke::Motion {
+public:
+    Motion(SimplexMesh& mesh, const BoundaryForce* boundary, const SurfaceTool& tool,
+        const SurfaceStrokeSettings& settings)
+        : m_edit(mesh)
+        , m_mesh(mesh)
+        , m_boundary(boundary)
+        , m_settings(settings)
+    {
+        m_structure.areaMm2 = settings.areaMm2 > 0.0 ? settings.areaMm2 : meanFaceAreaMm2(mesh);
+        m_scale.edgeMm = hexagonEdge * std::sqrt(m_structure.areaMm2);
+        m_deformation = Deformation({.negligibleMm = 0.01 * m_scale.edgeMm,
+            .stirringMm = 0.25 * m_scale.edgeMm,
+            .shares = settings.shares});
+        std::visit([this](const auto& kind) { m_tool = behaviourOf(kind, m_scale); }, tool);
+        if (const auto* brush = std::get_if<MarkBrush>(&tool))
+            m_brush = *brush;
+        m_holds = std::make_unique<SurfaceHolds>(*m_tool, boundary != nullptr);
+    }
+
+    void add(const SurfaceSample& sample)
+    {
+        const SurfaceSample from = m_last.value_or(sample);
+        const double walkMm = walkMmOf(std::min(from.pressure, sample.pressure));
+        const double wayMm = glm::distance(from.placeLps, sample.placeLps);
+        const int count = std::clamp(int(std::ceil(wayMm / walkMm)), 1, mostPlaces);
+        for (int i = 1; i <= count; ++i) {
+            const double share = double(i) / double(count);
+            visit(i == count
+                    ? sample
+                    : SurfaceSample{
+                        .placeLps = from.placeLps + share * (sample.placeLps - from.placeLps),
+                        .pressure = from.pressure + share * (sample.pressure - from.pressure),
+                        .normalLps = from.normalLps + share * (sample.normalLps - from.normalLps)});
+        }
+        m_last = sample;
+    }
+
+    void settle()
+    {
+        if (m_isSettled)
+            return;
+        m_isSettled = true;
+        m_tool->lift();
+        m_holds->letYellowGo();
+        for (int i = 0; i < mostStepsToSettle && !m_deformation.active().empty(); ++i)
+            step(i < stepsWithStructure);
+    }
+
+    SimplexMeshEdit& edit() { return m_edit; }
+    [[nodiscard]] std::size_t active() const { return m_deformation.active().size(); }
+    [[nodiscard]] int steps() const { return m_steps; }
+
+private:
+    /// Strokes of more than this are not by hand.
+    static constexpr int mostPlaces = 100'000;
+
+    [[nodiscard]] double walkMmOf(double pressure) const
+    {
+        return std::max(m_tool->walkMm(pressure), 0.1 * m_scale.edgeMm);
+    }
+
+    void visit(const SurfaceSample& sample)
+    {
+        if (m_brush)
+            paint(sample);
+        m_deformation.activate(m_mesh, m_tool->moveTo(m_mesh, sample));
+        const double leftMm = leftOnTheWay * m_scale.edgeMm;
+        for (int i = 0; i < mostStepsAtPlace && !m_deformation.active().empty(); ++i) {
+            step(true);
+            if (i + 1 >= m_tool->stepsAtPlace()
+                && m_holds->leftMm(m_deformation.active()) <= leftMm)
+                return;
+        }
+    }
+
+    void paint(const SurfaceSample& sample)
+    {
+        const auto painted =
+            paintMarks(m_edit, sample.placeLps, m_brush->radiusMm * sample.pressure, m_brush->mark);
+        // What is yellow now goes back to the mask.
+        if (m_boundary && m_brush->mark == SurfaceMark::Yellow)
+            m_deformation.activate(m_mesh, painted);
+    }
+
+    void step(bool structure)
+    {
+        std::vector<const ExternalForce*> forces;
+        if (m_boundary)
+            forces.push_back(m_boundary);
+        m_tool->beginStep();
+        m_holds->learn(m_mesh, m_deformation.active());
+        forces.push_back(m_holds.get());
+        m_deformation.step(m_edit, forces, m_holds.get());
+        ++m_steps;
+        if (m_settings.reddens)
+            redden();
+        if (structure && m_settings.restructureEvery > 0
+            && m_steps % m_settings.restructureEvery == 0) {
+            const Restructured done = restructure(m_edit, m_deformation.active(), m_structure);
+            m_deformation.restructured(m_mesh, done.vertices);
+        }
+    }
+
+    void redden()
+    {
+        for (const VertexId id : m_deformation.active()) {
+            if (m_mesh.mark(id) == SurfaceMark::Yellow && m_holds->isGripped(id))
+                m_edit.setMark(id, SurfaceMark::Red);
+        }
+    }
+
+    SimplexMeshEdit m_edit;
+    const SimplexMesh& m_mesh;
+    const BoundaryForce* m_boundary;
+    SurfaceStrokeSettings m_settings;
+    RestructuringSettings m_structure;
+    ToolScale m_scale;
+    Deformation m_deformation{{}};
+    std::optional<MarkBrush> m_brush;
+    std::unique_ptr<ToolBehaviour> m_tool;
+    std::unique_ptr<SurfaceHolds> m_holds;
+    std::optional<SurfaceSample> m_last;
+    bool m_isSettled = false;
+    int m_steps = 0;
+};
+
+SurfaceStroke::SurfaceStroke(SimplexMesh& mesh, const BoundaryForce* boundary,
+    const SurfaceTool& tool, const SurfaceStrokeSettings& settings)
+    : m_motion(std::make_unique<Motion>(mesh, boundary, tool, settings))
+{
+}
+
+SurfaceStroke::~SurfaceStroke() = default;
+
+void SurfaceStroke::add(const SurfaceSample& sample)
+{
+    m_motion->add(sample);
+}
+
+void SurfaceStroke::settle()
+{
+    m_motion->settle();
+}
+
+WrittenParts SurfaceStroke::takeWritten()
+{
+    return m_motion->edit().takeWritten();
+}
+
+std::size_t SurfaceStroke::activeVertices() const
+{
+    return m_motion->active();
+}
+
+int SurfaceStroke::steps() const
+{
+    return m_motion->steps();
+}
+
+SimplexMeshDelta SurfaceStroke::commit()
+{
+    m_motion->settle();
+    return m_motion->edit().commit();
+}
+
+void SurfaceStroke::rollback()
+{
+    m_motion->edit().rollback();
+}
+
+} // namespace core
