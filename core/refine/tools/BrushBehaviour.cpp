@@ -20,7 +20,7 @@ public:
         return {};
     }
     std::optional<Grip> gripOf(
-        const SurfacePoint& /*point*/, const glm::dvec3& /*placeLps*/) const override
+        const SurfacePoint& /*point*/, const glm::dvec3& /*placeLps*/) override
     {
         return std::nullopt;
     }

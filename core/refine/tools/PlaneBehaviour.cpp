@@ -41,7 +41,7 @@ public:
         return reached;
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) const override
+    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) override
     {
         if (!isReached(point.positionLps))
             return std::nullopt;

@@ -56,7 +56,7 @@ public:
         return reached;
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) const override
+    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) override
     {
         const glm::dvec3 from = point.positionLps - m_centre;
         if (!isWithin(from))

@@ -20,10 +20,7 @@ void SurfaceHolds::learn(const SimplexMesh& mesh, std::span<const VertexId> acti
         Hold& hold = m_holds[id];
         if (isSame(mesh, id))
             continue;
-        hold = {.home = mesh.position(id),
-            .normal = normalAround(mesh, id),
-            .last = mesh.position(id),
-            .isKnown = true};
+        hold = held(mesh, id);
         m_tool.adopt(mesh, id);
     }
 }
@@ -33,18 +30,27 @@ bool SurfaceHolds::isSame(const SimplexMesh& mesh, VertexId id) const
     return id < m_holds.size() && m_holds[id].isKnown && m_holds[id].last == mesh.position(id);
 }
 
-glm::dvec3 SurfaceHolds::normalAround(const SimplexMesh& mesh, VertexId id) const
+SurfaceHolds::Hold SurfaceHolds::held(const SimplexMesh& mesh, VertexId id) const
 {
-    glm::dvec3 sum(0.0);
+    const glm::dvec3 place = mesh.position(id);
+    Hold hold{.home = place, .last = place, .isKnown = true};
+    glm::dvec3 normals(0.0);
+    double offMm = 0.0;
     int touched = 0;
     for (const VertexId near : mesh.neighbours(id)) {
         if (!isSame(mesh, near) || m_holds[near].normal == glm::dvec3(0.0))
             continue;
-        sum += m_holds[near].normal;
+        const Hold& other = m_holds[near];
+        normals += other.normal;
+        offMm += glm::dot(other.home - place, other.normal);
         ++touched;
     }
-    const double length = glm::length(sum);
-    return touched < 2 || length < 1.0 ? glm::dvec3(0.0) : sum / length;
+    const double length = glm::length(normals);
+    if (touched < 2 || length < 0.9 * double(touched))
+        return hold;
+    hold.normal = normals / length;
+    hold.home = place + offMm / double(touched) * hold.normal;
+    return hold;
 }
 
 glm::dvec3 SurfaceHolds::forceMm(const SurfacePoint& point) const

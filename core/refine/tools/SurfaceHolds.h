@@ -49,7 +49,9 @@ private:
         return m_isMaskThere && mark == SurfaceMark::Yellow;
     }
     [[nodiscard]] bool isSame(const SimplexMesh& mesh, VertexId id) const;
-    [[nodiscard]] glm::dvec3 normalAround(const SimplexMesh& mesh, VertexId id) const;
+    /// A vertex that is new, or concerned for the first time: between two that are held it is held
+    /// as they are.
+    [[nodiscard]] Hold held(const SimplexMesh& mesh, VertexId id) const;
 
     ToolBehaviour& m_tool;
     bool m_isMaskThere;

@@ -16,15 +16,20 @@ namespace {
 
 /// A regular hexagon of area 1 has edges of this length.
 constexpr double hexagonEdge = 0.6204032394013997;
-/// Steps at one place of the pen: enough to come a radius far.
-constexpr int mostStepsAtPlace = 48;
-constexpr int mostStepsToSettle = 200;
+/// As long as the tool has something to move, and then until all is at rest.
+constexpr int mostStepsToMove = 600;
+constexpr int mostStepsToRest = 100;
 /// The last steps change no structure, so that they can come to an end.
-constexpr int stepsWithStructure = 60;
+constexpr int stepsWithStructure = 40;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
 
 } // namespace
+
+double edgeMmOf(const SimplexMesh& mesh, double areaMm2)
+{
+    return hexagonEdge * std::sqrt(areaMm2 > 0.0 ? areaMm2 : meanFaceAreaMm2(mesh));
+}
 
 class SurfaceStroke::Motion {
 public:
@@ -36,11 +41,11 @@ public:
         , m_settings(settings)
     {
         m_structure.areaMm2 = settings.areaMm2 > 0.0 ? settings.areaMm2 : meanFaceAreaMm2(mesh);
-        m_scale.edgeMm = hexagonEdge * std::sqrt(m_structure.areaMm2);
+        m_scale = {.areaMm2 = m_structure.areaMm2, .edgeMm = edgeMmOf(mesh, m_structure.areaMm2)};
         m_deformation = Deformation({.negligibleMm = 0.01 * m_scale.edgeMm,
             .stirringMm = 0.25 * m_scale.edgeMm,
             .shares = settings.shares});
-        std::visit([this](const auto& kind) { m_tool = behaviourOf(kind, m_scale); }, tool);
+        std::visit([this](const auto& kind) { take(kind); }, tool);
         if (const auto* brush = std::get_if<MarkBrush>(&tool))
             m_brush = *brush;
         m_holds = std::make_unique<SurfaceHolds>(*m_tool, boundary != nullptr);
@@ -71,8 +76,16 @@ public:
         m_isSettled = true;
         m_tool->lift();
         m_holds->letYellowGo();
-        for (int i = 0; i < mostStepsToSettle && !m_deformation.active().empty(); ++i)
-            step(i < stepsWithStructure);
+        const double nearMm = leftOnTheWay * m_scale.edgeMm;
+        for (int i = 0, since = 0;
+             i < mostStepsToMove && since < mostStepsToRest && !m_deformation.active().empty();
+             ++i) {
+            step(since < stepsWithStructure);
+            since = m_holds->leftMm(m_deformation.active()) > nearMm ? 0 : since + 1;
+        }
+        const VertexId dragged = m_tool->dragged();
+        if (dragged != noId)
+            m_edit.setMark(dragged, SurfaceMark::Green);
     }
 
     SimplexMeshEdit& edit() { return m_edit; }
@@ -82,6 +95,9 @@ public:
 private:
     /// Strokes of more than this are not by hand.
     static constexpr int mostPlaces = 100'000;
+
+    template <typename Kind> void take(const Kind& kind) { m_tool = behaviourOf(kind, m_scale); }
+    void take(const TemplateTool& tool) { m_tool = behaviourOf(tool, m_scale, m_mesh); }
 
     [[nodiscard]] double walkMmOf(double pressure) const
     {
@@ -93,8 +109,9 @@ private:
         if (m_brush)
             paint(sample);
         m_deformation.activate(m_mesh, m_tool->moveTo(m_mesh, sample));
+        freeDragged();
         const double leftMm = leftOnTheWay * m_scale.edgeMm;
-        for (int i = 0; i < mostStepsAtPlace && !m_deformation.active().empty(); ++i) {
+        for (int i = 0; i < m_tool->mostStepsAtPlace() && !m_deformation.active().empty(); ++i) {
             step(true);
             if (i + 1 >= m_tool->stepsAtPlace()
                 && m_holds->leftMm(m_deformation.active()) <= leftMm)
@@ -116,7 +133,8 @@ private:
         std::vector<const ExternalForce*> forces;
         if (m_boundary)
             forces.push_back(m_boundary);
-        m_tool->beginStep();
+        m_tool->beginStep(m_mesh);
+        freeDragged();
         m_holds->learn(m_mesh, m_deformation.active());
         forces.push_back(m_holds.get());
         m_deformation.step(m_edit, forces, m_holds.get());
@@ -128,6 +146,16 @@ private:
             const Restructured done = restructure(m_edit, m_deformation.active(), m_structure);
             m_deformation.restructured(m_mesh, done.vertices);
         }
+    }
+
+    /// The mask has no say in it, nor that it may have been dragged before.
+    void freeDragged()
+    {
+        const VertexId dragged = m_tool->dragged();
+        if (dragged == noId || m_mesh.mark(dragged) == SurfaceMark::Red)
+            return;
+        m_edit.setMark(dragged, SurfaceMark::Red);
+        m_deformation.activate(m_mesh, std::vector<VertexId>{dragged});
     }
 
     void redden()

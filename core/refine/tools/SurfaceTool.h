@@ -71,6 +71,7 @@ struct AttractTool {
     const GreyBox* grey = nullptr; ///< must outlive the stroke; null: nothing attracts
 };
 
-using SurfaceTool = std::variant<MarkBrush, SphereTool, PlaneTool, SmoothTool>;
+using SurfaceTool =
+    std::variant<MarkBrush, SphereTool, PlaneTool, DragTool, TemplateTool, SmoothTool, AttractTool>;
 
 } // namespace core

@@ -12,7 +12,8 @@ namespace core {
 
 /// Lengths that tools go by.
 struct ToolScale {
-    double edgeMm = 1.0; ///< of a regular face of the area that is wanted
+    double areaMm2 = 1.0; ///< that is wanted of a face
+    double edgeMm = 1.0; ///< of a regular face of that area
     /// No vertex goes farther in a step: its neighbours could not follow.
     [[nodiscard]] double strideMm(const SurfacePoint& point) const
     {
@@ -20,6 +21,9 @@ struct ToolScale {
         return 0.35 * (local < edgeMm ? local : edgeMm);
     }
 };
+
+/// The edge of a regular face of that area; of the mesh's mean one for 0.
+[[nodiscard]] double edgeMmOf(const SimplexMesh& mesh, double areaMm2);
 
 /// What a tool does with the vertices that it has in its grip, for SurfaceStroke.
 class ToolBehaviour {
@@ -39,8 +43,10 @@ public:
         const SimplexMesh& mesh, const SurfaceSample& sample) = 0;
     /// Steps at each of these places, at least.
     [[nodiscard]] virtual int stepsAtPlace() const { return 1; }
+    /// … and at most, while it has something to move out of its way.
+    [[nodiscard]] virtual int mostStepsAtPlace() const { return 48; }
     /// Once in each step, before it.
-    virtual void beginStep() { }
+    virtual void beginStep(const SimplexMesh& /*mesh*/) { }
     /// The pen is up.
     virtual void lift() { }
 
@@ -51,10 +57,13 @@ public:
         /// it may.
         glm::dvec3 normalLps{0.0};
     };
-    /// None: the tool does not hold it. Any thread.
+    /// None: the tool does not hold it. Called by several threads at once, but once a step for a
+    /// vertex.
     /// @param placeLps where forces would take it
     [[nodiscard]] virtual std::optional<Grip> gripOf(
-        const SurfacePoint& point, const glm::dvec3& placeLps) const = 0;
+        const SurfacePoint& point, const glm::dvec3& placeLps) = 0;
+    /// The one vertex that it moves itself; noId: there is none.
+    [[nodiscard]] virtual VertexId dragged() const { return noId; }
     /// A vertex that is new.
     virtual void adopt(const SimplexMesh& /*mesh*/, VertexId /*id*/) { }
 
@@ -71,5 +80,12 @@ protected:
     const PlaneTool& tool, const ToolScale& scale);
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
     const SmoothTool& tool, const ToolScale& scale);
+[[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
+    const DragTool& tool, const ToolScale& scale);
+[[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
+    const AttractTool& tool, const ToolScale& scale);
+/// A template of which there is no shape (TemplateShape.h) grips nothing.
+[[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
+    const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh);
 
 } // namespace core

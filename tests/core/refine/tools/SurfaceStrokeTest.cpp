@@ -4,11 +4,13 @@
 #include "core/refine/MeshRestructuring.h"
 #include "core/refine/SimplexDual.h"
 #include "core/refine/SurfaceDelta.h"
+#include "core/refine/tools/GreyBox.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/ShapedMask.h"
 #include "tests/support/SimplexShapes.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
@@ -78,6 +80,18 @@ private Q_SLOTS:
     void aSpherePushesOutwards();
     void aFastStrokeLeavesNothingBehind();
     void aPlaneTakesOffWhatLiesBeyond();
+    void aScrapedWayIsLevel();
+    void aDraggedVertexIsWhereItWasPut();
+    void aDraggedVertexCanBeDraggedAgain();
+    void smoothingEvensAndKeepsTheVolume();
+    void edgesAttract();
+    void paintedYellowGoesBackToTheMask();
+    void yellowGoesBackRedStays();
+    void aRolledBackStrokeLeavesNothing();
+    void stormsKeepTheSurfaceWhole_data();
+    void stormsKeepTheSurfaceWhole();
+    void theSameForAnyNumberOfThreads();
+    void stepsAreQuick();
 };
 
 void SurfaceStrokeTest::aSpherePushesInwards()
@@ -181,6 +195,385 @@ void SurfaceStrokeTest::aPlaneTakesOffWhatLiesBeyond()
     QVERIFY(on > 100);
     QCOMPARE(between, 0);
     QVERIFY(std::abs(lost / cap - 1.0) < 0.06);
+}
+
+/// Along a way over a bulge, with the plane turning with the way: what the cylinder passed is level
+/// and nothing is drawn below.
+void SurfaceStrokeTest::aScrapedWayIsLevel()
+{
+    core::SimplexMesh mesh = redBall();
+    stroke(mesh, core::PlaneTool{.normalLps = {0, 0, 1}, .radiusMm = 4.0, .heightMm = 20.0},
+        {{.placeLps = {-25, 0, 16}}, {.placeLps = {25, 0, 16}}});
+    QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+    const double edge = edgeMm(mesh);
+    int on = 0;
+    for (const core::VertexId id : mesh.vertexIds()) {
+        const glm::dvec3 at = mesh.position(id);
+        if (std::abs(at.y) < 4.0) {
+            QVERIFY2(at.z <= 16.0 + 1e-9, qPrintable(QString::number(at.z - 16.0)));
+            if (std::abs(at.y) < 4.0 - edge && at.z > 0.0 && std::abs(at.x) < 12.0 - 1.5 * edge) {
+                QVERIFY2(std::abs(at.z - 16.0) <= 1e-9, qPrintable(QString::number(at.z - 16.0)));
+                ++on;
+            }
+        }
+    }
+    QVERIFY(on > 50);
+}
+
+void SurfaceStrokeTest::aDraggedVertexIsWhereItWasPut()
+{
+    for (const double far : {3.0, 15.0}) {
+        core::SimplexMesh mesh = redBall();
+        const core::SimplexMesh before = mesh;
+        const glm::dvec3 from = mesh.position(100);
+        const glm::dvec3 to = from + far * glm::normalize(from);
+        stroke(mesh, core::DragTool{.radiusMm = 9.0}, {{.placeLps = from}, {.placeLps = to}});
+        QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+        int green = 0;
+        for (const core::VertexId id : mesh.vertexIds()) {
+            if (mesh.mark(id) != core::SurfaceMark::Green)
+                continue;
+            ++green;
+            QCOMPARE(mesh.position(id), to);
+        }
+        QCOMPARE(green, 1);
+        // Like a sheet of rubber: vertices that were there before went their share of the way.
+        int moved = 0;
+        double worst = 0.0;
+        for (core::VertexId id = 0; id < before.vertexSlots(); ++id) {
+            const double distance = glm::distance(before.position(id), from);
+            if (!mesh.hasVertex(id) || glm::distance(mesh.position(id), before.position(id)) < 1e-9)
+                continue;
+            if (distance > 9.0 + 2.0 * edgeMm(before)) {
+                // Restructuring may have given the number to a new vertex.
+                continue;
+            }
+            const double near = std::max(0.0, 1.0 - distance * distance / 81.0);
+            const glm::dvec3 wanted = before.position(id) + near * near * (to - from);
+            worst = std::max(worst, glm::distance(mesh.position(id), wanted));
+            ++moved;
+        }
+        qInfo("dragged %.0f: %d moved, worst %.3f off, %zu of %zu vertices", far, moved, worst,
+            mesh.vertexCount(), before.vertexCount());
+        QVERIFY(moved > 50);
+        if (far < 5.0)
+            QVERIFY(worst < edgeMm(before));
+    }
+}
+
+void SurfaceStrokeTest::aDraggedVertexCanBeDraggedAgain()
+{
+    core::SimplexMesh mesh = redBall();
+    const glm::dvec3 from = mesh.position(100);
+    stroke(mesh, core::DragTool{.radiusMm = 8.0}, {{.placeLps = from}, {.placeLps = 1.1 * from}});
+    const core::VertexId green =
+        core::nearestVertex(mesh, 1.1 * from, [](core::VertexId) { return true; });
+    QCOMPARE(mesh.mark(green), core::SurfaceMark::Green);
+    // Not by itself …
+    core::SimplexMesh other = mesh;
+    stroke(other, core::DragTool{.radiusMm = 8.0},
+        {{.placeLps = 1.1 * from}, {.placeLps = 1.2 * from}});
+    QVERIFY(core::identical(other.vertex(green), mesh.vertex(green)));
+    // … but if it is asked for.
+    stroke(mesh, core::DragTool{.radiusMm = 8.0, .again = green}, {{.placeLps = 1.2 * from}});
+    const core::VertexId now =
+        core::nearestVertex(mesh, 1.2 * from, [](core::VertexId) { return true; });
+    QCOMPARE(mesh.position(now), 1.2 * from);
+    QCOMPARE(mesh.mark(now), core::SurfaceMark::Green);
+    QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+}
+
+void SurfaceStrokeTest::smoothingEvensAndKeepsTheVolume()
+{
+    auto random = test::Random(7);
+    core::SimplexMesh mesh = redBall();
+    {
+        core::SimplexMeshEdit edit(mesh);
+        for (const core::VertexId id : mesh.vertexIds()) {
+            if (mesh.position(id).x > 10.0)
+                edit.move(id, (1.0 + 0.03 * (test::randomUnit(random) - 0.5)) * mesh.position(id));
+        }
+        edit.commit();
+    }
+    const auto roughness = [](const core::SimplexMesh& of) {
+        double sum = 0.0;
+        int count = 0;
+        for (const core::VertexId id : of.vertexIds()) {
+            if (of.position(id).x < 14.0)
+                continue;
+            const double off = glm::length(of.position(id)) - 20.0;
+            sum += off * off;
+            ++count;
+        }
+        return std::sqrt(sum / count);
+    };
+    const double before = roughness(mesh);
+    const double volume = core::enclosedMm3(mesh);
+    std::vector<core::SurfaceSample> samples(8, {.placeLps = {20.0, 0.0, 0.0}});
+    stroke(mesh, core::SmoothTool{.radiusMm = 18.0}, samples);
+    const double after = roughness(mesh);
+    qInfo("roughness %.4f → %.4f mm, volume %.4f %%", before, after,
+        100.0 * (core::enclosedMm3(mesh) / volume - 1.0));
+    QVERIFY(after < 0.4 * before);
+    QVERIFY(std::abs(core::enclosedMm3(mesh) / volume - 1.0) < 0.002);
+    QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+}
+
+void SurfaceStrokeTest::edgesAttract()
+{
+    // Grey values that fall off at a radius of 22 from the middle.
+    test::ShapedMask made({61, 61, 61});
+    made.geometry.indexToWorld[3] = glm::dvec4(-30, -30, -30, 1);
+    std::vector<std::uint16_t> codes;
+    for (int z = 0; z < 61; ++z) {
+        for (int y = 0; y < 61; ++y) {
+            for (int x = 0; x < 61; ++x) {
+                const double off = 22.0 - glm::distance(glm::dvec3(x, y, z), glm::dvec3(30));
+                codes.push_back(std::uint16_t(500.0 + 400.0 * off / std::sqrt(1.0 + off * off)));
+            }
+        }
+    }
+    const core::GreyBox grey(made.geometry, glm::ivec3(0), glm::ivec3(61), codes);
+    QCOMPARE(grey.at({0, 0, 0}), 899.0);
+    QCOMPARE(grey.at({22, 0, 0}), 500.0);
+    QCOMPARE(grey.at({22.5, 0, 0}), 0.5 * (500.0 + 217.0));
+    QVERIFY(std::abs(*grey.edgeAlongMm({20, 0, 0}, {1, 0, 0}, 5.0) - 2.0) < 0.25);
+    QVERIFY(std::abs(*grey.edgeAlongMm({24, 0, 0}, {1, 0, 0}, 5.0) + 2.0) < 0.25);
+    QVERIFY(!grey.edgeAlongMm({100, 0, 0}, {1, 0, 0}, 5.0));
+    core::SimplexMesh mesh = redBall();
+    stroke(mesh, core::AttractTool{.radiusMm = 12.0, .reachMm = 5.0, .grey = &grey},
+        {{.placeLps = {20, 0, 0}}});
+    double worst = 0.0;
+    for (const core::VertexId id : mesh.vertexIds()) {
+        if (glm::distance(mesh.position(id), glm::dvec3(22, 0, 0)) < 9.0)
+            worst = std::max(worst, std::abs(glm::length(mesh.position(id)) - 22.0));
+    }
+    qInfo("worst %.3f mm off the edge", worst);
+    QVERIFY(worst < 0.3);
+    QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+}
+
+namespace {
+
+/// A ball of radius 20 around the origin as voxels.
+struct BallMask {
+    test::ShapedMask made{{51, 51, 51}};
+    BallMask()
+    {
+        made.geometry.indexToWorld[3] = glm::dvec4(-25, -25, -25, 1);
+        made.fill([](const glm::dvec3& at) { return glm::distance(at, glm::dvec3(25)) < 20.0; });
+    }
+};
+
+} // namespace
+
+void SurfaceStrokeTest::paintedYellowGoesBackToTheMask()
+{
+    const BallMask ball;
+    const core::BoundaryForce boundary(ball.made.mask(), ball.made.geometry, 12.0);
+    core::SimplexMesh mesh = redBall();
+    const glm::dvec3 centre(23.0, 0.0, 0.0);
+    stroke(mesh, core::SphereTool{.radiusMm = 8.0}, {{.placeLps = centre}}, {}, &boundary);
+    QVERIFY(nearestMm(mesh, centre) > 8.0 - 1e-6);
+    stroke(mesh, core::MarkBrush{.mark = core::SurfaceMark::Yellow, .radiusMm = 14.0},
+        {{.placeLps = {15, 0, 0}}}, {}, &boundary);
+    double worst = 0.0;
+    for (const core::VertexId id : mesh.vertexIds())
+        worst = std::max(worst, std::abs(glm::length(mesh.position(id)) - 20.0));
+    qInfo("worst %.3f mm off the mask", worst);
+    QVERIFY(worst < 1.0);
+    QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+}
+
+void SurfaceStrokeTest::yellowGoesBackRedStays()
+{
+    const BallMask ball;
+    const core::BoundaryForce boundary(ball.made.mask(), ball.made.geometry, 12.0);
+    core::SimplexMesh mesh = test::simplexSphere(20.0, 4);
+    markWhere(mesh, core::SurfaceMark::Red, [](const glm::dvec3& at) { return at.x > 0.0; });
+    for (const bool reddens : {false, true}) {
+        for (const double x : {21.0, -21.0}) {
+            core::SimplexMesh other = mesh;
+            stroke(other, core::SphereTool{.radiusMm = 6.0}, {{.placeLps = {x, 0, 0}}},
+                {.reddens = reddens}, &boundary);
+            const double near = nearestMm(other, {x, 0, 0});
+            if (x > 0.0 || reddens)
+                QVERIFY2(near >= 6.0 - 1e-6, qPrintable(QString::number(near)));
+            else
+                QVERIFY2(near < 2.5, qPrintable(QString::number(near)));
+        }
+    }
+}
+
+void SurfaceStrokeTest::aRolledBackStrokeLeavesNothing()
+{
+    core::SimplexMesh mesh = redBall();
+    const core::SimplexMesh before = mesh;
+    {
+        core::SurfaceStroke made(mesh, nullptr, core::SphereTool{.radiusMm = 8.0}, {});
+        made.add({.placeLps = {23, 0, 0}});
+        QVERIFY(!made.takeWritten().vertices.empty());
+        QVERIFY(!core::identical(mesh, before));
+        made.rollback();
+    }
+    QVERIFY(core::identical(mesh, before));
+    {
+        core::SurfaceStroke left(mesh, nullptr, core::SphereTool{.radiusMm = 8.0}, {});
+        left.add({.placeLps = {23, 0, 0}});
+    }
+    QVERIFY(core::identical(mesh, before));
+    // What reaches nothing changes nothing.
+    QVERIFY(stroke(mesh, core::SphereTool{.radiusMm = 3.0}, {{.placeLps = {40, 0, 0}}}).empty());
+    core::SimplexMesh nothing;
+    for (const core::SurfaceTool& tool : {core::SurfaceTool(core::SphereTool{}),
+             core::SurfaceTool(core::DragTool{}), core::SurfaceTool(core::MarkBrush{})})
+        QVERIFY(stroke(nothing, tool, {{.placeLps = {0, 0, 0}}}).empty());
+}
+
+namespace {
+
+core::SurfaceTool randomTool(test::Random& random, const core::GreyBox* grey)
+{
+    const double radius = 2.0 + 6.0 * test::randomUnit(random);
+    switch (test::randomInt(random, 0, 6)) {
+    case 0:
+        return core::MarkBrush{
+            .mark = core::SurfaceMark(test::randomInt(random, 0, 2)), .radiusMm = radius};
+    case 1:
+        return core::PlaneTool{.normalLps = {test::randomUnit(random) - 0.5,
+                                   test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.4},
+            .radiusMm = radius,
+            .heightMm = 6.0};
+    case 2:
+        return core::DragTool{.radiusMm = radius};
+    case 3:
+        return core::SmoothTool{.radiusMm = radius};
+    case 4:
+        return core::AttractTool{.radiusMm = radius, .reachMm = 4.0, .grey = grey};
+    default:
+        return core::SphereTool{.radiusMm = radius};
+    }
+}
+
+} // namespace
+
+void SurfaceStrokeTest::stormsKeepTheSurfaceWhole_data()
+{
+    QTest::addColumn<bool>("isTorus");
+    QTest::newRow("ball") << false;
+    QTest::newRow("torus") << true;
+}
+
+void SurfaceStrokeTest::stormsKeepTheSurfaceWhole()
+{
+    QFETCH(bool, isTorus);
+    const int steps = test::longRun() ? 10'000 : 400;
+    auto random = test::Random(isTorus ? 77 : 78);
+    std::vector<std::uint16_t> codes(64);
+    for (std::uint16_t& code : codes)
+        code = std::uint16_t(test::randomInt(random, 0, 1000));
+    test::ShapedMask small({4, 4, 4}, glm::dvec3(10.0));
+    small.geometry.indexToWorld[3] = glm::dvec4(-15, -15, -15, 1);
+    const core::GreyBox grey(small.geometry, glm::ivec3(0), glm::ivec3(4), codes);
+    const BallMask ball;
+    const core::BoundaryForce boundary(ball.made.mask(), ball.made.geometry, 8.0);
+    core::SimplexMesh mesh =
+        isTorus ? test::simplexMesh(test::torus(14.0, 5.0, 40, 16)) : test::simplexSphere(18.0, 3);
+    markWhere(mesh, core::SurfaceMark::Red, [](const glm::dvec3& at) { return at.x > -8.0; });
+    const std::vector<int> whole = test::eulerCharacteristics(mesh);
+    const double area = core::meanFaceAreaMm2(mesh);
+    const std::size_t first = mesh.vertexCount();
+    std::size_t most = 0;
+    int done = 0;
+    int strokes = 0;
+    while (done < steps) {
+        const core::SimplexMesh before = mesh;
+        const core::SurfaceTool tool = randomTool(random, &grey);
+        const auto ids = mesh.vertexIds();
+        glm::dvec3 place =
+            mesh.position(ids[std::size_t(test::randomInt(random, 0, int(ids.size()) - 1))]);
+        const core::SurfaceStrokeSettings settings{
+            .areaMm2 = area, .reddens = test::randomInt(random, 0, 3) == 0};
+        core::SimplexMesh again = mesh;
+        core::SurfaceStroke made(mesh, &boundary, tool, settings);
+        core::SurfaceStroke twice(again, &boundary, tool, settings);
+        for (int i = test::randomInt(random, 1, 4); i > 0; --i) {
+            const core::SurfaceSample sample{
+                .placeLps = place, .pressure = 0.5 + 0.5 * test::randomUnit(random)};
+            made.add(sample);
+            twice.add(sample);
+            place += glm::dvec3(test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5,
+                         test::randomUnit(random) - 0.5)
+                * 8.0;
+        }
+        made.settle();
+        done += std::max(1, made.steps());
+        ++strokes;
+        const core::SimplexMeshDelta delta = made.commit();
+        const core::SimplexMeshDelta deltaAgain = twice.commit();
+        QVERIFY(core::identical(mesh, again));
+        QCOMPARE(core::packed(delta), core::packed(deltaAgain));
+        QCOMPARE(test::eulerCharacteristics(mesh), whole);
+        // Green stays as it is, but for the brush.
+        if (!std::holds_alternative<core::MarkBrush>(tool)) {
+            for (const core::VertexId id : before.vertexIds()) {
+                if (before.mark(id) == core::SurfaceMark::Green)
+                    QVERIFY(core::identical(mesh.vertex(id), before.vertex(id)));
+            }
+        }
+        core::SimplexMesh back = mesh;
+        delta.undo(back);
+        QVERIFY(core::identical(back, before));
+        delta.redo(back);
+        QVERIFY(core::identical(back, mesh));
+        most = std::max(most, mesh.vertexCount());
+        for (const core::VertexId id : mesh.vertexIds())
+            QVERIFY(glm::length(mesh.position(id)) < 200.0);
+        // Now and then all is free again.
+        if (strokes % 15 == 0)
+            markWhere(mesh, core::SurfaceMark::Red, everywhere);
+    }
+    qInfo("%d strokes, %d steps, %zu vertices at first, at most %zu, %zu in the end", strokes, done,
+        first, most, mesh.vertexCount());
+    QVERIFY(most < 12 * first);
+}
+
+void SurfaceStrokeTest::theSameForAnyNumberOfThreads()
+{
+    std::vector<core::SimplexMesh> results;
+    for (const int shares : {1, 2, 5, 0}) {
+        core::SimplexMesh mesh = redBall(5);
+        core::SurfaceStroke made(
+            mesh, nullptr, core::SphereTool{.radiusMm = 8.0}, {.shares = shares});
+        made.add({.placeLps = {23, 0, 0}});
+        made.add({.placeLps = {20, 9, 0}});
+        made.commit();
+        core::SurfaceStroke drag(
+            mesh, nullptr, core::DragTool{.radiusMm = 12.0}, {.shares = shares});
+        drag.add({.placeLps = {-20, 0, 0}});
+        drag.add({.placeLps = {-26, 3, 0}});
+        drag.commit();
+        results.push_back(mesh);
+    }
+    for (const core::SimplexMesh& other : results)
+        QVERIFY(core::identical(other, results.front()));
+}
+
+/// Prints; nothing is decided by time.
+void SurfaceStrokeTest::stepsAreQuick()
+{
+    core::SimplexMesh mesh = redBall(5);
+    core::SurfaceStroke made(mesh, nullptr, core::SphereTool{.radiusMm = 13.0}, {});
+    QElapsedTimer timer;
+    timer.start();
+    std::size_t active = 0;
+    for (int i = 0; i < 6; ++i) {
+        made.add({.placeLps = {24.0 - i, 0, 0}});
+        active = std::max(active, made.activeVertices());
+    }
+    qInfo("%d steps in %lld ms, %zu vertices of %zu active", made.steps(),
+        static_cast<long long>(timer.elapsed()), active, mesh.vertexCount());
+    QVERIFY(made.steps() >= 6);
 }
 
 QTEST_GUILESS_MAIN(SurfaceStrokeTest)

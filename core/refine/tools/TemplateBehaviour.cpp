@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/refine/tools/TemplateShape.h"
+#include "core/refine/tools/ToolBehaviour.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+class TemplateBehaviour final : public ToolBehaviour {
+public:
+    TemplateBehaviour(const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh)
+        : ToolBehaviour(scale)
+    {
+        auto shape = TemplateShape::make(mesh, tool.contours, scale.areaMm2);
+        if (!shape)
+            return;
+        m_shape = *std::move(shape);
+        grow(mesh);
+        for (std::size_t i = 0; i < m_shape->region().size(); ++i) {
+            const VertexId id = m_shape->region()[i];
+            m_parts[id].isRegion = true;
+            if (m_shape->isBody())
+                continue;
+            m_parts[id].place = m_shape->places()[i];
+            m_parts[id].target = m_shape->at(m_parts[id].place);
+        }
+    }
+
+    double walkMm(double /*pressure*/) const override { return 1e9; }
+    int stepsAtPlace() const override { return 4; }
+    int mostStepsAtPlace() const override { return 4; }
+
+    std::vector<VertexId> moveTo(
+        const SimplexMesh& /*mesh*/, const SurfaceSample& /*sample*/) override
+    {
+        if (!m_shape || m_isBegun)
+            return {};
+        m_isBegun = true;
+        return m_shape->region();
+    }
+
+    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) override
+    {
+        if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isRegion)
+            return std::nullopt;
+        const glm::dvec3 way = m_shape->isBody() ? m_shape->wayMm(point.positionLps)
+                                                 : m_parts[point.vertex].target - point.positionLps;
+        const double leftMm = glm::length(way);
+        const double strideMm = m_scale.strideMm(point);
+        if (m_shape->isBody())
+            return towardsBody(point, placeLps, way, leftMm, strideMm);
+        if (leftMm <= strideMm)
+            return Grip{.placeLps = m_parts[point.vertex].target, .leftMm = leftMm};
+        return Grip{.placeLps = point.positionLps + strideMm / leftMm * way, .leftMm = leftMm};
+    }
+
+    void adopt(const SimplexMesh& mesh, VertexId id) override
+    {
+        if (!m_shape)
+            return;
+        const bool wasThere = id < m_parts.size() && m_parts[id].isAdopted;
+        grow(mesh);
+        Part& part = m_parts[id];
+        // The first time, it may be one of those that were there from the beginning.
+        if (!wasThere && isOfRegion(id)) {
+            part.isAdopted = true;
+            return;
+        }
+        part = {};
+        part.isAdopted = true;
+        if (mesh.mark(id) != SurfaceMark::Red)
+            return;
+        glm::dvec2 sum(0.0);
+        for (const VertexId near : mesh.neighbours(id)) {
+            const bool isKnown = m_parts[near].isRegion;
+            part.isRegion = part.isRegion || isKnown;
+            if (m_shape->isBody())
+                continue;
+            sum += isKnown ? m_parts[near].place : m_shape->placeOf(mesh.position(near));
+        }
+        if (!part.isRegion || m_shape->isBody())
+            return;
+        part.place = sum / 3.0;
+        part.target = m_shape->at(part.place);
+    }
+
+private:
+    struct Part {
+        glm::dvec2 place{0.0}; ///< in the template's plane
+        glm::dvec3 target{0.0};
+        bool isRegion = false;
+        bool isAdopted = false; ///< seen in a step
+    };
+
+    void grow(const SimplexMesh& mesh)
+    {
+        m_parts.resize(std::max<std::size_t>(m_parts.size(), mesh.vertexSlots()));
+    }
+    [[nodiscard]] bool isOfRegion(VertexId id) const
+    {
+        const auto& region = m_shape->region();
+        return std::binary_search(region.begin(), region.end(), id);
+    }
+    [[nodiscard]] static Grip towardsBody(const SurfacePoint& point, const glm::dvec3& placeLps,
+        const glm::dvec3& way, double leftMm, double strideMm)
+    {
+        // Aside, forces may have their way.
+        glm::dvec3 aside = placeLps - point.positionLps;
+        if (leftMm > 0.0)
+            aside -= glm::dot(aside, way) / (leftMm * leftMm) * way;
+        const double asideMm = glm::length(aside);
+        if (asideMm > 0.5 * strideMm)
+            aside *= 0.5 * strideMm / asideMm;
+        const double share = leftMm > strideMm ? strideMm / leftMm : 1.0;
+        return {.placeLps = point.positionLps + aside + share * way, .leftMm = leftMm};
+    }
+
+    std::optional<TemplateShape> m_shape;
+    std::vector<Part> m_parts; ///< by vertex
+    bool m_isBegun = false;
+};
+
+} // namespace
+
+std::unique_ptr<ToolBehaviour> behaviourOf(
+    const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh)
+{
+    return std::make_unique<TemplateBehaviour>(tool, scale, mesh);
+}
+
+} // namespace core
