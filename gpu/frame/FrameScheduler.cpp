@@ -55,6 +55,7 @@ FrameScheduler::FrameScheduler(const Options& options)
     : m_volume(options.volume)
     , m_edits(options.edits)
     , m_wake(options.wake)
+    , m_shaders(options.shaders)
     , m_raycast(options.shaders)
     , m_slice(options.shaders)
     , m_noVertices("no vertices")
@@ -97,10 +98,18 @@ void FrameScheduler::setListener(Listener listener)
     m_listener = std::move(listener);
 }
 
+void FrameScheduler::updateSurface(core::SurfaceUpdate update)
+{
+    m_surfaceInbox.put(std::move(update));
+    if (m_wake)
+        m_wake();
+}
+
 bool FrameScheduler::work(bool editing)
 {
     takeRequests();
     takeChanges();
+    takeSurface();
     const bool waiting = deliver();
     // An edit ran since it was queued: how long the tile itself took is not known.
     if (editing && m_flying)
@@ -208,12 +217,31 @@ void FrameScheduler::takeChanges()
         seen = seen.united(foreseen);
         if (seen.empty() || (slice != nullptr && !meetsPlane(*slice, m_volume.geometry(), seen)))
             continue;
-        // A coarse picture under way is finished first, or a long edit would never show.
-        if (view.stage == Stage::Coarse && view.tiles)
-            view.stale = true;
-        else
-            restart(view);
+        changed(view);
     }
+}
+
+void FrameScheduler::takeSurface()
+{
+    const std::optional<core::SurfaceUpdate> update = m_surfaceInbox.take();
+    if (!update)
+        return;
+    m_surface.apply(*update);
+    m_surface.upload();
+    const WorldBox reach = m_surface.takeChanged();
+    for (auto& [id, view] : m_views) {
+        if (showsSurface(view.request.scene, reach))
+            changed(view);
+    }
+}
+
+void FrameScheduler::changed(View& view)
+{
+    // A coarse picture under way is finished first, or a long edit would never show.
+    if (view.stage == Stage::Coarse && view.tiles)
+        view.stale = true;
+    else
+        restart(view);
 }
 
 void FrameScheduler::restart(View& view)
@@ -289,19 +317,52 @@ int FrameScheduler::coarseFactor(const View& view, bool editing)
     return std::clamp(int(std::ceil(std::sqrt(expected / wanted))), 1, coarsest);
 }
 
+bool FrameScheduler::drawSurface(View& view, const PassTarget& target)
+{
+    view.surface.blocks = {};
+    view.contour.reach = {};
+    if (m_surface.empty()) {
+        view.surface = {};
+        view.contour = {};
+        return false;
+    }
+    if (const auto* volume = std::get_if<VolumeScene>(&view.request.scene)) {
+        if (!volume->surface) {
+            view.surface = {};
+            return false;
+        }
+        if (!m_surfacePass)
+            m_surfacePass.emplace(m_shaders);
+        m_surfacePass->draw(view.surface, m_surface, m_volume, *volume, target);
+        return !view.surface.isEmpty();
+    }
+    const auto& slice = std::get<SliceScene>(view.request.scene);
+    if (!slice.contour) {
+        view.contour = {};
+        return false;
+    }
+    if (!m_contourPass)
+        m_contourPass.emplace(m_shaders);
+    m_contourPass->draw(view.contour, m_surface, slice, target);
+    return !view.contour.isEmpty();
+}
+
 void FrameScheduler::drawPass(View& view, const PassTarget& target, const Tile& tile)
 {
     m_palette.set(view.request.segments);
     if (const auto* volume = std::get_if<VolumeScene>(&view.request.scene)) {
-        m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices);
+        m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices,
+            view.surface.isEmpty() ? nullptr : &view.surface);
         return;
     }
-    m_slice.prepare(m_volume, std::get<SliceScene>(view.request.scene), view.request.segments,
-        m_palette, target);
+    const auto& slice = std::get<SliceScene>(view.request.scene);
+    m_slice.prepare(m_volume, slice, view.request.segments, m_palette, target);
     glEnable(GL_SCISSOR_TEST);
     glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
     m_noVertices.drawFullScreenTriangle();
     glDisable(GL_SCISSOR_TEST);
+    if (!view.contour.isEmpty())
+        m_contourPass->lay(view.contour, *slice.contour, tile, m_noVertices);
 }
 
 void FrameScheduler::drawSlice(View& view, bool editing)
@@ -315,7 +376,8 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         readBack(view, Frame::Quality::Refined);
         return;
     }
-    if (!view.tiles) {
+    const bool begins = !view.tiles;
+    if (begins) {
         const int factor = view.stage == Stage::Coarse ? coarseFactor(view, editing) : 1;
         view.tiles.emplace((view.request.sizePixels + (factor - 1)) / factor);
         view.milliseconds = 0.0;
@@ -332,6 +394,7 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         .pixelJitter = pixelJitter(view.sample),
         .sample = view.sample,
     };
+    const bool surface = begins && drawSurface(view, target);
     view.targets.sumFrame.bind();
     if (view.stage == Stage::Accumulate) {
         glEnable(GL_BLEND);
@@ -345,7 +408,7 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         .fence = Fence::insert(),
         .queued = start,
         .pixels = double(tile.size.x) * tile.size.y,
-        .cost = &cost};
+        .cost = surface ? nullptr : &cost};
     glFlush();
     land();
     m_flying.emplace(std::move(drawn));

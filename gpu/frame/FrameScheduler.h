@@ -4,12 +4,16 @@
 #include "gpu/edit/EditWorker.h"
 #include "gpu/frame/FrameSource.h"
 #include "gpu/frame/FrameTargets.h"
+#include "gpu/frame/SurfaceInbox.h"
 #include "gpu/frame/TilePlan.h"
 #include "gpu/gl/Fence.h"
 #include "gpu/gl/VertexArray.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/RaycastPass.h"
 #include "gpu/render/SlicePass.h"
+#include "gpu/render/SurfaceBuffers.h"
+#include "gpu/render/SurfaceContour.h"
+#include "gpu/render/SurfacePass.h"
 
 #include <array>
 #include <bitset>
@@ -30,8 +34,8 @@ class VolumeTextures;
 /// tile, then (3D only) more with the pixels' sampling points moved, averaged; then nothing until
 /// the request or the voxels change.
 ///
-/// request(), forget(), setListener(): any thread. All else: the engine thread. The listener must
-/// not wait for a thread that may be in forget().
+/// request(), forget(), setListener(), updateSurface(): any thread. All else: the engine thread.
+/// The listener must not wait for a thread that may be in forget().
 class FrameScheduler : public FrameSource {
 public:
     struct Options {
@@ -47,6 +51,7 @@ public:
     void request(FrameRequest request) override;
     void forget(ViewId view) override;
     void setListener(Listener listener) override;
+    void updateSurface(core::SurfaceUpdate update) override;
 
     /// One slice. @param editing edits are running: only coarse pictures meanwhile
     /// @return whether more is to do at once
@@ -58,6 +63,11 @@ public:
         std::int64_t frames = 0;
     };
     [[nodiscard]] const Counters& counters() const { return m_counters; }
+    /// What was sent of the surface that is being refined.
+    [[nodiscard]] const SurfaceBuffers::Counters& surfaceCounters() const
+    {
+        return m_surface.counters();
+    }
 
 private:
     enum class Stage { Coarse, Full, Accumulate, Done };
@@ -70,6 +80,8 @@ private:
         double milliseconds = 0.0;
         std::uint64_t turn = 0;
         FrameTargets targets;
+        SurfacePicture surface; ///< of the picture being drawn, of a 3D view
+        ContourPicture contour; ///< likewise, of a slice
     };
     struct Incoming {
         FrameRequest request;
@@ -93,12 +105,16 @@ private:
     void begin(View& view, FrameRequest request);
     void showPieces(const VolumeScene& scene);
     void takeChanges();
+    void takeSurface();
+    void changed(View& view);
     void restart(View& view);
     [[nodiscard]] View* next(bool editing);
     [[nodiscard]] bool wants(const View& view, bool editing) const;
     [[nodiscard]] bool isOverdue(const View& view) const;
     void drawSlice(View& view, bool editing);
     void land(); ///< waits for the flying tile
+    /// Draws what a picture takes from the surface, whole. @return whether there is any
+    bool drawSurface(View& view, const PassTarget& target);
     void drawPass(View& view, const PassTarget& target, const Tile& tile);
     void finishPicture(View& view);
     void warmUp(View& view);
@@ -110,12 +126,16 @@ private:
     VolumeTextures& m_volume;
     EditWorker& m_edits;
     std::function<void()> m_wake;
+    const ShaderLibrary& m_shaders;
     RaycastPass m_raycast;
     SlicePass m_slice;
     Palette m_palette;
     VertexArray m_noVertices;
     Resolve m_resolve;
     Program m_cellKernel;
+    SurfaceBuffers m_surface;
+    std::optional<SurfacePass> m_surfacePass; ///< made with the first surface, like the next
+    std::optional<ContourPass> m_contourPass;
     std::bitset<256> m_shown;
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;
@@ -131,6 +151,7 @@ private:
     std::mutex m_inboxMutex;
     std::map<ViewId, Incoming> m_inbox; ///< guarded; the latest per view
     std::set<ViewId> m_forgotten; ///< guarded
+    SurfaceInbox m_surfaceInbox;
     std::mutex m_listenerMutex; ///< held while the listener runs
     Listener m_listener; ///< guarded by m_listenerMutex
 };

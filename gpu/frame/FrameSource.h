@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/refine/SurfaceUpdate.h"
 #include "gpu/frame/Scene.h"
 
 #include <functional>
@@ -22,6 +23,11 @@ public:
     virtual void forget(ViewId view) = 0;
     /// Called on the engine's thread; set it before the first request.
     virtual void setListener(Listener listener) = 0;
+    /// Tells what to draw anew of the one surface that is being refined; scenes say whether they
+    /// show it. What was not taken in yet is merged with it. The views that see a change are drawn
+    /// again. It stays, whatever volume is open, until a whole update without faces. Never waits
+    /// for a picture; any thread.
+    virtual void updateSurface(core::SurfaceUpdate update) = 0;
 };
 
 } // namespace gpu

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "core/refine/SimplexMesh.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/Volume.h"
 
@@ -42,6 +43,23 @@ struct SegmentDisplay {
     bool operator==(const SegmentDisplay&) const = default;
 };
 
+/// Colours of a surface that is being refined: its segment's, and over it those of what is thought
+/// of each place. They differ in lightness, too.
+struct SurfaceColours {
+    std::uint32_t rgb = 0xD8DCE2; ///< 0xRRGGBB, of the segment
+    std::array<std::uint32_t, 3> markRgb{0xF6D552, 0x3DA564, 0xC4302B}; ///< by core::SurfaceMark
+    float markOpacity = 0.8f; ///< of marks over the rest; 0: none
+    bool operator==(const SurfaceColours&) const = default;
+};
+
+/// Where the surface that is being refined (FrameSource::updateSurface()) meets a slice's plane: a
+/// line over the slice, with a thin dark rim.
+struct SceneContour {
+    SurfaceColours colours{.markOpacity = 1.0f};
+    float widthPixels = 1.5f;
+    bool operator==(const SceneContour&) const = default;
+};
+
 /// One plane through the volume, seen orthographically.
 struct SliceScene {
     glm::dvec3 centreLps{0.0}; ///< at the middle of the frame
@@ -53,6 +71,7 @@ struct SliceScene {
     bool interpolated = true; ///< false: nearest voxel
     bool showCarved = true; ///< carved voxels as a tinted outline
     bool carvedAsHole = false; ///< carved voxels black; with or without the outline
+    std::optional<SceneContour> contour{}; ///< none: not drawn
     bool operator==(const SliceScene&) const = default;
 };
 
@@ -106,6 +125,25 @@ struct SceneSeed {
     bool operator==(const SceneSeed&) const = default;
 };
 
+/// GreyValues: those of the volume at the surface, in a window. Wireframe: the edges alone; those
+/// behind are seen between them.
+enum class SurfaceStyle : std::uint8_t { Shaded, Wireframe, GreyValues };
+
+/// The surface that is being refined (FrameSource::updateSurface()), drawn among the matter of the
+/// 3D view. Of a translucent one the front is seen. Surface and volume rendering: it hides what
+/// lies behind it, and matter hides it. MIP and X-ray know no before and behind: it lies over them.
+struct SceneSurface {
+    SurfaceStyle style = SurfaceStyle::Shaded;
+    SurfaceColours colours;
+    float opacity = 1.0f; ///< 0: hidden
+    float behindOpacity = 0.25f; ///< so much of it shines through what hides it
+    core::WindowLevel window; ///< of grey values
+    /// Hides what lies on the side that its normal points to, besides the scene's clip region; the
+    /// inside is seen then.
+    core::ClipPlane clip;
+    bool operator==(const SceneSurface&) const = default;
+};
+
 /// The 3D view.
 struct VolumeScene {
     glm::dvec3 eyeLps{0.0, -500.0, 0.0};
@@ -124,6 +162,7 @@ struct VolumeScene {
     std::vector<ScenePiece> pieces; ///< hidden ones too; their order decides nothing
     /// Those to be drawn, in any order; null or empty: none. Another list is another pointer.
     std::shared_ptr<const std::vector<SceneSeed>> seeds;
+    std::optional<SceneSurface> surface{}; ///< none: not drawn
     bool operator==(const VolumeScene&) const = default;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/Framebuffer.h"
 
+#include <array>
 #include <vector>
 
 namespace gpu {
@@ -21,6 +22,10 @@ Framebuffer::Framebuffer(const FramebufferOptions& options)
         glNamedFramebufferTexture(id, attachment, texture->id(), 0);
         drawBuffers.push_back(attachment);
     }
+    m_colours = int(drawBuffers.size());
+    m_hasDepth = options.depth != nullptr;
+    if (m_hasDepth)
+        glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, options.depth->id(), 0);
     glNamedFramebufferDrawBuffers(id, GLsizei(drawBuffers.size()), drawBuffers.data());
     glNamedFramebufferReadBuffer(id, GL_COLOR_ATTACHMENT0);
 }
@@ -29,6 +34,16 @@ void Framebuffer::bind() const
 {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, id());
     glViewport(0, 0, m_size.x, m_size.y);
+}
+
+void Framebuffer::clear() const
+{
+    constexpr std::array<float, 4> none{};
+    for (int i = 0; i < m_colours; ++i)
+        glClearNamedFramebufferfv(id(), GL_COLOR, i, none.data());
+    constexpr float farthest = 1.0f;
+    if (m_hasDepth)
+        glClearNamedFramebufferfv(id(), GL_DEPTH, 0, &farthest);
 }
 
 void Framebuffer::readInto(GLuint packBuffer, std::size_t offset) const

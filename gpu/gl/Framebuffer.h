@@ -12,9 +12,10 @@ struct FramebufferOptions {
     const char* label = "";
     /// Draw buffer 0, 1, …; they must outlive the framebuffer.
     std::initializer_list<const Texture2D*> colours;
+    const Texture2D* depth = nullptr; ///< where it is needed
 };
 
-/// A render target without depth: all our passes draw one full-screen triangle.
+/// A render target; without depth unless asked, since most passes draw one full-screen triangle.
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -23,6 +24,8 @@ public:
     [[nodiscard]] GLuint id() const { return m_id.get(); }
     /// Draw into it from now on, into the whole of it.
     void bind() const;
+    /// All colours to 0, depth to the farthest.
+    void clear() const;
     /// Queue a copy of colour 0 into a buffer, tightly packed, rows bottom up; does not wait.
     void readInto(GLuint packBuffer, std::size_t offset = 0) const;
 
@@ -30,6 +33,8 @@ private:
     GlId<glDelete::framebuffer> m_id;
     glm::ivec2 m_size{0};
     TexelLayout m_layout;
+    int m_colours = 0;
+    bool m_hasDepth = false;
 };
 
 } // namespace gpu

@@ -38,6 +38,8 @@ TexelLayout texelLayout(GLenum internalFormat)
         return {GL_RGBA, GL_HALF_FLOAT, 8};
     case GL_RGBA32F:
         return {GL_RGBA, GL_FLOAT, 16};
+    case GL_DEPTH_COMPONENT32F:
+        return {GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     default:
         break;
     }

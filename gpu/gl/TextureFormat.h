@@ -16,7 +16,7 @@ struct TexelLayout {
 };
 
 /// Knows R8, R8UI, R16, R16UI, R32UI, R32F, RG8, RG8UI, RG16, RG16UI, RG32F, RGBA8, RGBA16F,
-/// RGBA32F.
+/// RGBA32F, DEPTH_COMPONENT32F.
 [[nodiscard]] TexelLayout texelLayout(GLenum internalFormat);
 [[nodiscard]] bool isIntegerFormat(GLenum internalFormat);
 

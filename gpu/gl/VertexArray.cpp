@@ -11,10 +11,45 @@ VertexArray::VertexArray(const char* label)
     labelObject(GL_VERTEX_ARRAY, id, label);
 }
 
+void VertexArray::setVertices(const Buffer& buffer, std::size_t stride)
+{
+    glVertexArrayVertexBuffer(m_id.get(), 0, buffer.id(), 0, GLsizei(stride));
+}
+
+void VertexArray::setPerInstance()
+{
+    glVertexArrayBindingDivisor(m_id.get(), 0, 1);
+}
+
+void VertexArray::setAttribute(GLuint location, const AttributeOptions& options)
+{
+    glVertexArrayAttribFormat(m_id.get(), location, options.components, options.type,
+        options.normalized ? GL_TRUE : GL_FALSE, GLuint(options.offset));
+    glVertexArrayAttribBinding(m_id.get(), location, 0);
+    glEnableVertexArrayAttrib(m_id.get(), location);
+}
+
+void VertexArray::setElements(const Buffer& buffer)
+{
+    glVertexArrayElementBuffer(m_id.get(), buffer.id());
+}
+
 void VertexArray::drawFullScreenTriangle() const
 {
     glBindVertexArray(m_id.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void VertexArray::drawTriangles(int elements) const
+{
+    glBindVertexArray(m_id.get());
+    glDrawElements(GL_TRIANGLES, elements, GL_UNSIGNED_INT, nullptr);
+}
+
+void VertexArray::drawQuads(int instances) const
+{
+    glBindVertexArray(m_id.get());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
 }
 
 } // namespace gpu

@@ -3,6 +3,7 @@
 
 #include "gpu/edit/BarrierBricks.h"
 #include "gpu/edit/BrickField.h"
+#include "gpu/render/SurfacePass.h"
 #include "gpu/render/ViewFrame.h"
 #include "gpu/render/WindowMapping.h"
 #include "gpu/textures/VolumeTextures.h"
@@ -96,7 +97,8 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}}});
+                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0},
+                    {"SURFACE", 0}}});
     }
 }
 
@@ -105,19 +107,22 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const auto mode = std::size_t(scene.mode);
     const bool clipped = scene.clip.any();
     const bool home = with.pieces && m_pieces.anyAtHome();
+    const bool sculpted = with.pieces || with.kind != RayBlocks::Kind::Plain;
+    const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
     std::size_t variant = mode;
-    for (const bool part :
-        {clipped, home, with.pieces, with.seeds, with.barriers, with.warned, with.foreseen})
+    for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
+             with.barriers, with.warned, with.foreseen, with.surface})
         variant = 2 * variant + std::size_t(part);
     Program& program = m_seldomPrograms[variant];
     if (!program)
         program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast.frag",
-                .defines = {{"MODE", int(mode)}, {"SCULPTED", 1}, {"SEGMENTS", 1},
-                    {"CLIPPED", int(clipped)}, {"HOME", int(home)}, {"PIECES", int(with.pieces)},
-                    {"SEEDS", int(with.seeds)}, {"BARRIERS", int(with.barriers)},
-                    {"WARNED", int(with.warned)}, {"FORESEEN", int(with.foreseen)}}});
+                .defines = {{"MODE", int(mode)}, {"SCULPTED", int(sculpted)},
+                    {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
+                    {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
+                    {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
+                    {"FORESEEN", int(with.foreseen)}, {"SURFACE", int(with.surface)}}});
     return program;
 }
 
@@ -137,7 +142,10 @@ Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene,
         return seldomProgram(scene,
             {.pieces = kind == RayBlocks::Kind::Pieces,
                 .warned = with.warned,
-                .foreseen = with.foreseen});
+                .foreseen = with.foreseen,
+                .surface = with.surface});
+    if (with.surface)
+        return seldomProgram(scene, {.surface = true, .kind = kind});
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
@@ -159,7 +167,8 @@ const RayBlocks& RaycastPass::blocksOf(
 }
 
 void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
-    const PassTarget& target, const Tile& tile, const VertexArray& noVertices)
+    const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
+    const SurfacePicture* surface)
 {
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
@@ -172,7 +181,8 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         .seeds = seeds,
         .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
-        .foreseen = foreseen != nullptr};
+        .foreseen = foreseen != nullptr,
+        .surface = surface != nullptr};
     Tile over;
     if (seeds)
         over = m_seeds.blocksIn(scene, target);
@@ -182,15 +192,24 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     }
     const Tile overlaid = common(tile, over);
     const bool sculpted = pieces || volume.cells().isSculpted();
-    std::array<std::vector<Tile>, RayBlocks::kinds> parts;
-    for (const Tile& rest : around(tile, overlaid)) {
+    using Parts = std::array<std::vector<Tile>, RayBlocks::kinds>;
+    Parts parts;
+    Parts surfaceParts; // where the surface may be seen
+    const auto addTo = [&](Parts& into, const Tile& rest) {
         if (!sculpted) {
-            parts[std::size_t(RayBlocks::Kind::Plain)].push_back(rest);
-            continue;
+            into[std::size_t(RayBlocks::Kind::Plain)].push_back(rest);
+            return;
         }
         const auto split = blocksOf(volume, scene, target).split(rest);
-        for (std::size_t kind = 0; kind < parts.size(); ++kind)
-            parts[kind].insert(parts[kind].end(), split[kind].begin(), split[kind].end());
+        for (std::size_t kind = 0; kind < into.size(); ++kind)
+            into[kind].insert(into[kind].end(), split[kind].begin(), split[kind].end());
+    };
+    for (const Tile& rest : around(tile, overlaid)) {
+        const Tile near = surface ? common(rest, surface->blocks) : Tile{};
+        if (near.size.x > 0)
+            addTo(surfaceParts, near);
+        for (const Tile& apart : around(rest, near))
+            addTo(parts, apart);
     }
     const auto drawParts = [&](Program& program, const std::vector<Tile>& tiles) {
         prepare(program, volume, scene, palette, target);
@@ -198,6 +217,12 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             words->atlas().bindUnit(14);
             words->pageTable().bindUnit(15);
             program.set("warnAfter", palette.warnAfterGeneration());
+        }
+        if (surface) {
+            surface->colours.bindUnit(19);
+            surface->ways.bindUnit(20);
+            program.set("surfaceOpacity", scene.surface->opacity)
+                .set("surfaceBehind", scene.surface->behindOpacity);
         }
         if (foreseen) {
             foreseen->pageTable().bindUnit(16);
@@ -208,15 +233,21 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             noVertices.drawFullScreenTriangle();
         }
     };
+    const auto drawKinds = [&](const Parts& kinds, const Seldom& seldom) {
+        for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+            if (kinds[kind].empty())
+                continue;
+            Program& program = programFor(RayBlocks::Kind(kind), scene, seldom);
+            if (RayBlocks::Kind(kind) == RayBlocks::Kind::Pieces)
+                m_pieces.bind(program, volume);
+            drawParts(program, kinds[kind]);
+        }
+    };
     glEnable(GL_SCISSOR_TEST);
-    for (std::size_t kind = 0; kind < parts.size(); ++kind) {
-        if (parts[kind].empty())
-            continue;
-        Program& program = programFor(RayBlocks::Kind(kind), scene, with);
-        if (RayBlocks::Kind(kind) == RayBlocks::Kind::Pieces)
-            m_pieces.bind(program, volume);
-        drawParts(program, parts[kind]);
-    }
+    drawKinds(surfaceParts, with);
+    Seldom apart = with;
+    apart.surface = false;
+    drawKinds(parts, apart);
     if (overlaid.size.x > 0) {
         Program& program = seldomProgram(scene, with);
         if (pieces)

@@ -17,6 +17,7 @@
 namespace gpu {
 
 class VolumeTextures;
+struct SurfacePicture;
 struct ViewFrame;
 
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
@@ -32,8 +33,10 @@ public:
     /// voxels, threshold or transfer function changed (then the skip map is computed anew, linear
     /// in the cells).
     /// @param tile as TilePlan cuts it @param noVertices of the context
+    /// @param surface of this picture, what is to be laid among the rest; null: nothing
     void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
-        const PassTarget& target, const Tile& tile, const VertexArray& noVertices);
+        const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
+        const SurfacePicture* surface = nullptr);
     /// Draws one pixel by each program that the first carving or the first shown segment will need:
     /// drivers compile a program only when it first draws, and that should not be while a pen
     /// waits. Nothing where they have drawn already.
@@ -57,6 +60,8 @@ private:
         bool barriers = false;
         bool warned = false; ///< members warn
         bool foreseen = false; ///< some members would go
+        bool surface = false; ///< that is being refined
+        RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< of the rest
     };
 
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not

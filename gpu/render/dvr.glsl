@@ -52,6 +52,14 @@ Matter matterAt(vec3 at, float n)
     return matter;
 }
 
+#if SURFACE
+/// Number of the sample before which it lies; matter that begins at it is behind it.
+float surfaceSample(float gridZero)
+{
+    return (surfaceAt - gridZero) / stepMm - 2.0;
+}
+#endif
+
 /// What is seen of the volume without its pieces.
 vec3 restAlong(Ray ray)
 {
@@ -69,6 +77,9 @@ vec3 restAlong(Ray ray)
     // Where groups end differs from pixel to pixel and from picture to picture: it averages out.
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
+#if SURFACE
+    const float surfaceN = surfaceSample(ray.gridZero);
+#endif
     do {
         // To the first sample that shows something.
         const float start = n;
@@ -90,7 +101,12 @@ vec3 restAlong(Ray ray)
             } while (n < end && !found);
         } while (n < samples.last && !found);
         lastOpacity = n > start ? 0.0 : lastOpacity;
-        const float groupEnd = min(samples.last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
+        float groupEnd = min(samples.last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
+#if SURFACE
+        if (!surfaceMet && n >= surfaceN)
+            meetSurface(seen, through);
+        groupEnd = surfaceMet ? groupEnd : min(groupEnd, surfaceN);
+#endif
         // Samples are classified one by one but lit together, since lighting costs several samples:
         // matter keeps the light that fell on the surface before it, and a new surface is where
         // opacity changes most.
@@ -159,6 +175,11 @@ vec3 restAlong(Ray ray)
         through = segmentSeen ? 0.0 : through;
 #endif
     } while (n < samples.last && through > enough);
+#if SURFACE
+    through = through > enough ? through : 0.0;
+    if (!surfaceMet)
+        meetSurface(seen, through);
+#endif
     return seen;
 }
 

@@ -206,8 +206,14 @@ vec3 seenAlong(Ray ray)
     meet(ray, restOf);
     for (int k = 0; k < pieceCount; ++k)
         meet(pieceRay(ray, k), k);
-    if (wayCount == 0)
-        return vec3(0.0);
+    if (wayCount == 0) {
+        vec3 nothing = vec3(0.0);
+#if SURFACE
+        float all = 1.0;
+        meetSurface(nothing, all);
+#endif
+        return nothing;
+    }
     if (wayCount == 1 && ways[0].piece < 0)
         return restAlong(ray);
     float n = nowhere;
@@ -222,6 +228,9 @@ vec3 seenAlong(Ray ray)
     float lastOpacity = 0.0;
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
+#if SURFACE
+    const float surfaceN = surfaceSample(ray.gridZero);
+#endif
     // Surfaces of segments and solid pieces are rare and cost much: each ends the inner loop.
     do {
         int solid = -1;
@@ -239,7 +248,12 @@ vec3 seenAlong(Ray ray)
                 } while (!found && n < until && n < last);
             } while (!found && n < last);
             lastOpacity = n > start ? 0.0 : lastOpacity;
-            const float groupEnd = min(last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
+            float groupEnd = min(last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
+#if SURFACE
+            if (!surfaceMet && n >= surfaceN)
+                meetSurface(seen, through);
+            groupEnd = surfaceMet ? groupEnd : min(groupEnd, surfaceN);
+#endif
             const int owner = joint.owner;
             vec3 glow = vec3(0.0);
             float glowOpacity = 0.0;
@@ -286,5 +300,10 @@ vec3 seenAlong(Ray ray)
         solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
     } while (n < last && through > enough);
+#if SURFACE
+    through = through > enough ? through : 0.0;
+    if (!surfaceMet)
+        meetSurface(seen, through);
+#endif
     return seen;
 }

@@ -25,7 +25,13 @@
 void main()
 {
     const Ray ray = rayOf(gl_FragCoord.xy);
+#if SURFACE
+    findSurface();
+#endif
     vec3 seen = seenAlong(ray);
+#if SURFACE
+    seen = withSurface(seen);
+#endif
 #if SEEDS
     seen = withSeeds(ray, seen);
 #endif

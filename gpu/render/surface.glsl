@@ -226,6 +226,15 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     return lit(albedo, light);
 }
 
+#if SURFACE
+/// Where it and matter are one surface but for a fraction of a voxel it is seen: without this the
+/// two would speckle.
+bool isBefore(float t)
+{
+    return surfaceAt <= t + 2.0 * stepMm;
+}
+#endif
+
 #if PIECES
 float pieceHit(Ray ray, int piece)
 {
@@ -296,6 +305,10 @@ vec3 seenAlong(Ray ray)
             opacity = pieces[piece].low.w;
             hits[next] = nowhere;
         }
+#if SURFACE
+        if (!surfaceMet && isBefore(nearest))
+            meetSurface(seen, through);
+#endif
         const vec3 look = lookOf(own, piece, hit);
         opacity = nearest < nowhere ? opacity : 0.0;
         seen += opacity > 0.0 ? through * opacity * look : vec3(0.0);
@@ -308,16 +321,36 @@ vec3 seenAlong(Ray ray)
             nearest = min(nearest, hits[i]);
         }
     } while (nearest < nowhere && through >= 0.02);
+#if SURFACE
+    if (!surfaceMet)
+        meetSurface(seen, through);
+#endif
     return seen;
 }
 #else
 vec3 seenAlong(Ray ray)
 {
+#if SURFACE
+    // Behind an opaque one nothing is looked for.
+    ray.last = surfaceColour.a >= 1.0 ? min(ray.last, surfaceAt + 2.0 * stepMm) : ray.last;
+#endif
     const Hit hit = firstHit(ray);
 #if SEEDS || BARRIERS
     solidFrom = hit.t;
 #endif
     const vec3 look = lookOf(ray, restOf, hit);
+#if SURFACE
+    vec3 seen = vec3(0.0);
+    float through = 1.0;
+    if (isBefore(hit.t))
+        meetSurface(seen, through);
+    seen += hit.t < nowhere ? through * look : vec3(0.0);
+    through = hit.t < nowhere ? 0.0 : through;
+    if (!surfaceMet)
+        meetSurface(seen, through);
+    return seen;
+#else
     return hit.t < nowhere ? look : vec3(0.0);
+#endif
 }
 #endif

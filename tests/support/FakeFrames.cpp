@@ -51,6 +51,11 @@ void FakeFrames::setListener(Listener listener)
     m_listener = std::move(listener);
 }
 
+void FakeFrames::updateSurface(core::SurfaceUpdate update)
+{
+    m_surfaceUpdates.push_back(std::move(update));
+}
+
 const gpu::FrameRequest& FakeFrames::lastRequest(gpu::ViewId view) const
 {
     return m_requests.at(view);

@@ -4,6 +4,7 @@
 #include "gpu/frame/FrameSource.h"
 
 #include <map>
+#include <vector>
 
 namespace test {
 
@@ -17,15 +18,22 @@ public:
     void request(gpu::FrameRequest request) override;
     void forget(gpu::ViewId view) override;
     void setListener(Listener listener) override;
+    void updateSurface(core::SurfaceUpdate update) override;
 
     [[nodiscard]] int requestCount() const { return m_requestCount; }
     [[nodiscard]] const gpu::FrameRequest& lastRequest(gpu::ViewId view) const;
+    /// Those of the surface that were told, in their order.
+    [[nodiscard]] const std::vector<core::SurfaceUpdate>& surfaceUpdates() const
+    {
+        return m_surfaceUpdates;
+    }
 
 private:
     void deliver(const gpu::FrameRequest& request, gpu::Frame::Quality quality) const;
 
     Listener m_listener;
     std::map<gpu::ViewId, gpu::FrameRequest> m_requests;
+    std::vector<core::SurfaceUpdate> m_surfaceUpdates;
     int m_requestCount = 0;
 };
 

@@ -25,6 +25,7 @@ public:
     void request(gpu::FrameRequest) override { }
     void forget(gpu::ViewId) override { }
     void setListener(Listener) override { }
+    void updateSurface(core::SurfaceUpdate) override { }
 };
 
 /// A workspace with a volume open, the small head unless told otherwise, over the oracle.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/frame/Scene.h"
+#include "gpu/frame/TilePlan.h"
+#include "gpu/gl/Framebuffer.h"
+#include "gpu/gl/Program.h"
+#include "gpu/gl/Texture2D.h"
+#include "gpu/render/PassTarget.h"
+
+namespace gpu {
+
+class SurfaceBuffers;
+class VolumeTextures;
+
+/// The surface that is being refined as one view sees it, for the ray caster to lay among the rest.
+/// Nothing is kept before it is first drawn; then 12 bytes a pixel.
+struct SurfacePicture {
+    Texture2D colours; ///< RGBA8; a: how much of the pixel; 0: none
+    Texture2D ways; ///< R32F: where a pixel's ray meets it, millimetres along the ray
+    Texture2D depth;
+    Framebuffer frame;
+    Tile blocks; ///< drawn pixels beyond which nothing of it is seen; may reach beyond the picture
+
+    [[nodiscard]] bool isEmpty() const { return blocks.size.x <= 0; }
+};
+
+/// Rasterises the surface with the ray caster's camera, whatever hides it: the front-most of it in
+/// each pixel, lit like the rest of the 3D view, without what its plane or the scene's clip region
+/// hides. Marks win where most of a place has them.
+class SurfacePass {
+public:
+    /// Throws ShaderError.
+    explicit SurfacePass(const ShaderLibrary& library);
+
+    /// Draws a whole picture; once for each, before its first tile. Cost: linear in the surface.
+    /// @param scene has a surface
+    void draw(SurfacePicture& picture, const SurfaceBuffers& surface, VolumeTextures& volume,
+        const VolumeScene& scene, const PassTarget& target);
+
+private:
+    void setCamera(const SurfaceBuffers& surface, const SurfacePicture& picture,
+        const VolumeScene& scene, const PassTarget& target);
+    void setClip(const VolumeTextures& volume, const VolumeScene& scene);
+    void setLook(const VolumeTextures& volume, const SceneSurface& look, const PassTarget& target);
+
+    Program m_program;
+};
+
+} // namespace gpu

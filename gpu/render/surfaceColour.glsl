@@ -1,0 +1,19 @@
+// Colours of the surface that is being refined, by what is thought of its places.
+
+/* Uniforms */
+uniform vec3 ownColour;
+uniform vec4 markColours[3]; // yellow, green, red
+uniform float markOpacity;
+
+/// The mark that most of a place has; between two, one of them, not their mixture.
+/// @param marks yellow, green, red
+int markOf(vec3 marks)
+{
+    const bool red = marks.z > max(marks.x, marks.y);
+    return red ? 2 : marks.y > marks.x ? 1 : 0;
+}
+
+vec3 marked(vec3 colour, int mark)
+{
+    return mix(colour, markColours[mark].rgb, markOpacity);
+}

@@ -1,0 +1,66 @@
+// The surface that is being refined: its colour, and where the ray of the pixel meets it.
+#include "render/light.glsl"
+#include "render/surfaceColour.glsl"
+
+/* Textures */
+layout(binding = 0) uniform sampler3D intensity; // code / 65535
+
+/* Uniforms */
+uniform vec3 viewForward;  // world, unit
+uniform vec3 viewTarget;   // world
+uniform float eyeDistance; // mm before the target; 0: orthographic
+uniform int style;         // 0 shaded, 1 wireframe, 2 grey values
+uniform float wireHalf;    // drawn pixels
+uniform vec4 hiddenBeyond[10]; // world: hidden where dot(xyz, place) > w
+uniform int hiddenCount;
+uniform mat4 worldToTexture;
+uniform vec2 window; // grey = code / 65535 · x + y
+
+/* Input */
+layout(location = 0) in vec3 fromTarget; // world
+layout(location = 1) in vec3 outwards;
+layout(location = 2) in vec4 placeMarks;
+
+/* Output */
+layout(location = 0) out vec4 colour;
+layout(location = 1) out float way;
+
+const float insideShade = 0.62;
+const float greyLight = 0.35; // grey values are to be read: they are shaded less
+
+void main()
+{
+    const vec3 place = fromTarget + viewTarget;
+    // Distance from the nearest rim of the face, in pixels.
+    const float toRim = placeMarks.w / max(length(vec2(dFdx(placeMarks.w), dFdy(placeMarks.w))), 1e-6);
+    float cover = 1.0;
+    if (style == 1)
+        cover = clamp(wireHalf + 0.5 - toRim, 0.0, 1.0);
+    bool hidden = cover < 0.02;
+    for (int i = 0; i < hiddenCount; ++i)
+        hidden = hidden || dot(hiddenBeyond[i].xyz, place) > hiddenBeyond[i].w;
+    if (hidden)
+        discard;
+
+    const vec3 fromEye = fromTarget + viewForward * eyeDistance;
+    const bool isOrthographic = eyeDistance == 0.0;
+    way = isOrthographic ? dot(fromTarget, viewForward) : length(fromEye);
+    const vec3 toViewer = isOrthographic ? -viewForward : normalize(-fromEye);
+
+    // Rows run downwards: what turns to the left seen from outside turns to the right in them.
+    const bool isInside = gl_FrontFacing;
+    vec3 normal = normalize(outwards + 1e-6 * toViewer) * (isInside ? -1.0 : 1.0);
+    // At the rim the normal between vertices may look away.
+    const float away = min(dot(normal, toViewer), 0.0);
+    normal = normalize(normal - (away - 0.02) * toViewer);
+
+    vec4 light = lightOn(normal, toViewer, 1.0, isInside ? 0.0 : 0.15);
+    vec3 own = ownColour;
+    if (style == 2) {
+        const vec3 at = (worldToTexture * vec4(place, 1.0)).xyz;
+        own = vec3(clamp(texture(intensity, at).r * window.x + window.y, 0.0, 1.0));
+        light = vec4(mix(vec3(1.0), light.rgb, greyLight), 0.0);
+    }
+    const vec3 albedo = marked(own, markOf(placeMarks.xyz));
+    colour = vec4(lit(albedo, light) * (isInside ? insideShade : 1.0), cover);
+}
