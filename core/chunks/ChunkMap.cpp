@@ -25,9 +25,16 @@ std::optional<VoxelBox> ChunkMap::boxAround(std::span<const std::uint8_t> labels
     }
     if (box.empty())
         return std::nullopt;
-    const glm::ivec3 margin(glm::ceil(glm::dvec3(marginMm) / geometry.spacingMm()));
-    return VoxelBox{.minimum = glm::max(box.minimum - margin, glm::ivec3(0)),
-        .maximum = glm::min(box.maximum + margin, size)};
+    return withMargin(box, geometry, marginMm);
+}
+
+VoxelBox ChunkMap::withMargin(const VoxelBox& box, const VolumeGeometry& geometry, double marginMm)
+{
+    // More than the volume's size is never needed, and would not fit an int.
+    const glm::dvec3 most(geometry.size);
+    const glm::ivec3 margin(glm::min(glm::ceil(glm::dvec3(marginMm) / geometry.spacingMm()), most));
+    return {.minimum = glm::max(box.minimum - margin, glm::ivec3(0)),
+        .maximum = glm::min(box.maximum + margin, geometry.size)};
 }
 
 ChunkMap::ChunkMap(const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree)
@@ -61,6 +68,17 @@ std::uint64_t ChunkMap::inVolume(std::uint32_t boxVoxel) const
     return (z * std::uint64_t(m_volumeSize.y) + y) * std::uint64_t(m_volumeSize.x) + x;
 }
 
+std::vector<ChunkTree::Chunk> ChunkMap::chunksAt(
+    const std::vector<glm::ivec3>& voxels, int division) const
+{
+    std::set<ChunkTree::Chunk> chunks;
+    for (const glm::ivec3& voxel : voxels) {
+        if (const auto chunk = chunkAt(voxel, division))
+            chunks.insert(*chunk);
+    }
+    return {chunks.begin(), chunks.end()};
+}
+
 VoxelRuns ChunkMap::voxels(ChunkTree::Chunk chunk) const
 {
     // Within a chunk voxels stand piece by piece, not in the volume's order.
@@ -76,13 +94,8 @@ VoxelRuns ChunkMap::voxels(ChunkTree::Chunk chunk) const
 ChunkChange ChunkMap::toggled(const std::vector<glm::ivec3>& clicked, int division,
     std::span<const std::uint8_t> labels, std::uint8_t label) const
 {
-    std::set<ChunkTree::Chunk> chunks;
-    for (const glm::ivec3& voxel : clicked) {
-        if (const auto chunk = chunkAt(voxel, division))
-            chunks.insert(*chunk);
-    }
     ChunkChange change;
-    for (const ChunkTree::Chunk chunk : chunks) {
+    for (const ChunkTree::Chunk chunk : chunksAt(clicked, division)) {
         const VoxelRuns runs = voxels(chunk);
         std::uint64_t held = 0;
         for (const VoxelRun& run : runs.runs()) {

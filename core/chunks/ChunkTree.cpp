@@ -166,6 +166,23 @@ std::optional<ChunkTree::Chunk> ChunkTree::chunkAt(std::size_t voxel, int count)
     return chunk;
 }
 
+std::optional<ChunkTree::Chunk> ChunkTree::leafAt(std::size_t voxel) const
+{
+    const Chunk leaf = m_leafOfVoxel[voxel];
+    return leaf == none ? std::nullopt : std::optional(leaf);
+}
+
+std::vector<ChunkTree::Chunk> ChunkTree::chunksOfLeaves(int count) const
+{
+    const std::uint32_t unmade = firstUnmade(count);
+    // A chunk stands before the one that it is joined into.
+    std::vector<Chunk> chunks(m_parents.size());
+    for (std::size_t chunk = m_parents.size(); chunk-- > 0;)
+        chunks[chunk] = m_parents[chunk] < unmade ? chunks[m_parents[chunk]] : Chunk(chunk);
+    chunks.resize(m_leaves);
+    return chunks;
+}
+
 std::span<const std::uint32_t> ChunkTree::voxels(Chunk chunk) const
 {
     return std::span(m_voxels).subspan(m_spans[chunk].begin, m_spans[chunk].count);

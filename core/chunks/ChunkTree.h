@@ -33,6 +33,10 @@ public:
     [[nodiscard]] std::vector<Chunk> division(int count) const;
     /// Which of them holds a voxel of the box; none: it was left out.
     [[nodiscard]] std::optional<Chunk> chunkAt(std::size_t voxel, int count) const;
+    /// Which chunk of the finest division holds it, 0 … finest() − 1: for whoever draws them.
+    [[nodiscard]] std::optional<Chunk> leafAt(std::size_t voxel) const;
+    /// Which chunk of a division holds each chunk of the finest one.
+    [[nodiscard]] std::vector<Chunk> chunksOfLeaves(int count) const;
     /// The voxels of a chunk, by their places in the box. Cost: none.
     [[nodiscard]] std::span<const std::uint32_t> voxels(Chunk chunk) const;
     [[nodiscard]] std::uint8_t owner(Chunk chunk) const;

@@ -144,6 +144,11 @@ int Document::lastMeasurementGiven() const
     return last;
 }
 
+int Document::lastChunksGiven() const
+{
+    return chunks ? chunks->id : greatestRemovedChunks;
+}
+
 const Growth* Document::growth(int plane) const
 {
     const auto found = std::find_if(growths.begin(), growths.end(),
@@ -240,6 +245,13 @@ QJsonObject Document::hashedState() const
     }
     if (!measurementList.isEmpty())
         state.insert(QStringLiteral("measurements"), measurementList);
+    if (chunks)
+        state.insert(QStringLiteral("chunks"),
+            QJsonObject{{QStringLiteral("id"), chunks->id},
+                {QStringLiteral("marginMm"), chunks->marginMm},
+                {QStringLiteral("segment"), chunks->segment}});
+    else if (greatestRemovedChunks > 0)
+        state.insert(QStringLiteral("lastChunks"), greatestRemovedChunks);
     if (greatestRemovedMeasurement > 0 && greatestRemovedMeasurement == lastMeasurementGiven())
         state.insert(QStringLiteral("lastMeasurement"), greatestRemovedMeasurement);
     if (greatestRemovedPiece > 0 && greatestRemovedPiece == lastPieceGiven())

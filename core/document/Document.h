@@ -12,6 +12,7 @@
 
 #include <bitset>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -61,6 +62,14 @@ struct Growth {
     std::uint32_t generation = 0;
 };
 
+/// What lies around a segment, divided into chunks (core/chunks); the edit that did it holds the
+/// rest.
+struct ChunkDivision {
+    int id = 0; ///< 1, 2, 3 …, never used again
+    int segment = 0; ///< label
+    double marginMm = 0.0;
+};
+
 /// The model: everything a session holds besides voxels. Lists from the start; the window shows one
 /// volume and one plane at present.
 struct Document {
@@ -71,11 +80,13 @@ struct Document {
     std::vector<CameraBookmark> bookmarks;
     std::vector<Piece> pieces; ///< by id, which decides nothing
     std::vector<Measurement> measurements; ///< by id
+    std::optional<ChunkDivision> chunks; ///< the newest one, while its segment is there
     int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
     int greatestRemovedBookmark = 0; ///< likewise
     int greatestRemovedLayer = 0; ///< likewise
     int greatestRemovedPiece = 0;
     int greatestRemovedMeasurement = 0;
+    int greatestRemovedChunks = 0;
 
     [[nodiscard]] const Segment* segment(int label) const;
     [[nodiscard]] Segment* segment(int label);
@@ -100,6 +111,7 @@ struct Document {
     [[nodiscard]] int lastLayerGiven() const;
     [[nodiscard]] int lastPieceGiven() const;
     [[nodiscard]] int lastMeasurementGiven() const;
+    [[nodiscard]] int lastChunksGiven() const;
     /// The growth of a label plane; null if nothing has grown there.
     [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
@@ -116,6 +128,7 @@ struct DocumentChange {
         Bookmarks,
         Pieces,
         Measurements,
+        Chunks, ///< what is divided, or its chunks have been worked out
         Labels,
         Coverage,
         Growth,

@@ -105,6 +105,10 @@ Result<bool> apply(const RemoveSegment& edit, Document& document)
         return failure(ErrorCode::SegmentLocked, segment->name);
     document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
     removePieces(document, [&](const Piece& piece) { return piece.segment == edit.segment; });
+    if (document.chunks && document.chunks->segment == edit.segment) {
+        document.greatestRemovedChunks = document.chunks->id;
+        document.chunks.reset();
+    }
     document.segments.erase(document.segments.begin() + (segment - document.segments.data()));
     return true;
 }
@@ -337,7 +341,21 @@ Result<bool> apply(const RemoveMeasurement& edit, Document& document)
     return true;
 }
 
+/// Whether it divides otherwise than before only the session can tell, who has the rows.
+Result<bool> apply(const Chunks& edit, Document& document)
+{
+    if (!document.segment(edit.segment))
+        return unknownSegment(edit.segment);
+    document.chunks = {
+        .id = document.lastChunksGiven() + 1, .segment = edit.segment, .marginMm = edit.marginMm};
+    return true;
+}
+
 // What changes voxels only, or by the history.
+Result<bool> apply(const ChunkToggle&, Document&)
+{
+    return false;
+}
 Result<bool> apply(const SeedStroke&, Document&)
 {
     return false;
@@ -452,6 +470,8 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
                 return What::Bookmarks;
             else if constexpr (isOneOf<E, AddMeasurement, RemoveMeasurement>)
                 return What::Measurements;
+            else if constexpr (isOneOf<E, Chunks>)
+                return What::Chunks;
             else if constexpr (isOneOf<E, CutPiece, PastePiece, ChangePiece, SendPiecesHome,
                                    RemovePiece>)
                 return What::Pieces;

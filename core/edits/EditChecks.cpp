@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/ChunkEdits.h"
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EngineEdits.h"
 #include "core/edits/SparedSegments.h"
@@ -58,6 +59,10 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
         return discardValue(labelSeen(*seen, document));
     if (const auto* mask = std::get_if<ImportMask>(&edit))
         return discardValue(labelListed(*mask, document));
+    if (const auto* chunks = std::get_if<Chunks>(&edit); chunks && chunks->owners)
+        return discardValue(ownedBox(*chunks, document.volumes.front().geometry));
+    if (const auto* toggle = std::get_if<ChunkToggle>(&edit))
+        return discardValue(chunkClick(*toggle, document));
     if (const auto* cover = std::get_if<SegmentToLayer>(&edit)) {
         if (const Result<void> checked = checkLayer("segmentToLayer.layer", cover->layer, document);
             !checked)

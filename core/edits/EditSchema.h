@@ -3,6 +3,7 @@
 
 // Every edit with its fields (schema/SchemaParts.h says how they are shown to a visitor).
 
+#include "core/edits/schema/ChunkSchema.h"
 #include "core/edits/schema/DocumentSchema.h"
 #include "core/edits/schema/GrowthSchema.h"
 #include "core/edits/schema/HistorySchema.h"

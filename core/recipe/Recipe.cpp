@@ -165,6 +165,8 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             seeded.insert(seed->segment);
         if (const auto* paint = std::get_if<PaintStroke>(edit); paint && !paint->erase)
             seeded.insert(paint->segment);
+        if (const auto* toggle = std::get_if<ChunkToggle>(edit))
+            seeded.insert(toggle->segment);
         if (const auto* mask = std::get_if<ImportMask>(edit)) {
             // What it made is last, as many as there are; what was there is named.
             for (std::size_t k = 0; k < document.segments.size(); ++k) {

@@ -28,7 +28,7 @@ template <class Take> void RecipeElsewhere::visitNumbers(Edit& edit, const Take&
         [&](auto& known) {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOneOf<E, ChangeSegment, MoveSegment, RemoveSegment, SegmentToLayer,
-                              PastePiece, SeedStroke, PaintStroke>)
+                              PastePiece, SeedStroke, PaintStroke, Chunks, ChunkToggle>)
                 take(Kind::Segment, known.segment);
             if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
                 maybe(Kind::Segment, known.target.segment);

@@ -105,10 +105,12 @@ bool isBoundToStudy(const RecipeStep& step)
                 return !known.asBefore && known.criteria.box.has_value();
             else if constexpr (isOneOf<E, SegmentSeen>)
                 return known.hidden.has_value();
+            else if constexpr (isOneOf<E, Chunks>)
+                return known.owners.has_value();
             else
                 return isOneOf<E, SeedStroke, DrillStroke, LaserStroke, PeelCut, ScissorsCut,
                     BrushStroke, PaintStroke, BarrierStroke, ShrinkAt, PlugLeak, AddBookmark,
-                    AddMeasurement, RevertRows, ReviseStroke, ImportMask>;
+                    AddMeasurement, RevertRows, ReviseStroke, ImportMask, ChunkToggle>;
         },
         *edit);
 }

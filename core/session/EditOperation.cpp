@@ -2,6 +2,7 @@
 #include "core/session/EditOperation.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/session/ChunkOperation.h"
 #include "core/session/DocumentOperation.h"
 #include "core/session/RevertOperation.h"
 #include "core/session/ReviseOperation.h"
@@ -11,6 +12,10 @@ namespace core {
 
 std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
 {
+    if (const auto* chunks = std::get_if<Chunks>(&edit))
+        return std::make_unique<DivideOperation>(*chunks, again);
+    if (const auto* toggle = std::get_if<ChunkToggle>(&edit))
+        return std::make_unique<ToggleChunks>(*toggle, again);
     if (changesDocumentOnly(edit))
         return std::make_unique<DocumentOperation>(edit, again);
     if (const auto* revert = std::get_if<RevertRows>(&edit))

@@ -314,6 +314,13 @@ std::vector<RowId> EditSession::strokesOnRevisedSurface() const
     return revision.row == history().position() ? revision.begunInside : std::vector<RowId>();
 }
 
+std::shared_ptr<const ChunkMap> EditSession::chunkMap()
+{
+    SessionState& state = m_queue->state();
+    state.wantChunks();
+    return state.chunks->map(state.divisionRow());
+}
+
 std::optional<LeakAlarm> EditSession::leakAlarm() const
 {
     const std::optional<SessionState::Alarm>& alarm = m_queue->state().lastAlarm;

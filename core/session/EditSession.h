@@ -19,6 +19,7 @@
 
 namespace core {
 
+class ChunkMap;
 class OperationQueue;
 struct AuditReport;
 class SessionFile;
@@ -125,6 +126,10 @@ public:
     /// Later strokes that started on the surface that the last ReviseStroke changed: they stay
     /// where they are. Empty unless that edit is the position.
     [[nodiscard]] std::vector<RowId> strokesOnRevisedSurface() const;
+    /// The chunks of what is divided (Document::chunks); null while they are worked out, which this
+    /// begins, and where nothing is. DocumentChange::What::Chunks tells when they are there. Kept
+    /// until another division is asked for.
+    [[nodiscard]] std::shared_ptr<const ChunkMap> chunkMap();
     /// What the guard suspected of the growth that is the position; none of other steps, nor of a
     /// session that was opened.
     [[nodiscard]] std::optional<LeakAlarm> leakAlarm() const;

@@ -30,6 +30,16 @@ QJsonValue told(const HistoryRow& row, const QString& text)
     return row.origin.at.isValid() ? QJsonValue(text) : QJsonValue();
 }
 
+/// A recipe says what was done; what a row adds to it, it finds again.
+Edit asToldAtFirst(Edit edit)
+{
+    if (auto* chunks = std::get_if<Chunks>(&edit))
+        chunks->owners.reset();
+    else if (auto* toggle = std::get_if<ChunkToggle>(&edit))
+        toggle->bricks.reset();
+    return edit;
+}
+
 /// The state that every session begins with.
 QByteArray hashOfBeginning()
 {
@@ -125,7 +135,7 @@ QJsonObject historyAsRecipe(const SessionContents& contents)
     QJsonArray edits;
     std::map<RowId, RowId> numbers;
     for (const RowId id : history.pathTo(contents.position)) {
-        edits.append(editToJson(renumbered(history.row(id).edit, numbers)));
+        edits.append(editToJson(asToldAtFirst(renumbered(history.row(id).edit, numbers))));
         numbers.emplace(id, RowId(numbers.size()) + 1);
     }
     return {

@@ -15,6 +15,8 @@ public:
     /// A result that nobody else waits for: the operation's own, or one it no longer cares for.
     virtual void takeResult(SessionState&, EngineResult&&) { }
     virtual void takeDifferences(SessionState&, Result<std::vector<BrickImage>>&&) { }
+    /// SessionState::chunks has something new.
+    virtual void takeChunks(SessionState&) { }
     [[nodiscard]] virtual bool done() const = 0;
 
     /// What it will make of the document, for checks of what waits behind it.

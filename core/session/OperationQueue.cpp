@@ -40,6 +40,8 @@ OperationQueue::OperationQueue(EditEngine& engine, Volume volume, std::unique_pt
     m_state.file = std::move(file);
     m_state.worker = std::make_unique<CommitWorker>(
         BrickGrid{m_state.document.volumes.front().geometry.size}, m_state.file.get(), m_wakeUp);
+    m_state.chunks =
+        std::make_unique<ChunkWorker>(engine, m_state.document.volumes.front().geometry, m_wakeUp);
     if (m_wakeUp)
         engine.setWakeUp(m_wakeUp);
     if (m_state.file && m_wakeUp)
@@ -141,7 +143,13 @@ bool OperationQueue::collect()
     }
     for (CommitWorker::Report& report : reports)
         take(std::move(report));
-    return !results.empty() || !reports.empty();
+    const bool haveChunks = m_state.chunks->collect();
+    if (haveChunks) {
+        m_state.tell(DocumentChange::What::Chunks);
+        if (m_started)
+            m_operations.front()->takeChunks(m_state);
+    }
+    return !results.empty() || !reports.empty() || haveChunks;
 }
 
 void OperationQueue::take(EngineResult&& result)
@@ -150,7 +158,7 @@ void OperationQueue::take(EngineResult&& result)
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
         answer(result);
-    } else if (m_started) {
+    } else if (!m_state.chunks->take(result) && m_started) {
         m_operations.front()->takeResult(m_state, std::move(result));
     }
 }

@@ -3,6 +3,7 @@
 
 #include "core/edits/SculptEdits.h"
 #include "core/session/ChangeName.h"
+#include "core/session/ChunkName.h"
 #include "core/session/GrownSteps.h"
 #include "core/session/RowWords.h"
 
@@ -431,6 +432,10 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return scissorsName(*scissors, statistics);
     if (const QString name = passageName(edit, statistics, document); !name.isEmpty())
         return name;
+    if (const auto* chunks = std::get_if<Chunks>(&edit))
+        return chunksName(*chunks, document);
+    if (const auto* toggle = std::get_if<ChunkToggle>(&edit))
+        return chunksName(*toggle, changes, document);
     if (const auto* laser = std::get_if<LaserStroke>(&edit))
         return pressedName(*laser, {"Laser ", "Restore laser "}, statistics);
     return pressedName(std::get<DrillStroke>(edit), {"Drill ", "Restore "}, statistics);

@@ -183,6 +183,15 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
             }
         }
         m_reach = std::move(bricks);
+    } else if (const auto* toggle = std::get_if<ChunkToggle>(&edit)) {
+        Bricks bricks;
+        const Segment* segment = document.segment(toggle->segment);
+        const std::uint8_t planeOfLabel = segment ? segment->plane : std::uint8_t(0);
+        for (const std::int64_t brick : toggle->bricks.value_or(std::vector<std::int64_t>())) {
+            bricks.keys.insert({Field::Labels, planeOfLabel, std::uint32_t(brick)});
+            bricks.keys.insert({Field::SeedWords, planeOfLabel, std::uint32_t(brick)});
+        }
+        m_reach = std::move(bricks);
     } else if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
         Bricks bricks;
         const VolumeGeometry& geometry = document.volumes.front().geometry;

@@ -84,6 +84,7 @@ void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> c
     tell(DocumentChange::What::Bookmarks);
     tell(DocumentChange::What::Pieces);
     tell(DocumentChange::What::Measurements);
+    tell(DocumentChange::What::Chunks);
     tell(DocumentChange::What::Growth);
     tell(DocumentChange::What::History);
 }
@@ -131,6 +132,23 @@ void SessionState::takeIn(const std::vector<BrickChange>& changes)
     }
     if (!seeds.empty())
         tell(DocumentChange::What::Growth, seeds);
+}
+
+RowId SessionState::divisionRow() const
+{
+    if (!document.chunks)
+        return 0;
+    for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
+        if (std::holds_alternative<Chunks>(history.row(id).edit))
+            return id;
+    }
+    return 0;
+}
+
+void SessionState::wantChunks()
+{
+    if (const RowId row = divisionRow(); row != 0)
+        chunks->want(row, std::get<Chunks>(history.row(row).edit));
 }
 
 /// What the edits on the way there made of the first one.

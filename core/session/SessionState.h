@@ -4,6 +4,7 @@
 #include "core/document/Document.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
+#include "core/session/ChunkWorker.h"
 #include "core/session/CommitWorker.h"
 #include "core/session/RecentSteps.h"
 #include "core/session/SessionFile.h"
@@ -57,6 +58,10 @@ public:
 
     /// The document after a row (0: at the beginning), without the volume and what is only shown.
     [[nodiscard]] Document documentAt(RowId row) const;
+    /// The newest division into chunks on the way to the position; 0: none, or none that counts.
+    [[nodiscard]] RowId divisionRow() const;
+    /// Has its chunks worked out, unless they are there.
+    void wantChunks();
     /// The canonical form that the state hash covers.
     [[nodiscard]] QByteArray documentJson() const;
 
@@ -66,6 +71,7 @@ public:
     QJsonObject display; ///< opaque here (EditSession::display())
     std::unique_ptr<SessionFile> file; ///< null: history in memory only
     std::unique_ptr<CommitWorker> worker; ///< after file: it writes there to the end
+    std::unique_ptr<ChunkWorker> chunks;
     std::function<RowOrigin()> origin; ///< of a row that is made now
     std::set<RowId> keyframes; ///< rows that have a picture in the file
 

@@ -408,6 +408,55 @@ core::ImportMask joinedFirst(core::ImportMask mask)
     return mask;
 }
 
+/// @param grown edits that leave two segments beside each other
+void addChunkCases(std::vector<StrokeCase>& cases, const core::LoadedVolume& volume,
+    const std::vector<core::Edit>& grown)
+{
+    const core::VolumeGeometry& geometry = volume.volume.geometry;
+    const auto after = [&grown](std::initializer_list<core::Edit> further) {
+        std::vector<core::Edit> all = grown;
+        all.insert(all.end(), further);
+        return all;
+    };
+    const auto toggle = [&geometry](int chunks, std::initializer_list<glm::dvec3> voxels) {
+        core::ChunkToggle edit{.segment = 1, .chunks = chunks};
+        for (const glm::dvec3& voxel : voxels)
+            edit.pointsLps.push_back(geometry.toWorld(voxel));
+        return edit;
+    };
+    const core::Chunks near{.segment = 1, .marginMm = 3.0};
+    const core::Chunks wide{.segment = 2, .marginMm = 500.0};
+    core::ChunkToggle one = toggle(40, {{20, 16, 10}});
+    core::ChunkToggle many = toggle(300, {{4, 9, 9}, {20, 16, 12}, {30, 30, 12}, {36, 3, 18}});
+    core::ChunkToggle added = many;
+    added.mode = core::ChunkToggle::Mode::Add;
+    added.overwriteUnlocked = true;
+    core::ChunkToggle removed = toggle(2, {{4, 9, 9}, {20, 16, 12}, {30, 30, 12}});
+    removed.mode = core::ChunkToggle::Mode::Remove;
+    const core::Edit lock = core::ChangeSegment{.segment = 2, .locked = true};
+    const auto row = std::int64_t(grown.size()) + 2;
+
+    cases.push_back({"divide into chunks", volume, grown, near});
+    cases.push_back({"divide again", volume, after({near}), near});
+    cases.push_back({"divide otherwise", volume, after({near}), wide});
+    cases.push_back({"divide what was changed", volume, after({wide, added}), wide});
+    cases.push_back({"toggle a chunk", volume, after({wide}), one});
+    cases.push_back({"toggle chunks back", volume, after({wide, many}), many});
+    cases.push_back({"add chunks", volume, after({wide}), added});
+    cases.push_back({"add chunks beside a locked segment", volume, after({wide, lock}), added});
+    cases.push_back({"take chunks", volume, after({wide}), removed});
+    cases.push_back({"take what is not there", volume, after({wide, removed}), removed});
+    cases.push_back({"toggle by an older division", volume,
+        after({wide, one, near, core::RemoveSegment{.segment = 2}}), one});
+    cases.push_back({"undo only a chunk", volume,
+        after({wide, one, core::AddLayer{.name = QStringLiteral("Other")}}),
+        core::RevertRows{{row}}});
+    cases.push_back({"growth after chunks", volume, after({wide, removed}),
+        core::GrowSteps{.criteria = {.lower = 0, .upper = 1000}, .steps = 3}});
+    cases.push_back(
+        {"delete what is divided", volume, after({near, one}), core::RemoveSegment{.segment = 1}});
+}
+
 } // namespace
 
 StrokeHashes runStroke(core::EditEngine& engine, const StrokeCase& strokeCase)
@@ -869,6 +918,8 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         {first, seeds, all, core::SegmentToLayer{.segment = 1, .layer = 1}, drill, beside},
         core::ReviseStroke{.row = 5, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"remove a bookmark", volume, {bookmark}, core::RemoveBookmark{.bookmark = 1}});
+
+    addChunkCases(cases, volume, {first, seeds, some, second, others, some});
 
     const core::Edit lift = core::CutPiece{.layer = 1, .name = QStringLiteral("Lid")};
     const core::Edit aside = core::ChangePiece{.piece = 1,

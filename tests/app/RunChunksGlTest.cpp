@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/CommandFixture.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+
+#include <QJsonDocument>
+#include <QTest>
+
+using namespace core;
+using test::burin;
+using test::key;
+using test::Outcome;
+
+/// `burin run` with edits that divide into chunks and click on them.
+class RunChunksGlTest : public QObject, protected test::CommandFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(prepareStudy()); }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        makeFolder();
+    }
+
+    void theBoneComesWithAClick()
+    {
+        const SeedStroke inBone = test::seedInBone(1);
+        ChunkToggle click{.segment = 1, .chunks = 3, .pointsLps = inBone.pointsLps};
+        const std::vector<Edit> edits{test::addSegment("Head"), test::seedInBrain(1),
+            test::growBrain(), Chunks{.segment = 1, .marginMm = 6.0}, click};
+        const Outcome made =
+            run(recipe("make.json", {{key("edits"), test::toJson(edits)}}), "a.burin");
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        const QJsonArray rows = history("a.burin")[key("commands")].toArray();
+        QCOMPARE(rows.size(), qsizetype(edits.size()));
+        QCOMPARE(rows[3].toObject()[key("voxels")].toInt(-1), 0);
+        // The shell between 11 and 15 mm, in voxels of 1.5 mm³, but for what lies beyond the box.
+        const int voxels = rows[4].toObject()[key("voxels")].toInt();
+        qInfo("%s", qPrintable(rows[4].toObject()[key("name")].toString()));
+        QVERIFY2(voxels > 5000 && voxels < 6000, qPrintable(QString::number(voxels)));
+
+        // Rows hold what they depend on; a recipe need not, and comes to the same.
+        const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
+        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
+        QVERIFY(!written.output.contains("owners") && !written.output.contains("bricks"));
+        const Outcome again =
+            run(recipe("again.json", QJsonDocument::fromJson(written.output).object()), "b.burin");
+        QVERIFY2(again.status == 0, qPrintable(again.complaint));
+        const auto hash = [this](const char* session) {
+            return history(session)[key("commands")].toArray().last().toObject()[key("hashAfter")];
+        };
+        QVERIFY(!hash("a.burin").toString().isEmpty());
+        QCOMPARE(hash("b.burin"), hash("a.burin"));
+    }
+
+    void aClickWithoutADivisionIsRefused()
+    {
+        const std::vector<Edit> edits{test::addSegment("Head"),
+            ChunkToggle{.segment = 1, .chunks = 4, .pointsLps = test::seedInBone(1).pointsLps}};
+        const Outcome refused =
+            run(recipe("make.json", {{key("edits"), test::toJson(edits)}}), "a.burin");
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.complaint.contains(key("edit 2")), qPrintable(refused.complaint));
+        QVERIFY2(
+            refused.complaint.contains(key("nothing is divided")), qPrintable(refused.complaint));
+    }
+};
+
+QTEST_GUILESS_MAIN(RunChunksGlTest)
+#include "RunChunksGlTest.moc"
