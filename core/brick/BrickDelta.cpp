@@ -360,6 +360,8 @@ Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta)
             return *std::move(images);
         return damaged("the difference is cut short or garbled");
     }
+    if (begin == surfaceStepMagic)
+        return std::vector<BrickImage>();
     if (begin != magic)
         return damaged("the difference does not begin as it should");
     Difference all;

@@ -6,6 +6,7 @@
 
 #include <QByteArray>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct BrickDelta {
 /// Compresses; the liver of an adult, grown, in a third of a second. Any thread.
 /// @param changes no key twice @param grid of the volume, to know which bricks lie side by side
 [[nodiscard]] BrickDelta makeDelta(const std::vector<BrickChange>& changes, const BrickGrid& grid);
+
+/// What the packed form of a row begins with that changed no voxel but the surface
+/// (session/SurfaceStep.h).
+constexpr std::array<char, 4> surfaceStepMagic{'S', 'R', 'F', '1'};
 
 /// The XOR images again, every one with its bytes, in the order of the changes. Any thread.
 /// Errors: SessionDamaged with the reason as first argument, to which the caller adds the file.

@@ -232,6 +232,12 @@ QJsonObject Document::hashedState() const
     }
     if (!pieceList.isEmpty())
         state.insert(QStringLiteral("pieces"), pieceList);
+    if (surface) {
+        QJsonObject entry{{QStringLiteral("segment"), surface->segment}};
+        if (surface->differs)
+            entry.insert(QStringLiteral("differs"), true);
+        state.insert(QStringLiteral("surface"), entry);
+    }
     QJsonArray measurementList;
     for (const Measurement& measurement : measurements) {
         QJsonObject entry{

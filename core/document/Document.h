@@ -62,6 +62,14 @@ struct Growth {
     std::uint32_t generation = 0;
 };
 
+/// The surface of one segment while it is refined (core/refine); its mesh is the session's.
+struct RefinedSurface {
+    int segment = 0; ///< label
+    /// It was changed since it was laid or written back: the segment does not hold that.
+    bool differs = false;
+    bool operator==(const RefinedSurface&) const = default;
+};
+
 /// What lies around a segment, divided into chunks (core/chunks); the edit that did it holds the
 /// rest.
 struct ChunkDivision {
@@ -80,6 +88,7 @@ struct Document {
     std::vector<CameraBookmark> bookmarks;
     std::vector<Piece> pieces; ///< by id, which decides nothing
     std::vector<Measurement> measurements; ///< by id
+    std::optional<RefinedSurface> surface;
     std::optional<ChunkDivision> chunks; ///< the newest one, while its segment is there
     int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
     int greatestRemovedBookmark = 0; ///< likewise
@@ -128,6 +137,7 @@ struct DocumentChange {
         Bookmarks,
         Pieces,
         Measurements,
+        Surface,
         Chunks, ///< what is divided, or its chunks have been worked out
         Labels,
         Coverage,

@@ -105,6 +105,8 @@ Result<bool> apply(const RemoveSegment& edit, Document& document)
         return failure(ErrorCode::SegmentLocked, segment->name);
     document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
     removePieces(document, [&](const Piece& piece) { return piece.segment == edit.segment; });
+    if (document.surface && document.surface->segment == edit.segment)
+        document.surface.reset();
     if (document.chunks && document.chunks->segment == edit.segment) {
         document.greatestRemovedChunks = document.chunks->id;
         document.chunks.reset();
@@ -341,6 +343,93 @@ Result<bool> apply(const RemoveMeasurement& edit, Document& document)
     return true;
 }
 
+/// What works on the surface: there has to be one, of a segment that may change.
+Result<bool> changeSurface(Document& document, bool deforms)
+{
+    if (!document.surface)
+        return failure(ErrorCode::InvalidField, QStringLiteral("surface"),
+            QStringLiteral("there is none; lay one around a segment first"));
+    document.surface->differs |= deforms;
+    return true;
+}
+
+Result<bool> apply(const LaySurface& edit, Document& document)
+{
+    if (!document.segment(edit.segment))
+        return unknownSegment(edit.segment);
+    document.surface = {.segment = edit.segment, .differs = false};
+    return true;
+}
+
+Result<bool> apply(const DropSurface&, Document& document)
+{
+    const Result<bool> known = changeSurface(document, false);
+    document.surface.reset();
+    return known;
+}
+
+Result<bool> apply(const FollowMask&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const MarkSurface&, Document& document)
+{
+    return changeSurface(document, false);
+}
+
+Result<bool> apply(const ChangeMarks& edit, Document& document)
+{
+    if (edit.mark == SurfaceMark::Yellow)
+        return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
+            QStringLiteral("yellow is what is not marked"));
+    return changeSurface(document, false);
+}
+
+Result<bool> apply(const SpherePush&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const PlaneScrape& edit, Document& document)
+{
+    if (edit.normalLps == glm::dvec3(0.0))
+        return failure(ErrorCode::InvalidField, QStringLiteral("planeScrape.normalLps"),
+            QStringLiteral("has no direction"));
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const PointDrag&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const ApplyTemplate&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const SmoothSurface&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const AttractSurface&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+Result<bool> apply(const WriteBack&, Document& document)
+{
+    if (const Result<bool> known = changeSurface(document, false); !known)
+        return known;
+    const Segment* segment = document.segment(document.surface->segment);
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    document.surface->differs = false;
+    return true;
+}
+
 /// Whether it divides otherwise than before only the session can tell, who has the rows.
 Result<bool> apply(const Chunks& edit, Document& document)
 {
@@ -440,7 +529,7 @@ bool changesDocumentOnly(const Edit& edit)
             using E = std::decay_t<decltype(known)>;
             return changedPart(edit)
                 && !isOneOf<E, RemoveSegment, RemoveLayer, MergeLayers, LayerToSegment, SegmentSeen,
-                    ImportMask>;
+                    ImportMask, WriteBack>;
         },
         edit);
 }
@@ -470,6 +559,10 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
                 return What::Bookmarks;
             else if constexpr (isOneOf<E, AddMeasurement, RemoveMeasurement>)
                 return What::Measurements;
+            else if constexpr (isOneOf<E, LaySurface, DropSurface, FollowMask, MarkSurface,
+                                   ChangeMarks, SpherePush, PlaneScrape, PointDrag, ApplyTemplate,
+                                   SmoothSurface, AttractSurface, WriteBack>)
+                return What::Surface;
             else if constexpr (isOneOf<E, Chunks>)
                 return What::Chunks;
             else if constexpr (isOneOf<E, CutPiece, PastePiece, ChangePiece, SendPiecesHome,

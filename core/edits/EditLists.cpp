@@ -80,6 +80,49 @@ PointList::Value PointList::rounded(const Value& value) const
     return result;
 }
 
+QJsonValue ContourList::write(const Value& value) const
+{
+    QJsonArray array;
+    for (const std::vector<glm::dvec3>& contour : value)
+        array.append(PointList{point}.write(contour));
+    return array;
+}
+
+QString ContourList::read(const QJsonValue& json, Value& value) const
+{
+    if (!json.isArray())
+        return QStringLiteral("must be a list of contours [[x, y, z], …]");
+    const QJsonArray array = json.toArray();
+    value.assign(std::size_t(array.size()), {});
+    for (int i = 0; i < array.size(); ++i) {
+        if (const QString reason = PointList{point}.read(array[i], value[std::size_t(i)]);
+            !reason.isEmpty())
+            return at(i, reason);
+    }
+    return {};
+}
+
+QString ContourList::check(const Value& value) const
+{
+    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+        return reason;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        if (value[i].size() < 3)
+            return at(int(i), QStringLiteral("needs at least three points"));
+        if (const QString reason = PointList{point}.check(value[i]); !reason.isEmpty())
+            return at(int(i), reason);
+    }
+    return {};
+}
+
+ContourList::Value ContourList::rounded(const Value& value) const
+{
+    Value result;
+    for (const std::vector<glm::dvec3>& contour : value)
+        result.push_back(PointList{point}.rounded(contour));
+    return result;
+}
+
 QJsonValue Outline::write(const Value& value) const
 {
     QJsonArray array;

@@ -23,6 +23,19 @@ struct PointList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
+/// [[[x, y, z], …], …], at least one list, each of three points or more.
+struct ContourList {
+    using Value = std::vector<std::vector<glm::dvec3>>;
+    Point point;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[[x, y, z], …], …]"); }
+    [[nodiscard]] QString unit() const { return point.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
 /// [[x, y], …], at least three.
 struct Outline {
     using Value = std::vector<glm::dvec2>;

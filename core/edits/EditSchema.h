@@ -11,3 +11,4 @@
 #include "core/edits/schema/PieceSchema.h"
 #include "core/edits/schema/SculptSchema.h"
 #include "core/edits/schema/SegmentSchema.h"
+#include "core/edits/schema/SurfaceSchema.h"

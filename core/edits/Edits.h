@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/SurfaceEdits.h"
 #include "core/sculpt/DrillCut.h"
 
 #include <glm/glm.hpp>
@@ -500,6 +501,7 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
     SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps,
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
-    Chunks, ChunkToggle>;
+    LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
+    PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, Chunks, ChunkToggle>;
 
 } // namespace core

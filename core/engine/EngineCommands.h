@@ -248,6 +248,7 @@ using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, M
 
 struct EditStatistics {
     std::int64_t voxelsChanged = 0; ///< values that differ, of coverage and labels
+    std::int64_t verticesChanged = 0; ///< of the surface; no engine's
     int bricks = 0; ///< changed, of coverage and labels
     /// Steps a growth advanced (the admission of seeds included), or was taken back.
     int generations = 0;

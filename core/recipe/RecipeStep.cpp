@@ -110,7 +110,9 @@ bool isBoundToStudy(const RecipeStep& step)
             else
                 return isOneOf<E, SeedStroke, DrillStroke, LaserStroke, PeelCut, ScissorsCut,
                     BrushStroke, PaintStroke, BarrierStroke, ShrinkAt, PlugLeak, AddBookmark,
-                    AddMeasurement, RevertRows, ReviseStroke, ImportMask, ChunkToggle>;
+                    AddMeasurement, RevertRows, ReviseStroke, ImportMask, MarkSurface, SpherePush,
+                    PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface,
+                    ChunkToggle>;
         },
         *edit);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/refine/SurfaceMark.h"
 
 #include <glm/glm.hpp>
 
@@ -19,13 +20,6 @@ using VertexId = std::uint32_t;
 using FaceId = std::uint32_t;
 /// No vertex, no face.
 constexpr std::uint32_t noId = std::numeric_limits<std::uint32_t>::max();
-
-/// What is thought of a place of the surface (seed B §4.3).
-enum class SurfaceMark : std::uint8_t {
-    Yellow, ///< follows the boundary of the mask
-    Green, ///< right: nothing moves it
-    Red, ///< wrong: free of the mask, tools may change it
-};
 
 /// All that there is about a vertex.
 ///

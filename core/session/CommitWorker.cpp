@@ -21,17 +21,29 @@ void CommitWorker::commit(RowId row, Changes changes, QByteArray documentJson)
 {
     m_thread.post([this, row, changes = std::move(changes), json = std::move(documentJson)] {
         m_hash.update(*changes);
-        BrickDelta delta = makeDelta(*changes, m_grid);
-        Report done{.row = row,
-            .deltaBytes = delta.bytes(),
-            .stateHash = m_hash.root(json),
-            .differences = {}};
-        if (m_file)
-            m_file->completeRow(row, done.stateHash, delta);
-        else
-            m_deltas[row] = std::move(delta);
-        report(std::move(done));
+        complete(row, json, makeDelta(*changes, m_grid));
     });
+}
+
+void CommitWorker::commit(
+    RowId row, std::shared_ptr<const SurfaceStep> step, QByteArray documentJson)
+{
+    m_thread.post([this, row, step = std::move(step), json = std::move(documentJson)] {
+        complete(row, json, packed(*step));
+    });
+}
+
+void CommitWorker::complete(RowId row, const QByteArray& documentJson, BrickDelta delta)
+{
+    Report done{.row = row,
+        .deltaBytes = delta.bytes(),
+        .stateHash = m_hash.root(documentJson),
+        .differences = {}};
+    if (m_file)
+        m_file->completeRow(row, done.stateHash, delta);
+    else
+        m_deltas[row] = std::move(delta);
+    report(std::move(done));
 }
 
 void CommitWorker::move(Changes changes)

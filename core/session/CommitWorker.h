@@ -6,6 +6,7 @@
 #include "core/history/History.h"
 #include "core/session/SessionFile.h"
 #include "core/session/StateHash.h"
+#include "core/session/SurfaceStep.h"
 
 #include <functional>
 #include <map>
@@ -39,6 +40,8 @@ public:
     /// The voxels that the session begins with.
     void start(std::vector<BrickImage> bricks);
     void commit(RowId row, Changes changes, QByteArray documentJson);
+    /// Of a row that changed the surface and no voxel.
+    void commit(RowId row, std::shared_ptr<const SurfaceStep> step, QByteArray documentJson);
     /// Undo or redo happened.
     void move(Changes changes);
     /// Asks for the difference of a row that was committed.
@@ -50,6 +53,7 @@ public:
     [[nodiscard]] QByteArray stateHash(const QByteArray& documentJson);
 
 private:
+    void complete(RowId row, const QByteArray& documentJson, BrickDelta delta);
     void report(Report report);
     [[nodiscard]] Result<std::vector<BrickImage>> differencesOf(RowId row);
 

@@ -2,16 +2,20 @@
 #include "core/session/EditOperation.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/edits/SurfacePaths.h"
 #include "core/session/ChunkOperation.h"
 #include "core/session/DocumentOperation.h"
 #include "core/session/RevertOperation.h"
 #include "core/session/ReviseOperation.h"
+#include "core/session/SurfaceOperation.h"
 #include "core/session/VoxelOperation.h"
 
 namespace core {
 
 std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
 {
+    if (isOfSurface(edit))
+        return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, again);
     if (const auto* chunks = std::get_if<Chunks>(&edit))
         return std::make_unique<DivideOperation>(*chunks, again);
     if (const auto* toggle = std::get_if<ChunkToggle>(&edit))

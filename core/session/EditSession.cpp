@@ -10,6 +10,7 @@
 #include "core/session/ReadLabels.h"
 #include "core/session/RestoreSession.h"
 #include "core/session/TouchSearch.h"
+#include "core/session/SurfaceOperation.h"
 #include "core/session/WalkOperation.h"
 
 #include <utility>
@@ -183,7 +184,8 @@ Result<void> EditSession::begin(const Edit& edit)
         || std::holds_alternative<ResumeGrowth>(rounded)
         || std::holds_alternative<ChangeInterval>(rounded)
         || std::holds_alternative<ShrinkSteps>(rounded);
-    if (!isStroke && !isGrowth)
+    const bool isSurface = surfacePathOf(rounded) != nullptr;
+    if (!isStroke && !isGrowth && !isSurface)
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));
     m_queue->closeGrowth();
@@ -192,64 +194,69 @@ Result<void> EditSession::begin(const Edit& edit)
             QStringLiteral("another stroke has not ended yet"));
     if (const Result<void> checked = m_queue->check(rounded); !checked)
         return checked;
-    m_queue->submit(std::make_unique<VoxelOperation>(rounded, VoxelOperation::Kind::Interactive));
+    if (isSurface)
+        m_queue->submit(
+            std::make_unique<SurfaceOperation>(rounded, SurfaceOperation::Kind::Interactive));
+    else
+        m_queue->submit(
+            std::make_unique<VoxelOperation>(rounded, VoxelOperation::Kind::Interactive));
     return {};
 }
 
 void EditSession::extendDrill(const std::vector<PenSample>& samples)
 {
-    if (VoxelOperation* open = m_queue->interactive())
+    if (VoxelOperation* open = m_queue->interactiveVoxels())
         open->extendDrill(m_queue->state(), quantised(samples));
 }
 
 void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted)
 {
-    if (VoxelOperation* open = m_queue->interactive())
+    if (OpenOperation* open = m_queue->interactive())
         open->extendPath(m_queue->state(), quantised(pointsLps), lifted);
 }
 
 void EditSession::setPeelDepth(double depthMm)
 {
     const editFields::Number& field = editSchema::peelDepth;
-    if (VoxelOperation* open = m_queue->interactive(); open && field.check(depthMm).isEmpty())
+    if (VoxelOperation* open = m_queue->interactiveVoxels(); open && field.check(depthMm).isEmpty())
         open->setPeelDepth(m_queue->state(), field.rounded(depthMm));
 }
 
 void EditSession::setShrinkSteps(int steps)
 {
-    if (VoxelOperation* open = m_queue->interactive(); open && steps >= 0)
+    if (VoxelOperation* open = m_queue->interactiveVoxels(); open && steps >= 0)
         open->setShrinkSteps(m_queue->state(), steps);
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)
 {
-    if (VoxelOperation* open = m_queue->interactive())
+    if (VoxelOperation* open = m_queue->interactiveVoxels())
         open->extendGrowth(m_queue->state(), advance);
 }
 
 void EditSession::setInterval(double lower, double upper)
 {
     const editFields::Number& field = editSchema::modalityValue;
-    VoxelOperation* open = m_queue->interactive();
+    VoxelOperation* open = m_queue->interactiveVoxels();
     if (open && lower <= upper && field.check(lower).isEmpty() && field.check(upper).isEmpty())
         open->setInterval(m_queue->state(), field.rounded(lower), field.rounded(upper));
 }
 
 void EditSession::pauseGrowth()
 {
-    if (VoxelOperation* open = m_queue->interactive())
+    if (VoxelOperation* open = m_queue->interactiveVoxels())
         open->extendGrowth(m_queue->state(), GrowPause{});
 }
 
 void EditSession::end(Ending ending)
 {
-    if (VoxelOperation* open = m_queue->interactive())
+    if (OpenOperation* open = m_queue->interactive())
         m_queue->end(*open, ending);
 }
 
 void EditSession::cancelPreview()
 {
-    VoxelOperation* open = m_queue->interactive();
+    VoxelOperation* open = m_queue->interactiveVoxels();
     if (!open || !open->isPreview())
         return;
     open->forgetPreview(m_queue->state());
@@ -263,7 +270,7 @@ bool EditSession::transactionOpen() const
 
 bool EditSession::previewOpen() const
 {
-    const VoxelOperation* open = m_queue->interactive();
+    const VoxelOperation* open = m_queue->interactiveVoxels();
     return open && open->isPreview();
 }
 
@@ -445,6 +452,20 @@ const QJsonObject& EditSession::display() const
 void EditSession::setDisplay(const QJsonObject& display)
 {
     m_queue->state().setDisplay(display);
+}
+
+void EditSession::setSurfaceListener(std::function<void(SurfaceUpdate)> listener)
+{
+    SessionState& state = m_queue->state();
+    state.surface.setListener(std::move(listener));
+    if (m_queue->idle())
+        state.surface.showAll(state.document.surface.has_value());
+}
+
+const SimplexMesh* EditSession::surface() const
+{
+    const SessionState& state = m_queue->state();
+    return m_queue->idle() && state.document.surface ? &state.surface.mesh : nullptr;
 }
 
 void EditSession::setListener(std::function<void(const DocumentChange&)> listener)

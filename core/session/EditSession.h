@@ -6,6 +6,7 @@
 #include "core/edits/Edits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
+#include "core/refine/SurfaceUpdate.h"
 #include "core/session/SavedImages.h"
 #include "core/session/SketchedSeeds.h"
 
@@ -87,13 +88,13 @@ public:
     Result<void> apply(const Edit& edit);
 
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
-    /// DrillStroke or LaserStroke without samples, PaintStroke, BarrierStroke or BrushStroke with
-    /// the first point, PeelCut, GrowSteps, ResumeGrowth, ChangeInterval or ShrinkSteps; or
-    /// GrowFromSeeds, which shows what comes of it until end() decides.
+    /// DrillStroke or LaserStroke without samples; PaintStroke, BarrierStroke, BrushStroke or what
+    /// has a SurfacePath, with the first point; PeelCut, GrowSteps, ResumeGrowth, ChangeInterval or
+    /// ShrinkSteps; or GrowFromSeeds, which shows what comes of it until end() decides.
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
-    /// Of a PaintStroke, BarrierStroke or BrushStroke. @param lifted the path begins anew at the
-    /// first of these
+    /// Of a PaintStroke, BarrierStroke or BrushStroke, or of what has a SurfacePath. @param lifted
+    /// the path begins anew at the first of these (not of a surface's)
     void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
     /// Of a PeelCut that was begun: deeper or less deep; out of range it stays as it is.
     void setPeelDepth(double depthMm);
@@ -188,6 +189,14 @@ public:
     /// the session goes on where it is. Never waits; @p done is called once, on another thread,
     /// before the session is gone. Errors: those of saveAs().
     void copyTo(const QString& path, std::function<void(const Result<void>&)> done) const;
+
+    /// The surface that is being refined; null: there is none, or something is under way. Until the
+    /// next call that changes anything.
+    [[nodiscard]] const SimplexMesh* surface() const;
+    /// Told what is to be drawn anew of the surface, at once all that there is. Called on any
+    /// thread; it never waits for whoever draws. It lives as long as the session or until it is
+    /// replaced by an empty one, which only an idle session may be given.
+    void setSurfaceListener(std::function<void(SurfaceUpdate)> listener);
 
     /// Display state is no step of undo.
     void setSegmentVisible(int label, bool visible);

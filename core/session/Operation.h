@@ -24,4 +24,17 @@ public:
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
 };
 
+/// One that the user goes on telling until it is ended: a stroke under the pen, a growth that runs.
+class OpenOperation : public Operation {
+public:
+    [[nodiscard]] virtual bool open() const = 0;
+    virtual void extendPath(
+        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) = 0;
+    virtual void end(SessionState& state, Ending ending) = 0;
+    /// Open without a pen that is down: whatever comes next closes it.
+    [[nodiscard]] virtual bool standsOpen() const { return false; }
+    /// How it ends by itself.
+    [[nodiscard]] virtual Ending usualEnding() const { return Ending::Rollback; }
+};
+
 } // namespace core

@@ -40,6 +40,7 @@ OperationQueue::OperationQueue(EditEngine& engine, Volume volume, std::unique_pt
     m_state.file = std::move(file);
     m_state.worker = std::make_unique<CommitWorker>(
         BrickGrid{m_state.document.volumes.front().geometry.size}, m_state.file.get(), m_wakeUp);
+    m_state.side = std::make_unique<SideThread>(m_wakeUp);
     m_state.chunks =
         std::make_unique<ChunkWorker>(engine, m_state.document.volumes.front().geometry, m_wakeUp);
     if (m_wakeUp)
@@ -54,7 +55,7 @@ OperationQueue::~OperationQueue()
     m_errorListener = {};
     m_answers.clear();
     m_closing = true;
-    if (VoxelOperation* open = interactive())
+    if (OpenOperation* open = interactive())
         open->end(m_state, open->usualEnding());
     static_cast<void>(settle());
     if (m_wakeUp)
@@ -79,17 +80,22 @@ void OperationQueue::ask(EngineCommand question, Answer answer)
     m_operations.push_back(std::make_unique<Question>(std::move(submitQuestion)));
 }
 
-VoxelOperation* OperationQueue::interactive() const
+OpenOperation* OperationQueue::interactive() const
 {
     for (const std::unique_ptr<Operation>& operation : m_operations) {
-        auto* stroke = dynamic_cast<VoxelOperation*>(operation.get());
+        auto* stroke = dynamic_cast<OpenOperation*>(operation.get());
         if (stroke && stroke->open())
             return stroke;
     }
     return nullptr;
 }
 
-void OperationQueue::end(VoxelOperation& stroke, Ending ending)
+VoxelOperation* OperationQueue::interactiveVoxels() const
+{
+    return dynamic_cast<VoxelOperation*>(interactive());
+}
+
+void OperationQueue::end(OpenOperation& stroke, Ending ending)
 {
     stroke.end(m_state, ending);
     advance();
@@ -98,11 +104,11 @@ void OperationQueue::end(VoxelOperation& stroke, Ending ending)
 
 void OperationQueue::closeGrowth()
 {
-    VoxelOperation* open = interactive();
+    OpenOperation* open = interactive();
     if (!open || !open->standsOpen())
         return;
-    if (open->isGrowth())
-        open->extendGrowth(m_state, GrowPause{});
+    if (VoxelOperation* voxels = interactiveVoxels(); voxels && voxels->isGrowth())
+        voxels->extendGrowth(m_state, GrowPause{});
     open->end(m_state, open->usualEnding());
     advance();
 }
@@ -143,13 +149,18 @@ bool OperationQueue::collect()
     }
     for (CommitWorker::Report& report : reports)
         take(std::move(report));
+    const std::vector<SideThread::Sequel> sequels = m_state.side->collect();
+    for (const SideThread::Sequel& sequel : sequels) {
+        sequel(m_state);
+        advance();
+    }
     const bool haveChunks = m_state.chunks->collect();
     if (haveChunks) {
         m_state.tell(DocumentChange::What::Chunks);
         if (m_started)
             m_operations.front()->takeChunks(m_state);
     }
-    return !results.empty() || !reports.empty() || haveChunks;
+    return !results.empty() || !reports.empty() || !sequels.empty() || haveChunks;
 }
 
 void OperationQueue::take(EngineResult&& result)
@@ -199,7 +210,7 @@ bool OperationQueue::nothingAhead() const
     if (m_operations.empty())
         return true;
     // A stroke under the pen is ended by whoever began it.
-    const VoxelOperation* open = interactive();
+    const OpenOperation* open = interactive();
     return open && open == m_operations.front().get();
 }
 
@@ -210,6 +221,7 @@ Result<void> OperationQueue::settle()
     poll();
     while (!settled()) {
         m_state.engine.finish();
+        m_state.side->finish();
         m_state.worker->finish();
         poll();
         if (!settled())

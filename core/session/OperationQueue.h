@@ -30,8 +30,10 @@ public:
     void ask(EngineCommand question, Answer answer);
 
     /// The stroke under the pen or the growth that runs; null: none.
-    [[nodiscard]] VoxelOperation* interactive() const;
-    void end(VoxelOperation& stroke, Ending ending);
+    [[nodiscard]] OpenOperation* interactive() const;
+    /// The same, if it is one of voxels.
+    [[nodiscard]] VoxelOperation* interactiveVoxels() const;
+    void end(OpenOperation& stroke, Ending ending);
     /// A growth that runs is committed at its generation, an open peel at its depth; a preview is
     /// taken back.
     void closeGrowth();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/RestoreSession.h"
 
+#include "core/edits/DocumentEdits.h"
+#include "core/edits/SurfacePaths.h"
+#include "core/refine/SurfaceDelta.h"
 #include "core/session/EditOperation.h"
 #include "core/session/WalkOperation.h"
 
@@ -35,6 +38,30 @@ Result<std::vector<BrickImage>> bricksAt(SessionFile& file, const History& histo
             images.push_back(std::move(brick));
     }
     return images;
+}
+
+/// What each row changed of the surface; the surface at @p base.
+Result<void> restoreSurface(SessionState& state, RowId base)
+{
+    SurfaceState& surface = state.surface;
+    for (const HistoryRow& row : state.file->contents().rows) {
+        if (!isOfSurface(row.edit) || !changesDocumentOnly(row.edit) || row.stateHash.isEmpty())
+            continue;
+        const Result<BrickDelta> delta = state.file->readDelta(row.id);
+        if (!delta)
+            return tl::unexpected(delta.error());
+        Result<SurfaceStep> step = unpackedSurfaceStep(*delta, surface.geometry().voxelCount());
+        if (!step)
+            return failure(ErrorCode::SessionDamaged, state.file->path(),
+                QStringLiteral("row %1: %2").arg(row.id).arg(step.error().arguments.value(0)));
+        surface.keep(row.id, std::make_shared<const SurfaceStep>(*std::move(step)));
+    }
+    for (const RowId id : state.history.pathTo(base))
+        surface.moveOver(id, false);
+    if (!surface.sha256.isEmpty() && sha256Of(surface.mesh) != surface.sha256)
+        return failure(ErrorCode::SessionDamaged, state.file->path(),
+            QStringLiteral("row %1: the surface does not have its hash").arg(base));
+    return {};
 }
 
 /// The farthest row on the way to @p row that has its second half, as all before it have.
@@ -80,6 +107,8 @@ Result<void> restoreSession(SessionState& state)
         state.engine.finish();
     }
     state.history.moveTo(base);
+    if (const Result<void> restored = restoreSurface(state, base); !restored)
+        return restored;
     state.hide(contents.hiddenSegments);
     for (const Keyframe& keyframe : contents.keyframes)
         state.keyframes.insert(keyframe.row);

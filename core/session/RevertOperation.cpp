@@ -58,6 +58,8 @@ QString listOf(DocumentChange::What part)
         return QStringLiteral("bookmarks");
     case DocumentChange::What::Measurements:
         return QStringLiteral("measurements");
+    case DocumentChange::What::Surface:
+        return QStringLiteral("the surface");
     case DocumentChange::What::Chunks:
         return QStringLiteral("what is divided into chunks");
     default:

@@ -6,6 +6,7 @@
 #include "core/session/ChunkName.h"
 #include "core/session/GrownSteps.h"
 #include "core/session/RowWords.h"
+#include "core/session/SurfaceName.h"
 
 #include <algorithm>
 #include <array>
@@ -391,6 +392,8 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
     if (const QString name = listName(edit, document); !name.isEmpty())
         return name;
     if (const QString name = pieceRowName(edit, document); !name.isEmpty())
+        return name;
+    if (const QString name = surfaceRowName(edit, statistics, document); !name.isEmpty())
         return name;
     if (const auto* seed = std::get_if<SeedStroke>(&edit))
         return seedName(*seed, changes, document, sketched);

@@ -29,6 +29,8 @@ QString toText(const EditStatistics& statistics)
         {QStringLiteral("generations"), statistics.generations},
         {QStringLiteral("milliseconds"), statistics.milliseconds},
     };
+    if (statistics.verticesChanged > 0)
+        json[QStringLiteral("verticesChanged")] = qint64(statistics.verticesChanged);
     if (statistics.searchedTo)
         json[QStringLiteral("searchedTo")] = *statistics.searchedTo;
     return compact(json);
@@ -39,6 +41,7 @@ EditStatistics statisticsFrom(const QString& text)
     const QJsonObject json = parsed(text);
     EditStatistics statistics{
         .voxelsChanged = json.value(QStringLiteral("voxelsChanged")).toInteger(),
+        .verticesChanged = json.value(QStringLiteral("verticesChanged")).toInteger(),
         .bricks = json.value(QStringLiteral("bricks")).toInt(),
         .generations = json.value(QStringLiteral("generations")).toInt(),
         .milliseconds = json.value(QStringLiteral("milliseconds")).toDouble()};

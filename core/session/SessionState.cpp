@@ -26,12 +26,13 @@ SessionState::SessionState(EditEngine& lentEngine, Volume volume)
     , document(initialDocument(std::move(volume)))
     , origin([] { return presentOrigin(); })
 {
+    surface.setGeometry(document.volumes.front().geometry);
 }
 
-void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
+/// A row for what was carried out, in memory and on its way to disk.
+RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& changes,
     const EditStatistics& statistics, std::optional<std::uint32_t> generation)
 {
-    takeIn(changes);
     HistoryRow row;
     row.name = rowName(edit, statistics, changes, document, history,
         std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
@@ -41,6 +42,7 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     static_cast<void>(applyToDocument(edit, document));
     placeSegments();
     muteLayers();
+    showSurface();
     row.edit = edit;
     row.statistics = statistics;
     row.origin = origin();
@@ -48,11 +50,48 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     const RowId id = history.append(std::move(row));
     if (file)
         file->addRow(history.row(id));
+    return id;
+}
+
+void SessionState::tellCommitted(const Edit& edit)
+{
+    if (const std::optional<DocumentChange::What> part = changedPart(edit))
+        tell(*part);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
+    const EditStatistics& statistics, std::optional<std::uint32_t> generation)
+{
+    takeIn(changes);
+    const RowId id = append(edit, changes, statistics, generation);
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
     worker->commit(id, shared, documentJson());
     recent.keep(id, shared, false);
-    if (const std::optional<DocumentChange::What> part = changedPart(edit))
-        tell(*part);
+    tellCommitted(edit);
+}
+
+void SessionState::commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step)
+{
+    EditStatistics statistics;
+    statistics.verticesChanged = std::int64_t(step->mesh.vertices.size());
+    const RowId id = append(edit, {}, statistics, {});
+    surface.keep(id, step);
+    worker->commit(id, std::move(step), documentJson());
+    recent.keep(id, std::make_shared<const std::vector<BrickChange>>(), false);
+    tellCommitted(edit);
+}
+
+void SessionState::completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step)
+{
+    history.moveTo(row);
+    placeDocument();
+    if (file)
+        file->setPosition(row);
+    surface.keep(row, step);
+    worker->commit(row, std::move(step), documentJson());
+    recent.keep(row, std::make_shared<const std::vector<BrickChange>>(), false);
+    tell(DocumentChange::What::Surface);
     tell(DocumentChange::What::History);
 }
 
@@ -72,18 +111,22 @@ void SessionState::complete(RowId row, std::vector<BrickChange> changes)
 void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> changes)
 {
     takeIn(changes);
+    const bool isBack = position != over;
     history.moveTo(position);
     placeDocument();
+    surface.moveOver(over, isBack);
+    showSurface();
     if (file)
         file->setPosition(position);
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
     worker->move(shared);
-    recent.keep(over, shared, position != over);
+    recent.keep(over, shared, isBack);
     tell(DocumentChange::What::Segments);
     tell(DocumentChange::What::Layers);
     tell(DocumentChange::What::Bookmarks);
     tell(DocumentChange::What::Pieces);
     tell(DocumentChange::What::Measurements);
+    tell(DocumentChange::What::Surface);
     tell(DocumentChange::What::Chunks);
     tell(DocumentChange::What::Growth);
     tell(DocumentChange::What::History);
@@ -96,6 +139,7 @@ void SessionState::begin(std::vector<BrickImage> bricks)
             count(brick.bytes, 1, m_voxels);
     }
     placeDocument();
+    m_isSurfaceShown = document.surface.has_value();
     worker->start(std::move(bricks));
 }
 
@@ -173,6 +217,15 @@ void SessionState::placeDocument()
     muteLayers();
 }
 
+/// Whoever draws the surface is told when there is one, and when there is none any more.
+void SessionState::showSurface()
+{
+    if (m_isSurfaceShown == document.surface.has_value())
+        return;
+    m_isSurfaceShown = document.surface.has_value();
+    surface.showAll(m_isSurfaceShown);
+}
+
 /// The engine knows which layers are muted before it is told anything that reads what is carved.
 void SessionState::muteLayers()
 {
@@ -240,7 +293,13 @@ void SessionState::fail(const Error& error)
 
 QByteArray SessionState::documentJson() const
 {
-    return QJsonDocument(document.hashedState()).toJson(QJsonDocument::Compact);
+    QJsonObject hashed = document.hashedState();
+    if (document.surface) {
+        QJsonObject entry = hashed.value(QLatin1String("surface")).toObject();
+        entry.insert(QStringLiteral("sha256"), QString::fromLatin1(surface.sha256));
+        hashed.insert(QStringLiteral("surface"), entry);
+    }
+    return QJsonDocument(hashed).toJson(QJsonDocument::Compact);
 }
 
 } // namespace core

@@ -8,7 +8,9 @@
 #include "core/session/CommitWorker.h"
 #include "core/session/RecentSteps.h"
 #include "core/session/SessionFile.h"
+#include "core/session/SideThread.h"
 #include "core/session/SketchedSeeds.h"
+#include "core/session/SurfaceState.h"
 
 #include <array>
 #include <bitset>
@@ -42,6 +44,9 @@ public:
     /// memory and on its way to disk.
     void commit(const Edit& edit, std::vector<BrickChange> changes,
         const EditStatistics& statistics, std::optional<std::uint32_t> generation);
+    /// An edit of the surface was carried out: a row for it. The surface is as the step left it.
+    void commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step);
+    void completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step);
     /// A row of an opened session was carried out again, because it lacked its second half.
     void complete(RowId row, std::vector<BrickChange> changes);
     /// The voxels now are those of @p position: a row was carried out again or taken back.
@@ -75,6 +80,9 @@ public:
     std::function<RowOrigin()> origin; ///< of a row that is made now
     std::set<RowId> keyframes; ///< rows that have a picture in the file
 
+    SurfaceState surface;
+    std::unique_ptr<SideThread> side; ///< after surface: it may be deforming that to the end
+
     RecentSteps recent;
     Revision lastRevision;
     std::optional<Alarm> lastAlarm;
@@ -85,14 +93,19 @@ public:
     std::optional<Error> firstError; ///< since settle() was called last
 
 private:
+    RowId append(const Edit& edit, const std::vector<BrickChange>& changes,
+        const EditStatistics& statistics, std::optional<std::uint32_t> generation);
+    void tellCommitted(const Edit& edit);
     void takeIn(const std::vector<BrickChange>& changes);
     void placeDocument();
     void placeSegments();
     void muteLayers();
+    void showSurface();
 
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
     std::bitset<256> m_muted; ///< layers, as the engine was told
+    bool m_isSurfaceShown = false;
 };
 
 } // namespace core

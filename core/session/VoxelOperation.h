@@ -11,7 +11,7 @@ namespace core {
 
 /// An edit of voxels, which may change the document with them: one engine transaction, one row if
 /// it changed anything.
-class VoxelOperation final : public Operation {
+class VoxelOperation final : public OpenOperation {
 public:
     enum class Kind {
         Whole, ///< everything is in the edit
@@ -22,15 +22,16 @@ public:
 
     // Interactive ones only:
     void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
-    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted);
+    void extendPath(
+        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
     void setPeelDepth(SessionState& state, double depthMm);
     void setShrinkSteps(SessionState& state, int steps);
     void extendGrowth(SessionState& state, EngineExtension extension);
     /// Of a ChangeInterval: it begins anew with these bounds; steps have to be asked for again.
     void setInterval(SessionState& state, double lower, double upper);
     void forgetPreview(SessionState& state);
-    void end(SessionState& state, Ending ending);
-    [[nodiscard]] bool open() const { return m_kind == Kind::Interactive && !m_ending; }
+    void end(SessionState& state, Ending ending) override;
+    [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool isGrowth() const
     {
         return std::holds_alternative<GrowSteps>(m_edit)
@@ -44,14 +45,12 @@ public:
     }
     /// Shown before it is decided on: whatever comes next takes it back.
     [[nodiscard]] bool isPreview() const { return std::holds_alternative<GrowFromSeeds>(m_edit); }
-    /// Open without a pen that is down: whatever comes next closes it.
-    [[nodiscard]] bool standsOpen() const
+    [[nodiscard]] bool standsOpen() const override
     {
         return isGrowth() || isPreview() || std::holds_alternative<PeelCut>(m_edit)
             || std::holds_alternative<ShrinkSteps>(m_edit);
     }
-    /// How it ends by itself.
-    [[nodiscard]] Ending usualEnding() const
+    [[nodiscard]] Ending usualEnding() const override
     {
         return standsOpen() && !isPreview() ? Ending::Commit : Ending::Rollback;
     }

@@ -2,8 +2,10 @@
 #include "tests/support/StrokeCases.h"
 
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/SurfacePaths.h"
 #include "core/session/EditSession.h"
 #include "tests/support/EngineCases.h"
+#include "tests/support/SurfaceCases.h"
 
 #include <QTemporaryDir>
 
@@ -84,6 +86,14 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             session.extendPath({points[next]},
                 std::find(whole.lifts.begin(), whole.lifts.end(), std::int64_t(next))
                     != whole.lifts.end());
+            session.poll();
+        }
+    } else if (const core::SurfacePath* surface = core::surfacePathOf(edit)) {
+        core::Edit first = edit;
+        core::surfacePathOf(first)->pointsLps.resize(1);
+        require(session.begin(first), "begin");
+        for (std::size_t next = 1; next < surface->pointsLps.size(); ++next) {
+            session.extendPath({surface->pointsLps[next]});
             session.poll();
         }
     } else if (const auto* peel = std::get_if<core::PeelCut>(&edit)) {
@@ -955,6 +965,9 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"measure on a piece", volume, {drill, lift}, onPiece});
     cases.push_back(
         {"remove a measurement", volume, {length}, core::RemoveMeasurement{.measurement = 1}});
+
+    for (StrokeCase& surface : surfaceCases())
+        cases.push_back(std::move(surface));
 
     for (int number = 0; number < randomCount; ++number)
         cases.push_back(randomLists(number));

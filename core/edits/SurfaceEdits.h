@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/refine/SurfaceMark.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace core {
+
+// Edits of the surface that is being refined (seed B §4; core/refine). There is one at a time, of
+// one segment; its voxels change by WriteBack alone.
+
+/// Lay a surface around what a segment holds, all yellow; the one that was there goes.
+struct LaySurface {
+    int segment = 0; ///< label
+    int vertices = 12'000; ///< about
+};
+
+/// Do without a surface. What was not written back is lost with it, until this is undone.
+struct DropSurface { };
+
+/// Have what is yellow follow the boundary of what the segment holds now. Red and green stay.
+struct FollowMask { };
+
+/// Where a tool of the surface went: the middle of the ball in which it works, from point to point.
+struct SurfacePath {
+    double radiusMm = 8.0;
+    std::vector<glm::dvec3> pointsLps{};
+};
+
+/// Paint what is thought of the surface.
+struct MarkSurface {
+    SurfaceMark mark = SurfaceMark::Red;
+    SurfacePath path{};
+};
+
+/// Change all that is marked so at once.
+struct ChangeMarks {
+    enum class Way {
+        Grow, ///< by the vertices beside it
+        Shrink,
+        Invert, ///< what is marked so turns yellow, all that is yellow is marked so
+        Clear, ///< what is marked so turns yellow
+    };
+    SurfaceMark mark = SurfaceMark::Red; ///< not yellow
+    Way way = Way::Grow;
+};
+
+/// A ball pushes the surface out from inside of it, and in from outside.
+struct SpherePush {
+    SurfacePath path{};
+};
+
+/// A plane takes off what stands beyond it.
+struct PlaneScrape {
+    SurfacePath path{};
+    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< outwards, about a unit vector
+};
+
+/// The vertex nearest to the first point is drawn along, and what is around it like a rubber sheet.
+struct PointDrag {
+    SurfacePath path{};
+};
+
+/// What is red takes the shape of contours that were drawn on planes.
+struct ApplyTemplate {
+    std::vector<std::vector<glm::dvec3>> contoursLps{};
+};
+
+/// Even the surface out.
+struct SmoothSurface {
+    SurfacePath path{};
+};
+
+/// Draw the surface to where values change most.
+struct AttractSurface {
+    SurfacePath path{};
+};
+
+/// The segment gets the voxels whose centres lie inside the surface, and loses all others.
+struct WriteBack {
+    bool overwriteUnlocked = false;
+};
+
+} // namespace core

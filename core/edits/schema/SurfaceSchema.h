@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/schema/SchemaParts.h"
+
+namespace core::editSchema {
+
+inline constexpr editFields::WholeNumber surfaceVertices{100, 400'000};
+
+template <> inline constexpr const char* editName<LaySurface> = "surface";
+template <>
+inline constexpr const char* editMeaning<LaySurface> =
+    "Lays a surface around what a segment holds, to be refined; the one that was there goes.";
+template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("vertices", Presence::Optional, edit.vertices, surfaceVertices,
+        "about how many vertices the surface has");
+}
+
+template <> inline constexpr const char* editName<DropSurface> = "dropSurface";
+template <>
+inline constexpr const char* editMeaning<DropSurface> =
+    "Does without a surface; what was not written back goes with it.";
+template <class Visitor> void visitFields(Visitor&, DropSurface&) { }
+
+template <> inline constexpr const char* editName<FollowMask> = "followMask";
+template <>
+inline constexpr const char* editMeaning<FollowMask> =
+    "Has the yellow parts of the surface follow the boundary of what the segment holds now.";
+template <class Visitor> void visitFields(Visitor&, FollowMask&) { }
+
+/// Where a tool of the surface went, as every edit that has one writes it.
+template <class Visitor> void visitSurfacePath(Visitor& visit, SurfacePath& path)
+{
+    visit.field("radiusMm", Presence::Required, path.radiusMm, brushRadius,
+        "of the ball in which the tool works");
+    visit.field("pointsLps", Presence::Required, path.pointsLps, editFields::PointList{positionLps},
+        "the middle of the ball, straight from point to point, patient coordinates (LPS)");
+}
+
+template <> inline constexpr const char* editName<MarkSurface> = "mark";
+template <>
+inline constexpr const char* editMeaning<MarkSurface> =
+    "Paints the surface: green is right and stays, yellow follows the mask, red is wrong and free "
+    "for the tools.";
+template <class Visitor> void visitFields(Visitor& visit, MarkSurface& edit)
+{
+    visit.field("mark", Presence::Required, edit.mark,
+        editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}}, "what is painted");
+    visitSurfacePath(visit, edit.path);
+}
+
+template <> inline constexpr const char* editName<ChangeMarks> = "changeMarks";
+template <>
+inline constexpr const char* editMeaning<ChangeMarks> =
+    "Changes all marks of one colour on the surface at once.";
+template <class Visitor> void visitFields(Visitor& visit, ChangeMarks& edit)
+{
+    visit.field("mark", Presence::Required, edit.mark,
+        editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}}, "which; not yellow");
+    visit.field("way", Presence::Required, edit.way,
+        editFields::Choice<ChangeMarks::Way, 4>{{"grow", "shrink", "invert", "clear"}},
+        "they grow or shrink by one ring of vertices, change places with yellow, or turn yellow");
+}
+
+template <> inline constexpr const char* editName<SpherePush> = "spherePush";
+template <>
+inline constexpr const char* editMeaning<SpherePush> =
+    "Pushes the red and yellow parts of the surface with a ball: out where it is mostly inside, in "
+    "where it is mostly outside.";
+template <class Visitor> void visitFields(Visitor& visit, SpherePush& edit)
+{
+    visitSurfacePath(visit, edit.path);
+}
+
+template <> inline constexpr const char* editName<PlaneScrape> = "planeScrape";
+template <>
+inline constexpr const char* editMeaning<PlaneScrape> =
+    "Takes down what stands beyond a plane, within the ball around the pen's way.";
+template <class Visitor> void visitFields(Visitor& visit, PlaneScrape& edit)
+{
+    visitSurfacePath(visit, edit.path);
+    visit.field("normalLps", Presence::Required, edit.normalLps,
+        editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
+        "across the plane, outwards; the plane holds the point that the pen is at");
+}
+
+template <> inline constexpr const char* editName<PointDrag> = "pointDrag";
+template <>
+inline constexpr const char* editMeaning<PointDrag> =
+    "Draws the vertex nearest to the first point along, and the surface around it like a rubber "
+    "sheet; the vertex is green afterwards.";
+template <class Visitor> void visitFields(Visitor& visit, PointDrag& edit)
+{
+    visitSurfacePath(visit, edit.path);
+}
+
+template <> inline constexpr const char* editName<ApplyTemplate> = "template";
+template <>
+inline constexpr const char* editMeaning<ApplyTemplate> =
+    "Gives the red parts of the surface the shape that contours on any planes describe.";
+template <class Visitor> void visitFields(Visitor& visit, ApplyTemplate& edit)
+{
+    visit.field("contoursLps", Presence::Required, edit.contoursLps,
+        editFields::ContourList{positionLps}, "the contours, patient coordinates (LPS)");
+}
+
+template <> inline constexpr const char* editName<SmoothSurface> = "smooth";
+template <>
+inline constexpr const char* editMeaning<SmoothSurface> =
+    "Evens out the red and yellow parts of the surface.";
+template <class Visitor> void visitFields(Visitor& visit, SmoothSurface& edit)
+{
+    visitSurfacePath(visit, edit.path);
+}
+
+template <> inline constexpr const char* editName<AttractSurface> = "attract";
+template <>
+inline constexpr const char* editMeaning<AttractSurface> =
+    "Draws the red parts of the surface to where values change most.";
+template <class Visitor> void visitFields(Visitor& visit, AttractSurface& edit)
+{
+    visitSurfacePath(visit, edit.path);
+}
+
+template <> inline constexpr const char* editName<WriteBack> = "writeBack";
+template <>
+inline constexpr const char* editMeaning<WriteBack> =
+    "Gives the segment the voxels whose centres lie inside the surface, and takes all others from "
+    "it.";
+template <class Visitor> void visitFields(Visitor& visit, WriteBack& edit)
+{
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether voxels of other segments that are not locked are taken");
+}
+
+} // namespace core::editSchema

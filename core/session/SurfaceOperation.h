@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/SurfacePaths.h"
+#include "core/session/LabelReader.h"
+#include "core/session/Operation.h"
+#include "core/session/SurfaceWork.h"
+
+#include <memory>
+#include <optional>
+
+namespace core {
+
+/// An edit of the surface that is being refined: its mesh is deformed on the side thread, and what
+/// is shown follows from there; one row. Laying a surface, following the mask and writing back ask
+/// the engine for the labels first; writing back is one engine transaction, too.
+class SurfaceOperation final : public OpenOperation {
+public:
+    enum class Kind {
+        Whole, ///< everything is in the edit
+        Interactive, ///< the user goes on telling until end()
+    };
+    /// @param again as in VoxelOperation
+    SurfaceOperation(Edit edit, Kind kind, RowId again = 0);
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foresee(Document& document) const override;
+
+    [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
+    void extendPath(
+        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
+    void end(SessionState& state, Ending ending) override;
+
+private:
+    void readOn(SessionState& state);
+    void work(SessionState& state);
+    void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
+    void write(SessionState& state, RelabelListed&& edit);
+    void giveUp(SessionState& state, const Error& error);
+
+    Edit m_edit;
+    Kind m_kind;
+    RowId m_again = 0;
+    std::optional<LabelReader> m_reader; ///< while labels are read
+    std::optional<Ticket> m_asked;
+    SurfaceWork::Read m_read;
+    std::shared_ptr<SurfaceWork> m_work; ///< from when it goes on on the side thread
+    std::optional<Ending> m_ending;
+    std::optional<Ticket> m_written; ///< the end of the transaction that writes back
+    bool m_done = false;
+};
+
+} // namespace core
