@@ -9,6 +9,7 @@
 #include "app/GetCommand.h"
 #include "app/HistoryCommand.h"
 #include "app/InfoCommand.h"
+#include "app/MeshCommand.h"
 #include "app/OpenCommand.h"
 #include "app/ReplayCommand.h"
 #include "app/RunCommand.h"
@@ -73,6 +74,12 @@ std::span<const Command> commands()
             "what a file or folder holds: studies, volumes, what is wrong with them and which"
             " repairs there are; with --repair how they would open",
             false, runInfo},
+        {"mesh",
+            "MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]"
+            " [--vertices NUMBER] [--space lps|ras] [--json] [--force]",
+            "the surface that refinement begins with, of each segment of a mask, as PLY, STL, OBJ"
+            " or glTF (.glb), and how many of the mask's voxels it encloses; about 12 000 vertices",
+            false, runMesh},
         {"open",
             "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "
             "[--study PATH] | --demo]"
