@@ -26,6 +26,8 @@
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/LayersPanel.h"
 #include "ui/panels/PiecesPanel.h"
+#include "ui/panels/RefineActions.h"
+#include "ui/panels/RefinePanel.h"
 #include "ui/panels/SegmentsPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/panels/VolumePanel.h"
@@ -37,6 +39,7 @@
 #include "ui/tools/PaintTool.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/PieceTool.h"
+#include "ui/tools/RefineTool.h"
 #include "ui/tools/RulerTool.h"
 #include "ui/tools/ScissorsTool.h"
 #include "ui/tools/SeedTool.h"
@@ -93,6 +96,7 @@ void Application::makeWindow()
     auto* shrink = new ui::ShrinkTool(*m_workspace, &window);
     auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* barrier = new ui::BarrierTool(*m_workspace, &window);
+    auto* refine = new ui::RefineTool(*m_workspace, &window);
     auto* ruler = new ui::RulerTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
@@ -114,6 +118,8 @@ void Application::makeWindow()
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
+    window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
+    window.addToolGroup();
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
@@ -125,6 +131,10 @@ void Application::makeWindow()
     window.growMenu().addSeparator();
     window.actionTable().fill(
         window.growMenu(), ui::addGrowthActions(window.actionTable(), *growth, *m_workspace));
+    window.addPanel(new ui::RefinePanel(*m_workspace));
+    window.refineMenu().addSeparator();
+    window.actionTable().fill(
+        window.refineMenu(), ui::addRefineActions(window.actionTable(), *m_workspace));
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::LayersPanel(*m_workspace));
     window.addPanel(new ui::PiecesPanel(*m_workspace, window.views().volume()));
@@ -135,7 +145,7 @@ void Application::makeWindow()
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     const std::vector<ui::Tool*> tools{drill, laser, peel, scissors, carve, clip, piece, seed,
-        shrink, paint, barrier, ruler, undoHere};
+        shrink, paint, barrier, refine, ruler, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

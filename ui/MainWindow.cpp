@@ -162,6 +162,7 @@ void MainWindow::buildMenus()
 
     m_sculptMenu = m_menuBar->addMenu(QStringLiteral("S&culpt"));
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
+    m_refineMenu = m_menuBar->addMenu(QStringLiteral("&Refine"));
     m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
     m_actions.fill(*m_segmentsMenu, ids({"segments.add", "segments.remove"}));
     QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));

@@ -52,6 +52,7 @@ public:
     [[nodiscard]] QMenu& editMenu() const { return *m_editMenu; }
     [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }
     [[nodiscard]] QMenu& growMenu() const { return *m_growMenu; }
+    [[nodiscard]] QMenu& refineMenu() const { return *m_refineMenu; }
     [[nodiscard]] QMenu& segmentsMenu() const { return *m_segmentsMenu; }
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
@@ -106,6 +107,7 @@ private:
     QMenu* m_editMenu = nullptr;
     QMenu* m_sculptMenu = nullptr;
     QMenu* m_growMenu = nullptr;
+    QMenu* m_refineMenu = nullptr;
     QMenu* m_segmentsMenu = nullptr;
     QMenu* m_panelsMenu = nullptr;
     QMenuBar* m_menuBar;

@@ -8,6 +8,7 @@
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
+#include "ui/Refinement.h"
 #include "ui/Theme.h"
 #include "ui/tools/Tool.h"
 
@@ -21,6 +22,7 @@ Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     , m_frames(frames)
     , m_pieces(new Pieces(*this))
     , m_seeds(new PendingSeeds(*this))
+    , m_refinement(new Refinement(*this))
     , m_layerLooks(new LayerLooks(*this))
 {
     m_retry.setInterval(std::chrono::seconds(5));

@@ -19,6 +19,7 @@ namespace ui {
 class LayerLooks;
 class PendingSeeds;
 class Pieces;
+class Refinement;
 class Tool;
 
 /// What all views, tools and panels of one window share: the open session and the state that is not
@@ -121,6 +122,7 @@ public:
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
+    [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -211,6 +213,7 @@ private:
     core::ClipRegion m_clip;
     Pieces* m_pieces = nullptr;
     PendingSeeds* m_seeds = nullptr;
+    Refinement* m_refinement = nullptr;
     LayerLooks* m_layerLooks = nullptr;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};

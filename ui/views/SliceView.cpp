@@ -2,6 +2,7 @@
 #include "ui/views/SliceView.h"
 
 #include "ui/InitialDisplay.h"
+#include "ui/Refinement.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/TimeText.h"
@@ -49,6 +50,8 @@ SliceView::SliceView(
     connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, qOverload<>(&SliceView::update));
     connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
+    connect(&workspace.refinement(), &Refinement::lookChanged, this, [this] { requestFrame(); });
+    connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
     openVolume();
 }
 
@@ -171,6 +174,8 @@ gpu::Scene SliceView::scene() const
     scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
+    if (!early())
+        scene.contour = workspace().refinement().contour();
     return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
 #include "ui/Pieces.h"
+#include "ui/Refinement.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/TimeText.h"
@@ -46,6 +47,10 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&VolumeView::update));
     connect(&workspace.pieces(), &Pieces::looksChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.seeds(), &PendingSeeds::changed, this, [this] { requestFrame(); });
+    connect(
+        &workspace.refinement(), &Refinement::lookChanged, this, &VolumeView::requestMovingFrame);
+    connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
+    connect(&workspace.refinement(), &Refinement::shown, this, &VolumeView::flyTo);
     connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
@@ -109,6 +114,15 @@ void VolumeView::fitCamera(const Camera& camera)
     requestFrame();
 }
 
+void VolumeView::flyTo(const glm::dvec3& placeLps, const glm::dvec3& fromLps)
+{
+    m_fitted = false;
+    m_camera.targetLps = placeLps;
+    if (fromLps != glm::dvec3(0.0))
+        m_camera.lookFrom(fromLps);
+    requestFrame();
+}
+
 void VolumeView::lookFrom(const glm::dvec3& sideLps)
 {
     m_camera.lookFrom(sideLps);
@@ -121,6 +135,7 @@ gpu::Scene VolumeView::scene() const
     scene.clip = workspace().clip();
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
+    scene.surface = workspace().refinement().scene();
     const std::vector<gpu::ScenePiece> partlyHidden = workspace().layerLooks().scene();
     scene.pieces.insert(scene.pieces.end(), partlyHidden.begin(), partlyHidden.end());
     // Only where it shows: another grey scale of the slices is no other picture else.

@@ -25,6 +25,8 @@ public:
     void fitCamera(const Camera& camera);
     /// Look at the patient from a side, e.g. (0, −1, 0): from the front.
     void lookFrom(const glm::dvec3& sideLps);
+    /// A place in the middle, seen from a side; 0: from where it is seen now.
+    void flyTo(const glm::dvec3& placeLps, const glm::dvec3& fromLps);
     void resetView() override;
 
 protected:

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
+#include "tests/support/Pen.h"
+#include "tests/support/SurfaceCases.h"
+#include "tests/support/WindowFixture.h"
+#include "tests/support/WorkspaceFixture.h"
+#include "ui/panels/RefinePanel.h"
+#include "ui/tools/RefineTool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QJsonDocument>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using Mode = ui::Refinement::Mode;
+using core::SurfaceMark;
+
+constexpr double radius = 10.0; // of the ball, voxels across the slices' plane
+
+/// The real window with the small head and a ball as segment 1.
+class RefineFixture : public test::WindowFixture {
+public:
+    RefineFixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+        , panel(workspace)
+        , slice(window.views().axial())
+        , view(window.views().volume())
+    {
+        apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
+        workspace.setActiveSegment(1);
+        workspace.setActiveTool(&tool);
+        view.lookFrom({0.0, -1.0, 0.0});
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] ui::Refinement& refinement() { return workspace.refinement(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        settle();
+    }
+    /// Updates of the surface come in line with other events.
+    void settle()
+    {
+        QVERIFY(session().settle());
+        QCoreApplication::processEvents();
+    }
+    void lay() { apply(core::LaySurface{.segment = 1, .vertices = 800}); }
+    void set(Mode mode, double radiusMm, SurfaceMark mark = SurfaceMark::Red)
+    {
+        refinement().setSettings({.mode = mode, .mark = mark, .radiusMm = radiusMm});
+    }
+    [[nodiscard]] std::size_t marked(SurfaceMark mark)
+    {
+        return refinement().mirror().markCounts()[std::size_t(mark)];
+    }
+    [[nodiscard]] const core::HistoryRow& lastRow()
+    {
+        return session().history().row(session().history().position());
+    }
+    [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
+
+    /// Where a place is in a view, logical pixels.
+    template <class View> [[nodiscard]] static QPointF at(View& where, const glm::dvec3& lps)
+    {
+        return where.context().toPixel(lps);
+    }
+
+    ui::RefineTool tool;
+    ui::RefinePanel panel;
+    ui::SliceView& slice;
+    ui::VolumeView& view;
+};
+
+/// A stroke through these places.
+template <class View>
+void draw(RefineFixture& fixture, View& view, const std::vector<QPointF>& way, bool lift = true)
+{
+    test::Pen pen(view);
+    quint64 time = 70000;
+    pen.press(way.front(), 1.0, time);
+    for (const QPointF& point : way)
+        pen.move(point, 1.0, time += 12);
+    if (!lift)
+        return;
+    pen.release(way.back(), time + 12);
+    fixture.settle();
+}
+
+QByteArray canonical(const core::Edit& edit)
+{
+    return QJsonDocument(core::editToJson(core::quantised(edit))).toJson(QJsonDocument::Compact);
+}
+
+} // namespace
+
+/// The surface of a segment, repaired with the pen.
+class RefineToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thePanelLaysAndWritesBack()
+    {
+        RefineFixture fixture;
+        auto* lay = fixture.panel.findChild<QPushButton*>(QStringLiteral("laySurface"));
+        fixture.panel.findChild<QSpinBox*>(QStringLiteral("surfaceVertices"))->setValue(1000);
+        QVERIFY(lay->isEnabled());
+        lay->click();
+        fixture.settle();
+        QVERIFY(fixture.session().document().surface);
+        const std::size_t vertices = fixture.refinement().mirror().vertexCount();
+        QVERIFY(vertices > 600 && vertices < 1600);
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Surface of 'Ball', ")));
+        auto* write = fixture.panel.findChild<QPushButton*>(QStringLiteral("writeBack"));
+        const auto* state = fixture.panel.findChild<QLabel*>(QStringLiteral("surfaceState"));
+        QVERIFY(!write->isEnabled());
+        QCOMPARE(state->text(), QStringLiteral("Surface of Ball"));
+
+        fixture.set(Mode::Sphere, 6.0);
+        const glm::dvec3 front(0.0, -radius, 0.0);
+        draw(fixture, fixture.slice, {fixture.at(fixture.slice, front)});
+        QVERIFY(write->isEnabled());
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("not written back"));
+        QVERIFY(state->text().contains(QStringLiteral("does not hold")));
+        const std::int64_t before = fixture.voxels();
+        write->click();
+        fixture.settle();
+        QVERIFY(fixture.voxels() != before);
+        QVERIFY(
+            fixture.lastRow().name.startsWith(QStringLiteral("Write surface back to 'Ball', ")));
+        QVERIFY(!write->isEnabled());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(), before);
+        QVERIFY(write->isEnabled());
+        fixture.panel.findChild<QPushButton*>(QStringLiteral("dropSurface"))->click();
+        fixture.settle();
+        QVERIFY(fixture.refinement().mirror().empty());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.refinement().mirror().vertexCount(),
+            fixture.session().surface()->vertexCount());
+    }
+
+    void marksOnASliceAreTheEditOfARecipe()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Mark, 5.0);
+        const glm::dvec3 from(radius, 0.0, 0.0);
+        const glm::dvec3 to(radius * 0.8, radius * 0.6, 0.0);
+        const std::vector<QPointF> way{
+            fixture.at(fixture.slice, from), fixture.at(fixture.slice, to)};
+        const ui::ViewContext context = fixture.slice.context();
+        draw(fixture, fixture.slice, way);
+        core::MarkSurface expected{.mark = SurfaceMark::Red, .path = {.radiusMm = 5.0}};
+        expected.path.pointsLps = {context.toLps(way[0]), context.toLps(way[1])};
+        QCOMPARE(canonical(fixture.lastRow().edit), canonical(expected));
+        QVERIFY(fixture.marked(SurfaceMark::Red) > 5);
+        QCOMPARE(fixture.refinement().errors().size(), std::size_t(1));
+        const auto* errors = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceErrors"));
+        QCOMPARE(errors->count(), 1);
+        // The next error is where it was painted.
+        fixture.refinement().goToError(1);
+        QVERIFY(glm::distance(fixture.workspace.crosshairLps(), glm::mix(from, to, 0.5)) < 5.0);
+        fixture.refinement().changeMarks(core::ChangeMarks::Way::Clear);
+        fixture.settle();
+        QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
+        QCOMPARE(errors->count(), 0);
+    }
+
+    void inTheThirdDimensionTheToolIsOnTheSurface()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Sphere, 6.0);
+        const QPointF middle = fixture.at(fixture.view, glm::dvec3(0.0));
+        draw(fixture, fixture.view, {middle});
+        const auto* push = std::get_if<core::SpherePush>(&fixture.lastRow().edit);
+        QVERIFY(push);
+        // Half its radius outside of what is seen from the front.
+        QVERIFY(std::abs(push->path.pointsLps.front().y + radius + 3.0) < 0.6);
+        fixture.refinement().writeBack();
+        fixture.settle();
+        const std::int64_t dented = fixture.voxels();
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(dented < fixture.voxels());
+        // Beside the surface there is nothing to push.
+        const core::RowId before = fixture.session().history().position();
+        draw(fixture, fixture.view, {fixture.at(fixture.view, glm::dvec3(18.0, 0.0, 0.0))});
+        QCOMPARE(fixture.session().history().position(), before);
+    }
+
+    void whatIsDraggedFollowsThePen()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Drag, 6.0);
+        const glm::dvec3 from(radius, 0.0, 0.0);
+        const glm::dvec3 to(radius + 4.0, 0.0, 0.0);
+        draw(fixture, fixture.slice,
+            {fixture.at(fixture.slice, from), fixture.at(fixture.slice, to)});
+        QCOMPARE(fixture.marked(SurfaceMark::Green), std::size_t(1));
+        const core::SurfaceMirror& mirror = fixture.refinement().mirror();
+        const core::VertexId near = mirror.nearestVertex(to);
+        QVERIFY(glm::distance(mirror.vertex(near).positionLps, to) < 1.5);
+    }
+
+    void aStrokeIsTakenBack()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        const QByteArray before = fixture.session().stateHash();
+        const core::SimplexMesh mesh = *fixture.session().surface();
+        fixture.set(Mode::Sphere, 6.0);
+        draw(fixture, fixture.slice,
+            {fixture.at(fixture.slice, {0.0, -radius, 0.0}),
+                fixture.at(fixture.slice, {3.0, -radius, 0.0})},
+            false);
+        QVERIFY(fixture.session().transactionOpen());
+        QTest::keyClick(&fixture.window, Qt::Key_Escape);
+        fixture.settle();
+        QVERIFY(!fixture.session().transactionOpen());
+        QCOMPARE(fixture.session().stateHash(), before);
+        QVERIFY(core::identical(*fixture.session().surface(), mesh));
+        // What is shown is that, too.
+        const core::SurfaceMirror& mirror = fixture.refinement().mirror();
+        for (const core::VertexId id : mesh.vertexIds())
+            QCOMPARE(mirror.vertex(id).positionLps, mesh.position(id));
+    }
+
+    void withoutASurfaceItSaysSo()
+    {
+        RefineFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const core::RowId before = fixture.session().history().position();
+        draw(fixture, fixture.slice, {fixture.at(fixture.slice, glm::dvec3(0.0))});
+        QCOMPARE(fixture.session().history().position(), before);
+        QVERIFY(!said.isEmpty());
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("panel Surface")));
+    }
+};
+
+QTEST_MAIN(RefineToolUiTest)
+#include "RefineToolUiTest.moc"

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/Refinement.h"
+
+#include "ui/Workspace.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ui {
+
+Refinement::Refinement(Workspace& workspace)
+    : QObject(&workspace)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, &Refinement::follow);
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Surface
+                || change.what == core::DocumentChange::What::Segments)
+                Q_EMIT changed();
+        });
+}
+
+/// Updates come from the thread that deforms: those for pictures go on at once, ours in line.
+void Refinement::follow()
+{
+    const core::SurfaceUpdate nothing{.isWhole = true, .vertices = {}, .faces = {}};
+    core::EditSession* session = m_workspace.session();
+    if (!session) {
+        m_workspace.frames().updateSurface(nothing);
+        take(nothing);
+        return;
+    }
+    session->setSurfaceListener([this, &frames = m_workspace.frames()](core::SurfaceUpdate update) {
+        frames.updateSurface(update);
+        QMetaObject::invokeMethod(
+            this, [this, update = std::move(update)] { take(update); }, Qt::QueuedConnection);
+    });
+}
+
+void Refinement::take(const core::SurfaceUpdate& update)
+{
+    m_mirror.take(update);
+    m_errors = m_mirror.regions(core::SurfaceMark::Red);
+    m_error = std::min(m_error, int(m_errors.size()) - 1);
+    Q_EMIT changed();
+}
+
+std::optional<core::RefinedSurface> Refinement::surface() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session ? session->document().surface : std::nullopt;
+}
+
+void Refinement::setLook(const Look& look)
+{
+    if (look == m_look)
+        return;
+    m_look = look;
+    Q_EMIT lookChanged();
+}
+
+void Refinement::setSettings(const Settings& settings)
+{
+    if (settings == m_settings)
+        return;
+    m_settings = settings;
+    Q_EMIT settingsChanged();
+}
+
+gpu::SurfaceColours Refinement::colours() const
+{
+    gpu::SurfaceColours colours;
+    if (const core::Segment* segment =
+            m_workspace.session()->document().segment(surface()->segment))
+        colours.rgb = segment->rgb;
+    if (!m_look.showMarks)
+        colours.markOpacity = 0.0f;
+    return colours;
+}
+
+std::optional<gpu::SceneSurface> Refinement::scene() const
+{
+    if (!surface() || m_look.opacity <= 0.0f)
+        return std::nullopt;
+    return gpu::SceneSurface{.style = m_look.style,
+        .colours = colours(),
+        .opacity = m_look.opacity,
+        .window = m_workspace.windowLevel(),
+        .clip = {}};
+}
+
+std::optional<gpu::SceneContour> Refinement::contour() const
+{
+    if (!surface() || !m_look.contours)
+        return std::nullopt;
+    gpu::SceneContour contour{.colours = colours()};
+    contour.colours.markOpacity = m_look.showMarks ? 1.0f : 0.0f;
+    return contour;
+}
+
+void Refinement::apply(const core::Edit& edit)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (const auto applied = session->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void Refinement::lay(int vertices)
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !session->document().segment(m_workspace.activeSegment()))
+        return m_workspace.say(tr("No segment is chosen: choose the one to repair in the list"));
+    m_workspace.say(tr("The surface is being laid …"));
+    apply(core::LaySurface{.segment = m_workspace.activeSegment(), .vertices = vertices});
+}
+
+void Refinement::writeBack()
+{
+    apply(core::WriteBack{});
+}
+
+void Refinement::followMask()
+{
+    apply(core::FollowMask{});
+}
+
+void Refinement::drop()
+{
+    apply(core::DropSurface{});
+}
+
+void Refinement::changeMarks(core::ChangeMarks::Way way)
+{
+    const bool isYellow = m_settings.mark == core::SurfaceMark::Yellow;
+    apply(
+        core::ChangeMarks{.mark = isYellow ? core::SurfaceMark::Red : m_settings.mark, .way = way});
+}
+
+void Refinement::goToError(int by)
+{
+    if (m_errors.empty())
+        return m_workspace.say(tr("Nothing is marked red"));
+    const int count = int(m_errors.size());
+    showError(m_error < 0 ? (by > 0 ? 0 : count - 1) : (m_error + by + count) % count);
+}
+
+void Refinement::showError(int place)
+{
+    if (place < 0 || place >= int(m_errors.size()))
+        return;
+    m_error = place;
+    const core::MarkedRegion& error = m_errors[std::size_t(m_error)];
+    m_workspace.setCrosshairLps(error.middleLps);
+    m_workspace.say(tr("Error %1 of %2, %3 mm²")
+                        .arg(m_error + 1)
+                        .arg(m_errors.size())
+                        .arg(QString::number(error.areaMm2, 'f', 0)));
+    Q_EMIT shown(error.middleLps, error.normalLps);
+}
+
+} // namespace ui
