@@ -91,12 +91,9 @@ private:
 
 Result<QString> checkDeidentified(const QString& file, const Deidentifier& by)
 {
-    const Result<DicomFile> opened = DicomFile::open(file);
-    if (!opened)
-        return tl::unexpected<Error>(opened.error());
     DcmDataset set;
-    if (const Result<void> parsed = opened->readInto(set); !parsed)
-        return tl::unexpected<Error>(parsed.error());
+    if (const Result<void> header = DicomFile::readHeader(file, set); !header)
+        return tl::unexpected<Error>(header.error());
     OFString removed;
     OFString patient;
     set.findAndGetOFString(DCM_PatientIdentityRemoved, removed);

@@ -5,6 +5,8 @@
 #include "core/dicom/Rle.h"
 #include "core/dicom/TransferSyntax.h"
 
+#include <QFileInfo>
+
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcistrmf.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -255,6 +257,16 @@ Result<void> DicomFile::readInto(DcmDataset& set) const
     if (read.bad())
         return failure(ErrorCode::FileUnreadable, m_path, QString::fromLatin1(read.text()));
     return {};
+}
+
+Result<void> DicomFile::readHeader(const QString& path, DcmDataset& set)
+{
+    if (!QFileInfo::exists(path))
+        return failure(ErrorCode::FileNotFound, path);
+    const Result<DicomFile> file = open(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    return file->readInto(set);
 }
 
 DicomFile::Bytes DicomFile::pixels() const

@@ -31,6 +31,8 @@ public:
     /// Parses the elements before the pixel data by DCMTK into @p set, which must be empty. Long
     /// values are read from the file when they are asked for. FileUnreadable.
     [[nodiscard]] Result<void> readInto(DcmDataset& set) const;
+    /// Both, for who wants nothing but the elements. FileNotFound, and as of the two.
+    [[nodiscard]] static Result<void> readHeader(const QString& path, DcmDataset& set);
 
     /// As the file says; the guess where it does not.
     [[nodiscard]] const QString& transferSyntaxUid() const { return m_transferSyntaxUid; }

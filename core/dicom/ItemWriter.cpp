@@ -7,6 +7,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace core {
 
@@ -54,6 +56,25 @@ void ItemWriter::refer(DcmItem* item, const SegSlice& slice) const
     put(item, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
     if (slice.multiFrame)
         put(item, DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1));
+}
+
+void ItemWriter::referAll(DcmItem* parent, const DcmTagKey& seriesSequence,
+    const DcmTagKey& imageSequence, const std::vector<SegSlice>& slices) const
+{
+    std::map<std::string, DcmItem*> series;
+    std::set<std::string> named;
+    for (const SegSlice& slice : slices) {
+        if (!named.insert(slice.sopInstanceUid).second)
+            continue;
+        auto [item, isNew] = series.try_emplace(slice.seriesUid, nullptr);
+        if (isNew) {
+            item->second = append(parent, seriesSequence);
+            put(item->second, DCM_SeriesInstanceUID, slice.seriesUid);
+        }
+        DcmItem* image = append(item->second, imageSequence);
+        put(image, DCM_ReferencedSOPClassUID, slice.sopClassUid);
+        put(image, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
+    }
 }
 
 bool fitsCodeSequence(const CodedConcept& code)

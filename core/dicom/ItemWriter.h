@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <string>
+#include <vector>
 
 class DcmItem;
 class DcmTagKey;
@@ -34,6 +35,10 @@ public:
     void putCode(DcmItem* item, const DcmTagKey& sequence, const CodedConcept& code) const;
     /// SOP class, instance and, of a file of several, frame.
     void refer(DcmItem* item, const SegSlice& slice) const;
+    /// Every image of the slices once: an item of @p seriesSequence for each series, in it one of
+    /// @p imageSequence for each image.
+    void referAll(DcmItem* parent, const DcmTagKey& seriesSequence, const DcmTagKey& imageSequence,
+        const std::vector<SegSlice>& slices) const;
 
 private:
     ConditionChain& m_chain;

@@ -16,8 +16,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 namespace core {
 
@@ -192,24 +190,6 @@ void addFrames(
     }
 }
 
-void addReferences(DcmDataset& set, const SegSource& source, const ItemWriter& items)
-{
-    std::map<std::string, DcmItem*> series;
-    std::set<std::string> named;
-    for (const SegSlice& slice : source.slices) {
-        if (!named.insert(slice.sopInstanceUid).second)
-            continue;
-        auto [item, isNew] = series.try_emplace(slice.seriesUid, nullptr);
-        if (isNew) {
-            item->second = items.append(&set, DCM_ReferencedSeriesSequence);
-            items.put(item->second, DCM_SeriesInstanceUID, slice.seriesUid);
-        }
-        DcmItem* instance = items.append(item->second, DCM_ReferencedInstanceSequence);
-        items.put(instance, DCM_ReferencedSOPClassUID, slice.sopClassUid);
-        items.put(instance, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
-    }
-}
-
 } // namespace
 
 Result<SegWritten> writeLabelMapSeg(
@@ -236,7 +216,8 @@ Result<SegWritten> writeLabelMapSeg(
     if (const Result<void> added = addSegments(set, content, items); !added)
         return tl::unexpected(added.error());
     addFrames(set, content, *source, items);
-    addReferences(set, *source, items);
+    items.referAll(
+        &set, DCM_ReferencedSeriesSequence, DCM_ReferencedInstanceSequence, source->slices);
     if (!chain.good())
         return failure(ErrorCode::Internal, chain.failure());
     if (progress.cancelled())

@@ -4,7 +4,6 @@
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/PatientAndPlane.h"
 
-#include <QFileInfo>
 #include <QHash>
 
 #include <dcmtk/config/osconfig.h>
@@ -111,14 +110,9 @@ bool readContour(DcmItem& item, RtContour& contour)
 
 Result<RtStructFile> readRtStruct(const QString& path)
 {
-    if (!QFileInfo::exists(path))
-        return failure(ErrorCode::FileNotFound, path);
-    const Result<DicomFile> file = DicomFile::open(path);
-    if (!file)
-        return tl::unexpected<Error>(file.error());
     DcmDataset set;
-    if (const Result<void> parsed = file->readInto(set); !parsed)
-        return tl::unexpected<Error>(parsed.error());
+    if (const Result<void> header = DicomFile::readHeader(path, set); !header)
+        return tl::unexpected<Error>(header.error());
     const ItemReader reader(&set);
     if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_RTStructureSetStorage))
         return failure(

@@ -19,8 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace core {
 
@@ -112,20 +110,8 @@ void addReferences(DcmDataset& set, const SegSource& source, const std::string& 
     items.put(studyItem, DCM_ReferencedSOPClassUID,
         std::string(UID_RETIRED_DetachedStudyManagementSOPClass));
     items.put(studyItem, DCM_ReferencedSOPInstanceUID, study);
-    std::map<std::string, DcmItem*> series;
-    std::set<std::string> named;
-    for (const SegSlice& slice : source.slices) {
-        auto [item, isNew] = series.try_emplace(slice.seriesUid, nullptr);
-        if (isNew) {
-            item->second = items.append(studyItem, DCM_RTReferencedSeriesSequence);
-            items.put(item->second, DCM_SeriesInstanceUID, slice.seriesUid);
-        }
-        if (!named.insert(slice.sopInstanceUid).second)
-            continue;
-        DcmItem* image = items.append(item->second, DCM_ContourImageSequence);
-        items.put(image, DCM_ReferencedSOPClassUID, slice.sopClassUid);
-        items.put(image, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
-    }
+    items.referAll(
+        studyItem, DCM_RTReferencedSeriesSequence, DCM_ContourImageSequence, source.slices);
 }
 
 void addRois(DcmDataset& set, const RtStructContent& content, const std::string& frame,

@@ -5,7 +5,6 @@
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/Preflight.h"
 
-#include <QFileInfo>
 #include <QHash>
 
 #include <dcmtk/config/osconfig.h>
@@ -15,16 +14,6 @@
 namespace core {
 
 namespace {
-
-Result<void> readFile(const QString& path, DcmDataset& dataset)
-{
-    if (!QFileInfo::exists(path))
-        return failure(ErrorCode::FileNotFound, path);
-    const Result<DicomFile> file = DicomFile::open(path);
-    if (!file)
-        return tl::unexpected<Error>(file.error());
-    return file->readInto(dataset);
-}
 
 Result<void> readKept(const QString& file, const KeptHeaders& kept, DcmDataset& dataset)
 {
@@ -70,7 +59,7 @@ Result<void> visitSourceFiles(const std::vector<SourceSlice>& slices, const Kept
         const QString& file = it.key();
         DcmDataset dataset;
         const Result<void> read =
-            kept != nullptr ? readKept(file, *kept, dataset) : readFile(file, dataset);
+            kept != nullptr ? readKept(file, *kept, dataset) : DicomFile::readHeader(file, dataset);
         if (!read)
             return read;
         if (const Result<void> taken = take(file, dataset, it.value()); !taken)

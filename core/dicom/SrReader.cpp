@@ -5,8 +5,6 @@
 #include "core/dicom/DicomText.h"
 #include "core/dicom/PatientAndPlane.h"
 
-#include <QFileInfo>
-
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -58,14 +56,9 @@ SrFileGroup readGroup(const ItemReader& item)
 
 Result<SrFile> readSr(const QString& path)
 {
-    if (!QFileInfo::exists(path))
-        return failure(ErrorCode::FileNotFound, path);
-    const Result<DicomFile> file = DicomFile::open(path);
-    if (!file)
-        return tl::unexpected<Error>(file.error());
     DcmDataset set;
-    if (const Result<void> parsed = file->readInto(set); !parsed)
-        return tl::unexpected<Error>(parsed.error());
+    if (const Result<void> header = DicomFile::readHeader(path, set); !header)
+        return tl::unexpected<Error>(header.error());
     SrFile report;
     report.patient = readHeaderPatient(set);
     set.convertToUTF8();

@@ -14,9 +14,6 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include <map>
-#include <set>
-
 namespace core {
 
 namespace {
@@ -148,20 +145,8 @@ void putEvidence(DcmDataset& set, const SegFile& seg, const SegSource& source,
     DcmItem* object = items.append(own, DCM_ReferencedSOPSequence);
     items.put(object, DCM_ReferencedSOPClassUID, UID_SegmentationStorage);
     items.put(object, DCM_ReferencedSOPInstanceUID, seg.sopInstanceUid);
-    std::map<std::string, DcmItem*> series;
-    std::set<std::string> named;
-    for (const SegSlice& slice : source.slices) {
-        if (!named.insert(slice.sopInstanceUid).second)
-            continue;
-        auto [item, isNew] = series.try_emplace(slice.seriesUid, nullptr);
-        if (isNew) {
-            item->second = items.append(evidence, DCM_ReferencedSeriesSequence);
-            items.put(item->second, DCM_SeriesInstanceUID, slice.seriesUid);
-        }
-        DcmItem* image = items.append(item->second, DCM_ReferencedSOPSequence);
-        items.put(image, DCM_ReferencedSOPClassUID, slice.sopClassUid);
-        items.put(image, DCM_ReferencedSOPInstanceUID, slice.sopInstanceUid);
-    }
+    items.referAll(
+        evidence, DCM_ReferencedSeriesSequence, DCM_ReferencedSOPSequence, source.slices);
 }
 
 void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& seg,

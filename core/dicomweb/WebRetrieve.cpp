@@ -85,54 +85,35 @@ Result<void> fetchPatiently(WebConnection& connection, const RetrievePlan& plan,
     }
 }
 
+tl::unexpected<Error> incomplete(const WebNode& node, const WebIntake& intake, qsizetype total)
+{
+    Error error{ErrorCode::TransferIncomplete,
+        {node.name(),
+            QStringLiteral("%1 of %2")
+                .arg(std::max<qsizetype>(1, intake.missing().size()))
+                .arg(total)}};
+    if (intake.refusal())
+        error.arguments.append(intake.refusal()->arguments.value(1));
+    return tl::unexpected<Error>(error);
+}
+
 } // namespace
 
 Result<Retrieved> retrieve(
     const WebNode& node, const RetrieveWish& wish, const QString& target, const Progress& progress)
 {
-    Result<RetrievePlan> plan = RetrievePlan::make(
-        {.nodeName = node.name(),
-            .series = [&](const QString& study) { return findSeries(node, study, progress); },
-            .instances =
-                [&](const QString& study, const QString& series) {
-                    return findInstances(node, study, series, progress);
-                }},
-        wish);
-    if (!plan)
-        return tl::unexpected<Error>(plan.error());
-    const QStringList instances = plan->instances();
-    if (plan->isKnown() && DownloadFolder::isWhole(target, instances))
-        return Retrieved{.received = 0, .kept = int(instances.size())};
-    Result<DownloadFolder> folder = DownloadFolder::open(target);
-    if (!folder)
-        return tl::unexpected<Error>(folder.error());
-    plan->lookWhatIsMissing(*folder);
-    const QSet<QString> missing = plan->missing();
-    Retrieved result{.received = 0, .kept = int(instances.size() - missing.size())};
-    if (!plan->isKnown() || !missing.isEmpty()) {
-        Result<WebConnection> connection = WebConnection::open(node, progress);
-        if (!connection)
-            return tl::unexpected<Error>(connection.error());
-        WebIntake intake(
-            *folder, plan->isKnown() ? missing : QSet<QString>(), node.name(), progress);
-        const Result<void> fetched = fetchPatiently(*connection, *plan, intake);
-        if (!fetched)
-            return tl::unexpected<Error>(fetched.error());
-        if (!intake.missing().isEmpty() || intake.refusal() || intake.received() == 0) {
-            Error error{ErrorCode::TransferIncomplete,
-                {node.name(),
-                    QStringLiteral("%1 of %2")
-                        .arg(std::max<qsizetype>(1, intake.missing().size()))
-                        .arg(instances.size())}};
-            if (intake.refusal())
-                error.arguments.append(intake.refusal()->arguments.value(1));
-            return tl::unexpected<Error>(error);
-        }
-        result.received = intake.received();
-    }
-    if (const Result<void> finished = folder->finish(); !finished)
-        return tl::unexpected<Error>(finished.error());
-    return result;
+    return retrieveInto(target, listingOf(node, progress), wish,
+        [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
+            Result<WebConnection> connection = WebConnection::open(node, progress);
+            if (!connection)
+                return tl::unexpected<Error>(connection.error());
+            WebIntake intake(folder, plan.awaited(), node.name(), progress);
+            if (const Result<void> fetched = fetchPatiently(*connection, plan, intake); !fetched)
+                return tl::unexpected<Error>(fetched.error());
+            if (!intake.missing().isEmpty() || intake.refusal() || intake.received() == 0)
+                return incomplete(node, intake, plan.instances().size());
+            return intake.received();
+        });
 }
 
 } // namespace core

@@ -198,42 +198,18 @@ tl::unexpected<Error> incomplete(
 Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const QString& target,
     const RetrieveWay& way, const Progress& progress)
 {
-    Result<RetrievePlan> plan = RetrievePlan::make(
-        {.nodeName = node.name(),
-            .series = [&](const QString& study) { return findSeries(node, study, progress); },
-            .instances =
-                [&](const QString& study, const QString& series) {
-                    return findInstances(node, study, series, progress);
-                }},
-        wish);
-    if (!plan)
-        return tl::unexpected<Error>(plan.error());
-    const QStringList instances = plan->instances();
-    if (plan->isKnown() && DownloadFolder::isWhole(target, instances))
-        return Retrieved{.received = 0, .kept = int(instances.size())};
-    Result<DownloadFolder> folder = DownloadFolder::open(target);
-    if (!folder)
-        return tl::unexpected<Error>(folder.error());
-    plan->lookWhatIsMissing(*folder);
-    // Where a node lists nothing for one series, nobody knows what to await.
-    const QSet<QString> missing = plan->isKnown() ? plan->missing() : QSet<QString>();
-    Retrieved result{.received = 0, .kept = int(instances.size() - plan->missing().size())};
-    if (plan->isKnown() && missing.isEmpty()) {
-        if (const Result<void> finished = folder->finish(); !finished)
-            return tl::unexpected<Error>(finished.error());
-        return result;
-    }
-    ObjectIntake intake(*folder, missing, int(missing.size()), progress);
-    const Result<Conclusion> conclusion = fetch(node, *plan, intake, way, progress);
-    if (!conclusion)
-        return tl::unexpected<Error>(conclusion.error());
-    if (!intake.missing().isEmpty() || conclusion->failed > 0 || intake.refusal()
-        || (intake.received() == 0 && conclusion->status != 0))
-        return incomplete(node, intake, *conclusion, instances.size());
-    if (const Result<void> finished = folder->finish(); !finished)
-        return tl::unexpected<Error>(finished.error());
-    result.received = intake.received();
-    return result;
+    return retrieveInto(target, listingOf(node, progress), wish,
+        [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
+            const QSet<QString> awaited = plan.awaited();
+            ObjectIntake intake(folder, awaited, int(awaited.size()), progress);
+            const Result<Conclusion> conclusion = fetch(node, plan, intake, way, progress);
+            if (!conclusion)
+                return tl::unexpected<Error>(conclusion.error());
+            if (!intake.missing().isEmpty() || conclusion->failed > 0 || intake.refusal()
+                || (intake.received() == 0 && conclusion->status != 0))
+                return incomplete(node, intake, *conclusion, plan.instances().size());
+            return intake.received();
+        });
 }
 
 } // namespace core

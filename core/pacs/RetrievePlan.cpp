@@ -78,6 +78,11 @@ QSet<QString> RetrievePlan::missing() const
     return all;
 }
 
+QSet<QString> RetrievePlan::awaited() const
+{
+    return isKnown() ? missing() : QSet<QString>();
+}
+
 std::vector<QByteArray> RetrievePlan::classes() const
 {
     QSet<QByteArray> found;
@@ -88,6 +93,32 @@ std::vector<QByteArray> RetrievePlan::classes() const
     if (!isKnown() || found.contains(QByteArray()))
         return {};
     return {found.begin(), found.end()};
+}
+
+Result<Retrieved> retrieveInto(const QString& target, const RetrievePlan::Listing& listing,
+    const RetrieveWish& wish,
+    const std::function<Result<int>(const RetrievePlan& plan, const DownloadFolder& folder)>& fetch)
+{
+    Result<RetrievePlan> plan = RetrievePlan::make(listing, wish);
+    if (!plan)
+        return tl::unexpected<Error>(plan.error());
+    const QStringList instances = plan->instances();
+    if (plan->isKnown() && DownloadFolder::isWhole(target, instances))
+        return Retrieved{.received = 0, .kept = int(instances.size())};
+    Result<DownloadFolder> folder = DownloadFolder::open(target);
+    if (!folder)
+        return tl::unexpected<Error>(folder.error());
+    plan->lookWhatIsMissing(*folder);
+    Retrieved result{.received = 0, .kept = int(instances.size() - plan->missing().size())};
+    if (!plan->isKnown() || !plan->missing().isEmpty()) {
+        const Result<int> received = fetch(*plan, *folder);
+        if (!received)
+            return tl::unexpected<Error>(received.error());
+        result.received = *received;
+    }
+    if (const Result<void> finished = folder->finish(); !finished)
+        return tl::unexpected<Error>(finished.error());
+    return result;
 }
 
 } // namespace core
