@@ -7,6 +7,7 @@
 #include "tests/support/PacsServers.h"
 #include "tests/support/SmallFileSystem.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/VerifyResult.h"
 #include "tests/support/WebServer.h"
 #include "ui/ErrorText.h"
 
@@ -26,13 +27,6 @@
 
 using core::ErrorCode;
 using test::WebReply;
-
-#define VERIFY_DONE(result)                                                                        \
-    QVERIFY2((result).has_value(), (result) ? "" : qPrintable(ui::errorText((result).error())))
-
-#define VERIFY_ERROR(result, expected)                                                             \
-    QVERIFY(!(result).has_value());                                                                \
-    QVERIFY2((result).error().code == (expected), qPrintable(ui::errorText((result).error())))
 
 /// What a web server can do wrong: a sentence for each, and nothing half imported.
 class DicomWebFaultsTest : public QObject {

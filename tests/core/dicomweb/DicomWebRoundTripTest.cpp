@@ -2,19 +2,18 @@
 #include "core/dicomweb/WebQuery.h"
 #include "core/dicomweb/WebRetrieve.h"
 #include "core/dicomweb/WebSend.h"
-#include "core/export/ExportMask.h"
+#include "core/export/MaskSelection.h"
 #include "core/sources/PacsSource.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/PacsObjects.h"
 #include "tests/support/PacsServers.h"
 #include "tests/support/SharedData.h"
-#include "tests/support/SmallSeries.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/VerifyResult.h"
 #include "ui/ErrorText.h"
 
-#include <QCryptographicHash>
 #include <QDir>
-#include <QDirIterator>
 #include <QProcess>
 #include <QScopeGuard>
 #include <QTemporaryDir>
@@ -27,34 +26,6 @@
 #include <string>
 
 using core::ErrorCode;
-
-#define VERIFY_DONE(result)                                                                        \
-    QVERIFY2((result).has_value(), (result) ? "" : qPrintable(ui::errorText((result).error())))
-
-#define VERIFY_ERROR(result, expected)                                                             \
-    QVERIFY(!(result).has_value());                                                                \
-    QVERIFY2((result).error().code == (expected), qPrintable(ui::errorText((result).error())))
-
-namespace {
-
-QStringList filesIn(const QString& folder)
-{
-    QStringList paths;
-    QDirIterator walk(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-    while (walk.hasNext())
-        paths.append(walk.next());
-    return paths;
-}
-
-QByteArray hashOf(const QString& path)
-{
-    QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex()
-                                                                 : QByteArray();
-}
-
-} // namespace
 
 /// Against a real server of DICOMweb: what was sent is found and comes back as it was.
 class DicomWebRoundTripTest : public QObject {
@@ -113,7 +84,7 @@ void DicomWebRoundTripTest::studyComesBack()
     QCOMPARE(got->kept, 0);
     QCOMPARE(told.size(), files.size());
     QCOMPARE(told.back(), QStringLiteral("40/40"));
-    QCOMPARE(filesIn(target).size(), files.size());
+    QCOMPARE(test::filesBelow(target).size(), files.size());
     QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
         (QStringList{QStringLiteral("got"), QStringLiteral("sent")}));
     const auto before = core::loadVolume(there);
@@ -131,77 +102,23 @@ void DicomWebRoundTripTest::studyComesBack()
 void DicomWebRoundTripTest::searchFindsWhatItIsAskedFor()
 {
     NEED_SERVER;
-    test::SyntheticSeries first;
-    first.size = {8, 8, 3};
-    first.studyUid = QStringLiteral("2.25.71");
-    first.seriesUid = QStringLiteral("2.25.72");
-    first.adjust = [](DcmDataset& set, int k) {
-        set.putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 192");
-        set.putAndInsertString(DCM_PatientName, "M\xc3\xbcller^J\xc3\xb6rg");
-        set.putAndInsertString(DCM_PatientID, "A1");
-        set.putAndInsertString(DCM_StudyDate, "20200304");
-        set.putAndInsertString(DCM_SOPInstanceUID, ("2.25.73" + std::to_string(k)).c_str());
-    };
-    test::SyntheticSeries second = first;
-    second.studyUid = QStringLiteral("2.25.81");
-    second.seriesUid = QStringLiteral("2.25.82");
-    second.modality = QStringLiteral("MR");
-    second.adjust = [](DcmDataset& set, int k) {
-        set.putAndInsertString(DCM_PatientName, "Doe^Jane");
-        set.putAndInsertString(DCM_PatientID, "B2");
-        set.putAndInsertString(DCM_StudyDate, "20210506");
-        set.putAndInsertString(DCM_SOPInstanceUID, ("2.25.83" + std::to_string(k)).c_str());
-    };
-    QStringList files = test::writeSeries(first, folder.filePath(QStringLiteral("1")));
-    files += test::writeSeries(second, folder.filePath(QStringLiteral("2")));
-    VERIFY_DONE(core::sendFiles(node, files, core::Progress()));
-
-    const auto found = [&](const core::StudyFilter& filter, int most = 100) {
-        return core::findStudies(node, filter, most, core::Progress());
-    };
-    const auto all = found({});
-    VERIFY_DONE(all);
-    QVERIFY(all->hits.size() >= 2);
-    QVERIFY(!all->more);
-    const auto byName = found({.patientName = QStringLiteral("Do*")});
-    VERIFY_DONE(byName);
-    QCOMPARE(byName->hits.size(), std::size_t(1));
-    const core::StudyHit& jane = byName->hits.front();
-    QCOMPARE(jane.studyUid, second.studyUid);
-    QCOMPARE(jane.patientName, QStringLiteral("Doe^Jane"));
-    QCOMPARE(jane.studyDate, QStringLiteral("2021-05-06"));
+    const test::TwoStudies studies(folder.path());
+    VERIFY_DONE(core::sendFiles(node, studies.files, core::Progress()));
+    test::compareSearch(node, studies, false);
+    if (QTest::currentTestFailed())
+        return;
+    // What only servers of the web tell of a study.
+    const auto byModality =
+        core::findStudies(node, {.modality = QStringLiteral("MR")}, 100, core::Progress());
+    VERIFY_DONE(byModality);
+    QCOMPARE(byModality->hits.size(), std::size_t(1));
+    const core::StudyHit& jane = byModality->hits.front();
     QCOMPARE(jane.modalities, QStringList{QStringLiteral("MR")});
     QCOMPARE(jane.series, 1);
     QCOMPARE(jane.instances, 3);
-    const auto byId = found({.patientId = QStringLiteral("A1")});
-    VERIFY_DONE(byId);
-    QCOMPARE(byId->hits.size(), std::size_t(1));
-    QCOMPARE(byId->hits.front().patientName, QStringLiteral("Müller^Jörg"));
-    // Debian's Orthanc decodes no %C3%BC in an address: names are asked for in plain letters here.
-    const auto byDate = found({.studyDate = QStringLiteral("20210101-20211231")});
-    VERIFY_DONE(byDate);
-    QCOMPARE(byDate->hits.size(), std::size_t(1));
-    const auto byModality = found({.modality = QStringLiteral("MR")});
-    VERIFY_DONE(byModality);
-    QCOMPARE(byModality->hits.size(), std::size_t(1));
-    const auto nobody = found({.patientId = QStringLiteral("C3")});
-    VERIFY_DONE(nobody);
-    QVERIFY(nobody->hits.empty());
-    const auto few = found({}, 1);
-    VERIFY_DONE(few);
-    QCOMPARE(few->hits.size(), std::size_t(1));
-    QVERIFY(few->more);
-
-    const auto series = core::findSeries(node, second.studyUid, core::Progress());
+    const auto series = core::findSeries(node, studies.second.studyUid, core::Progress());
     VERIFY_DONE(series);
-    QCOMPARE(series->size(), std::size_t(1));
-    QCOMPARE(series->front().seriesUid, second.seriesUid);
-    QCOMPARE(series->front().modality, QStringLiteral("MR"));
     QCOMPARE(series->front().instances, 3);
-    const auto instances =
-        core::findInstances(node, second.studyUid, second.seriesUid, core::Progress());
-    VERIFY_DONE(instances);
-    QCOMPARE(instances->size(), std::size_t(3));
 }
 
 void DicomWebRoundTripTest::oneObject()
@@ -228,7 +145,7 @@ void DicomWebRoundTripTest::oneObject()
             {.studyUid = series.studyUid, .seriesUid = series.seriesUid}, target, core::Progress());
         VERIFY_DONE(middle);
         QCOMPARE(*middle, target + QStringLiteral("/2.25.932.dcm"));
-        QCOMPARE(filesIn(target).size(), 1);
+        QCOMPARE(test::filesBelow(target).size(), 1);
     }
 }
 
@@ -238,7 +155,7 @@ void DicomWebRoundTripTest::packedStudy()
     if (data.source.isEmpty())
         QSKIP("no shared data");
     NEED_SERVER;
-    const QStringList files = filesIn(data.unpacked);
+    const QStringList files = test::filesBelow(data.unpacked);
     VERIFY_DONE(core::sendFiles(node, files, core::Progress()));
     DcmFileFormat one;
     QVERIFY(one.loadFile(files.front().toUtf8().constData()).good());
@@ -257,7 +174,7 @@ void DicomWebRoundTripTest::packedStudy()
     QCOMPARE(after->volume.voxelsSha256, before->volume.voxelsSha256);
     // Still packed.
     DcmFileFormat came;
-    QVERIFY(came.loadFile(filesIn(target).front().toUtf8().constData()).good());
+    QVERIFY(came.loadFile(test::filesBelow(target).front().toUtf8().constData()).good());
     OFString syntax;
     QVERIFY(came.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax).good());
     QCOMPARE(QByteArray(syntax.c_str()), QByteArray("1.2.840.10008.1.2.4.70"));
@@ -266,43 +183,23 @@ void DicomWebRoundTripTest::packedStudy()
 void DicomWebRoundTripTest::maskComesBack()
 {
     NEED_SERVER;
-    test::SmallSeries series;
-    series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const std::size_t count =
-        std::size_t(series.size.x) * std::size_t(series.size.y) * std::size_t(series.size.z);
-    std::vector<std::uint8_t> labels(count);
-    for (std::size_t i = 0; i < count; ++i)
-        labels[i] = std::uint8_t(i % 7 < 3);
-    const std::vector<core::LabelPlaneView> planes{{0, labels}};
-    core::Segment segment;
-    segment.label = 1;
-    segment.name = QStringLiteral("Schädel");
-    segment.code = {.scheme = QStringLiteral("SCT"),
-        .value = QStringLiteral("89546000"),
-        .meaning = QStringLiteral("Skull")};
-    const QString mask = folder.filePath(QStringLiteral("mask.dcm"));
-    const auto written = core::exportMask(
-        volume, {.file = mask, .segments = {segment}, .planes = planes}, core::Progress());
-    VERIFY_DONE(written);
-    VERIFY_DONE(core::sendFiles(node, {mask}, core::Progress()));
-    DcmFileFormat sent;
-    QVERIFY(sent.loadFile(mask.toUtf8().constData()).good());
-    OFString study;
-    QVERIFY(sent.getDataset()->findAndGetOFString(DCM_StudyInstanceUID, study).good());
-    const QString studyUid = QString::fromLatin1(study.c_str());
-    const auto found = core::findSeries(node, studyUid, core::Progress());
+    const test::SmallMask mask(folder.path());
+    QCOMPARE(mask.problem, QString());
+    VERIFY_DONE(core::sendFiles(node, {mask.file}, core::Progress()));
+    const auto found = core::findSeries(node, mask.studyUid, core::Progress());
     VERIFY_DONE(found);
     QCOMPARE(found->size(), std::size_t(1));
     QCOMPARE(found->front().modality, QStringLiteral("SEG"));
     const QString target = folder.filePath(QStringLiteral("got"));
-    const auto got = core::retrieve(node,
-        {.studyUid = studyUid, .seriesUid = found->front().seriesUid}, target, core::Progress());
+    const auto got =
+        core::retrieve(node, {.studyUid = mask.studyUid, .seriesUid = found->front().seriesUid},
+            target, core::Progress());
     VERIFY_DONE(got);
     QCOMPARE(got->received, 1);
     // The very file, to the last byte.
-    QCOMPARE(hashOf(filesIn(target).front()), hashOf(mask));
-    QCOMPARE(hashOf(mask), written->sha256.toLatin1());
+    const auto came = core::sha256OfFile(test::filesBelow(target).front());
+    VERIFY_DONE(came);
+    QCOMPARE(*came, mask.sha256);
 }
 
 void DicomWebRoundTripTest::loginIsNeeded()

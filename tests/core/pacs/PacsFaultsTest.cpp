@@ -9,6 +9,7 @@
 #include "tests/support/PacsServers.h"
 #include "tests/support/SmallFileSystem.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/VerifyResult.h"
 #include "ui/ErrorText.h"
 
 #include <QDir>
@@ -86,13 +87,6 @@ private:
     if (!m_server->absent().isEmpty())                                                             \
         QSKIP(qPrintable(m_server->absent()));                                                     \
     m_folder = std::make_unique<QTemporaryDir>()
-
-#define VERIFY_DONE(result)                                                                        \
-    QVERIFY2((result).has_value(), (result) ? "" : qPrintable(ui::errorText((result).error())))
-
-#define VERIFY_ERROR(result, expected)                                                             \
-    QVERIFY(!(result).has_value());                                                                \
-    QVERIFY2((result).error().code == (expected), qPrintable(ui::errorText((result).error())))
 
 void PacsFaultsTest::initTestCase()
 {

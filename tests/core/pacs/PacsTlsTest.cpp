@@ -5,6 +5,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/PacsServers.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/VerifyResult.h"
 #include "ui/ErrorText.h"
 
 #include <QDir>
@@ -45,9 +46,6 @@ private:
     test::TlsFiles m_files;
     std::unique_ptr<test::PacsServer> m_server;
 };
-
-#define VERIFY_DONE(result)                                                                        \
-    QVERIFY2((result).has_value(), (result) ? "" : qPrintable(ui::errorText((result).error())))
 
 void PacsTlsTest::initTestCase()
 {
