@@ -6,7 +6,9 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace test {
 
@@ -22,6 +24,12 @@ namespace test {
 /// A folder, new for every test function, for volumes that are written byte by byte.
 class VolumeFiles {
 protected:
+    /// @param name of the file that openBytes() writes
+    explicit VolumeFiles(const char* name = "test")
+        : m_name(QLatin1String(name))
+    {
+    }
+
     void makeFolder() { m_folder = std::make_unique<QTemporaryDir>(); }
     /// @return its path
     QString put(const QString& name, const QByteArray& bytes)
@@ -35,7 +43,30 @@ protected:
     {
         return core::loadVolume(put(name, bytes));
     }
+    core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
+    {
+        return opened(m_name, bytes);
+    }
 
+    // What every reader of such files has to do; each compares as a test function does.
+
+    /// Cut voxel files apart, one for each name, after @p before each. @p pack them, where given.
+    void putVoxels(const QByteArray& voxels, const QStringList& names, const QByteArray& before,
+        const std::function<QByteArray(const QByteArray&)>& pack = {});
+    /// The voxels of test::nrrd, raised by @p shift, on this grid.
+    static void compareVoxels(const core::Result<core::LoadedVolume>& loaded,
+        const glm::dmat4& indexToWorld, int shift = 0);
+    /// Refused by that code; the sentence names the file and @p reason.
+    void compareRefusal(const QByteArray& bytes, core::ErrorCode code, const QString& reason);
+    /// Every beginning of a sound file is refused, by name and with a reason.
+    void compareEveryCut(const QByteArray& sound);
+    /// Files with some bytes changed, left out or doubled: opened or refused, by a sentence.
+    void compareRandomBytes(const std::vector<QByteArray>& kinds, unsigned int seed, int rounds);
+    /// A mask is checked against the file: it no longer passes when that has @p moved, and passes
+    /// without it where a session holds the images.
+    void compareMasks(const QByteArray& sound, const QByteArray& moved);
+
+    QString m_name;
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 

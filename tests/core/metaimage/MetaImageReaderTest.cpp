@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/StagedFile.h"
-#include "core/export/ExportMask.h"
-#include "core/session/SessionImages.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/VolumeFiles.h"
 
-#include <QDir>
-#include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
-
-#include <memory>
-#include <random>
 
 // The voxels are those of the NRRD tests; the headers share nothing.
 using test::sameAffine;
@@ -48,6 +39,12 @@ glm::dmat4 soundAffine()
 class MetaImageReaderTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
 
+public:
+    MetaImageReaderTest()
+        : VolumeFiles("test.mha")
+    {
+    }
+
 private Q_SLOTS:
     void init() { makeFolder(); }
 
@@ -62,12 +59,6 @@ private Q_SLOTS:
     void everyCutIsSurvived();
     void randomBytesAreSurvived();
     void masksAreCheckedAgainstTheFile();
-
-private:
-    core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
-    {
-        return opened(QStringLiteral("test.mha"), bytes);
-    }
 };
 
 void MetaImageReaderTest::typesOrdersAndEncodings_data()
@@ -109,16 +100,10 @@ void MetaImageReaderTest::typesOrdersAndEncodings()
     QFETCH(QByteArray, fields);
     QFETCH(QByteArray, data);
     QFETCH(int, shift);
-    const core::Result<core::LoadedVolume> loaded =
-        openBytes(start + place + fields + "ElementDataFile = LOCAL\n" + data);
-    QVERIFY2(loaded, qPrintable(loaded ? QString() : test::errorText(loaded.error())));
-    QCOMPARE(loaded->volume.geometry.size, test::nrrd::size);
-    QVERIFY(sameAffine(loaded->volume.geometry.indexToWorld, soundAffine()));
-    QVERIFY(loaded->volume.problems.empty());
-    QCOMPARE(loaded->volume.sourceFormat, QStringLiteral("MetaImage"));
-    for (int voxel = 0; voxel < voxels; ++voxel)
-        QCOMPARE(loaded->volume.encoding.value(loaded->codes[std::size_t(voxel)]),
-            double(valueOf(voxel) + shift));
+    const auto loaded = openBytes(start + place + fields + "ElementDataFile = LOCAL\n" + data);
+    compareVoxels(loaded, soundAffine(), shift);
+    if (loaded)
+        QCOMPARE(loaded->volume.sourceFormat, QStringLiteral("MetaImage"));
 }
 
 void MetaImageReaderTest::placeAndItsNames()
@@ -199,12 +184,10 @@ void MetaImageReaderTest::voxelsInOtherFiles()
     QFETCH(QByteArray, fields);
     QFETCH(QStringList, names);
     QFETCH(QByteArray, before);
-    const QByteArray data = storedAs<std::int16_t>(false);
-    const qsizetype share = data.size() / names.size();
-    for (qsizetype part = 0; part < names.size(); ++part) {
-        const QByteArray bytes = before + data.mid(part * share, share);
-        put(names[part], fields.contains("Compressed") ? gzipped(bytes, MAX_WBITS) : bytes);
-    }
+    const bool packed = fields.contains("Compressed");
+    putVoxels(storedAs<std::int16_t>(false), names, before,
+        packed ? [](const QByteArray& bytes) { return gzipped(bytes, MAX_WBITS); }
+               : std::function<QByteArray(const QByteArray&)>());
     const QString header =
         put(QStringLiteral("head.mhd"), start + place + "ElementType = MET_SHORT\n" + fields);
     for (const QString& path : {header, m_folder->path()}) {
@@ -212,11 +195,7 @@ void MetaImageReaderTest::voxelsInOtherFiles()
         QVERIFY2(study, qPrintable(study ? QString() : test::errorText(study.error())));
         QVERIFY(study->listing().unreadable.empty());
         const core::Result<core::LoadedVolume> loaded = study->load();
-        QVERIFY2(loaded, qPrintable(loaded ? QString() : test::errorText(loaded.error())));
-        QVERIFY(sameAffine(loaded->volume.geometry.indexToWorld, soundAffine()));
-        for (int voxel = 0; voxel < voxels; ++voxel)
-            QCOMPARE(loaded->volume.encoding.value(loaded->codes[std::size_t(voxel)]),
-                double(valueOf(voxel)));
+        compareVoxels(loaded, soundAffine());
     }
 }
 
@@ -279,82 +258,27 @@ void MetaImageReaderTest::damagedFilesAreNamed()
     QFETCH(QByteArray, bytes);
     QFETCH(core::ErrorCode, code);
     QFETCH(QString, reason);
-    const core::Result<core::LoadedVolume> loaded = openBytes(bytes);
-    QVERIFY(!loaded);
-    QVERIFY2(loaded.error().code == code, qPrintable(test::errorText(loaded.error())));
-    QVERIFY(loaded.error().arguments.value(0).endsWith(QStringLiteral("test.mha")));
-    QVERIFY2(loaded.error().arguments.value(1).contains(reason),
-        qPrintable(test::errorText(loaded.error())));
+    compareRefusal(bytes, code, reason);
 }
 
 void MetaImageReaderTest::everyCutIsSurvived()
 {
-    const QByteArray sound = soundFile();
-    for (qsizetype length = 0; length < sound.size(); ++length) {
-        const core::Result<core::LoadedVolume> loaded = openBytes(sound.left(length));
-        QVERIFY2(!loaded, qPrintable(QString::number(length)));
-        QVERIFY(loaded.error().arguments.value(0).endsWith(QStringLiteral("test.mha")));
-        QVERIFY(!loaded.error().arguments.value(1).isEmpty());
-    }
-    QVERIFY(openBytes(sound));
+    compareEveryCut(soundFile());
 }
 
 void MetaImageReaderTest::randomBytesAreSurvived()
 {
     const QByteArray head = start + place + "ElementType = MET_SHORT\n";
     put(QStringLiteral("s08.raw"), QByteArray(40, '1'));
-    const std::array kinds{soundFile(), head + "ElementDataFile = s%02d.raw 8 12 2\n",
-        head + "CompressedData = True\nElementDataFile = LOCAL\n"
-            + gzipped(storedAs<std::int16_t>(false), MAX_WBITS)};
-    std::mt19937 random(11);
-    const int rounds = test::longRun() ? 20000 : 1500;
-    int opened = 0;
-    for (int round = 0; round < rounds; ++round) {
-        QByteArray bytes = kinds[std::size_t(round) % kinds.size()];
-        const int changes = 1 + int(random() % 3);
-        for (int change = 0; change < changes; ++change) {
-            const auto at = qsizetype(random() % std::size_t(bytes.size()));
-            if (random() % 4 == 0)
-                bytes.remove(at, qsizetype(random() % 8));
-            else
-                bytes[at] = char(random() % 2 == 0 ? '0' + random() % 10 : random());
-            if (bytes.isEmpty())
-                bytes = "N";
-        }
-        const core::Result<core::LoadedVolume> loaded = openBytes(bytes);
-        opened += loaded ? 1 : 0;
-        QVERIFY(loaded || !loaded.error().arguments.value(0).isEmpty());
-    }
-    QVERIFY(opened > 0 && opened < rounds);
+    compareRandomBytes({soundFile(), head + "ElementDataFile = s%02d.raw 8 12 2\n",
+                           head + "CompressedData = True\nElementDataFile = LOCAL\n"
+                               + gzipped(storedAs<std::int16_t>(false), MAX_WBITS)},
+        11, test::longRun() ? 20000 : 1500);
 }
 
 void MetaImageReaderTest::masksAreCheckedAgainstTheFile()
 {
-    const QString source = put(QStringLiteral("head.mha"), soundFile());
-    const core::LoadedVolume loaded = test::openVolume(source);
-    const std::vector<std::uint8_t> labels(std::size_t(voxels), 1);
-    core::Segment segment;
-    segment.label = 1;
-    segment.name = QStringLiteral("All");
-    core::ExportRequest request{.format = core::ExportFormat::Nifti,
-        .file = m_folder->filePath(QStringLiteral("mask.nii")),
-        .force = true,
-        .segments = {segment},
-        .planes = {{.plane = 0, .labels = labels}}};
-    const auto report = core::exportMask(loaded.volume, request, {});
-    QVERIFY2(report, qPrintable(report ? QString() : test::errorText(report.error())));
-
-    const QString session = m_folder->filePath(QStringLiteral("head.burin"));
-    core::Result<core::StagedFile> staged = core::stageImages(session, true, loaded);
-    QVERIFY(staged && staged->commit());
-    put(QStringLiteral("head.mha"), soundFile().replace("-12 34", "-11 34"));
-    const auto moved = core::exportMask(loaded.volume, request, {});
-    QVERIFY(!moved);
-    QCOMPARE(moved.error().code, core::ErrorCode::ExportMismatch);
-    const core::Result<core::LoadedVolume> kept = core::loadSessionImages(session);
-    QVERIFY(kept);
-    const auto without = core::exportMask(kept->volume, request, {});
-    QVERIFY2(without, qPrintable(without ? QString() : test::errorText(without.error())));
+    compareMasks(soundFile(), soundFile().replace("-12 34", "-11 34"));
 }
 
 QTEST_GUILESS_MAIN(MetaImageReaderTest)

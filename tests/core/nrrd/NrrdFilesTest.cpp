@@ -6,19 +6,19 @@
 #include "tests/support/VolumeFiles.h"
 
 #include <QDir>
-#include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include <memory>
-#include <random>
-
 using namespace test::nrrd;
-using test::sameAffine;
 
 /// NRRD files that are in pieces, damaged or meant to do harm.
 class NrrdFilesTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
+
+public:
+    NrrdFilesTest()
+        : VolumeFiles("test.nrrd")
+    {
+    }
 
 private Q_SLOTS:
     void init() { makeFolder(); }
@@ -31,12 +31,6 @@ private Q_SLOTS:
     void packedFilesAreRead();
     void everyCutIsSurvived();
     void randomBytesAreSurvived();
-
-private:
-    core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
-    {
-        return opened(QStringLiteral("test.nrrd"), bytes);
-    }
 };
 
 void NrrdFilesTest::voxelsInOtherFiles_data()
@@ -81,20 +75,13 @@ void NrrdFilesTest::voxelsInOtherFiles()
     QFETCH(QStringList, names);
     QFETCH(QByteArray, before);
     QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("deep")));
-    const QByteArray data = storedAs<std::int16_t>(false);
-    const qsizetype share = data.size() / names.size();
-    for (qsizetype part = 0; part < names.size(); ++part) {
-        const QByteArray bytes = before + data.mid(part * share, share);
-        put(names[part], fields.contains("gzip") ? gzipped(bytes) : bytes);
-    }
-    const core::Result<core::LoadedVolume> loaded =
-        core::loadVolume(put(QStringLiteral("head.nhdr"), start + shape + place + fields));
-    QVERIFY2(loaded, qPrintable(loaded ? QString() : test::errorText(loaded.error())));
-    QVERIFY(sameAffine(loaded->volume.geometry.indexToWorld, soundAffine()));
-    QVERIFY(loaded->volume.problems.empty());
-    for (int voxel = 0; voxel < voxels; ++voxel)
-        QCOMPARE(loaded->volume.encoding.value(loaded->codes[std::size_t(voxel)]),
-            double(valueOf(voxel)));
+    const bool packed = fields.contains("gzip");
+    putVoxels(storedAs<std::int16_t>(false), names, before,
+        packed ? [](const QByteArray& bytes) { return gzipped(bytes); }
+               : std::function<QByteArray(const QByteArray&)>());
+    compareVoxels(
+        core::loadVolume(put(QStringLiteral("head.nhdr"), start + shape + place + fields)),
+        soundAffine());
 }
 
 void NrrdFilesTest::voxelFilesAreNoStrangers()
@@ -210,14 +197,9 @@ void NrrdFilesTest::damagedFilesAreNamed()
     QFETCH(QByteArray, bytes);
     QFETCH(core::ErrorCode, code);
     QFETCH(QString, reason);
-    const core::Result<core::LoadedVolume> loaded = openBytes(bytes);
-    if (code == core::ErrorCode::Internal)
-        return; // only that it comes back counts
-    QVERIFY(!loaded);
-    QVERIFY2(loaded.error().code == code, qPrintable(test::errorText(loaded.error())));
-    QVERIFY(loaded.error().arguments.value(0).endsWith(QStringLiteral("test.nrrd")));
-    QVERIFY2(loaded.error().arguments.value(1).contains(reason),
-        qPrintable(test::errorText(loaded.error())));
+    if (code != core::ErrorCode::Internal)
+        return compareRefusal(bytes, code, reason);
+    (void)openBytes(bytes); // only that it comes back counts
 }
 
 void NrrdFilesTest::packedFilesAreRead()
@@ -246,14 +228,7 @@ void NrrdFilesTest::packedFilesAreRead()
 
 void NrrdFilesTest::everyCutIsSurvived()
 {
-    const QByteArray sound = soundFile();
-    for (qsizetype length = 0; length < sound.size(); ++length) {
-        const core::Result<core::LoadedVolume> loaded = openBytes(sound.left(length));
-        QVERIFY2(!loaded, qPrintable(QString::number(length)));
-        QVERIFY(loaded.error().arguments.value(0).endsWith(QStringLiteral("test.nrrd")));
-        QVERIFY(!loaded.error().arguments.value(1).isEmpty());
-    }
-    QVERIFY(openBytes(sound));
+    compareEveryCut(soundFile());
 }
 
 void NrrdFilesTest::randomBytesAreSurvived()
@@ -265,33 +240,7 @@ void NrrdFilesTest::randomBytesAreSurvived()
         start + shape + place + "encoding: text\n\n" + QByteArray("1 2 3 4 5\n").repeated(12);
     const QByteArray packed =
         start + shape + place + "encoding: gzip\n\n" + gzipped(storedAs<std::int16_t>(false));
-    std::mt19937 random(7);
-    const int rounds = test::longRun() ? 20000 : 1500;
-    int opened = 0;
-    for (int round = 0; round < rounds; ++round) {
-        const std::array kinds{soundFile(), detached, text, packed};
-        QByteArray bytes = kinds[std::size_t(round) % kinds.size()];
-        const int changes = 1 + int(random() % 3);
-        for (int change = 0; change < changes; ++change) {
-            const auto at = qsizetype(random() % std::size_t(bytes.size()));
-            switch (random() % 4) {
-            case 0:
-                bytes.remove(at, qsizetype(random() % 8));
-                break;
-            case 1:
-                bytes.insert(at, bytes.mid(qsizetype(random() % std::size_t(bytes.size())), 9));
-                break;
-            default:
-                bytes[at] = char(random() % 2 == 0 ? '0' + random() % 10 : random());
-            }
-            if (bytes.isEmpty())
-                bytes = "N";
-        }
-        const core::Result<core::LoadedVolume> loaded = openBytes(bytes);
-        opened += loaded ? 1 : 0;
-        QVERIFY(loaded || !loaded.error().arguments.value(0).isEmpty());
-    }
-    QVERIFY(opened > 0 && opened < rounds);
+    compareRandomBytes({soundFile(), detached, text, packed}, 7, test::longRun() ? 20000 : 1500);
 }
 
 QTEST_GUILESS_MAIN(NrrdFilesTest)

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/StagedFile.h"
-#include "core/export/ExportMask.h"
-#include "core/session/SessionImages.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/Affine.h"
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/VolumeFiles.h"
 
 #include <QCryptographicHash>
-#include <QFile>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
-#include <memory>
 
 using namespace test::nrrd;
 using test::sameAffine;
@@ -39,6 +32,12 @@ template <class T> QByteArray hashAs(const core::LoadedVolume& loaded)
 class NrrdReaderTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
 
+public:
+    NrrdReaderTest()
+        : VolumeFiles("test.nrrd")
+    {
+    }
+
 private Q_SLOTS:
     void init() { makeFolder(); }
 
@@ -53,12 +52,6 @@ private Q_SLOTS:
     void fourthAxes_data();
     void fourthAxes();
     void masksAreCheckedAgainstTheFile();
-
-private:
-    core::Result<core::LoadedVolume> openBytes(const QByteArray& bytes)
-    {
-        return opened(QStringLiteral("test.nrrd"), bytes);
-    }
 };
 
 void NrrdReaderTest::sharedVolumesMatch_data()
@@ -156,16 +149,10 @@ void NrrdReaderTest::typesOrdersAndEncodings()
     QFETCH(QByteArray, header);
     QFETCH(QByteArray, data);
     QFETCH(int, shift);
-    const core::Result<core::LoadedVolume> loaded = openBytes(start + header + place + '\n' + data);
-    QVERIFY2(loaded, qPrintable(loaded ? QString() : test::errorText(loaded.error())));
-    QCOMPARE(loaded->volume.geometry.size, size);
-    QVERIFY(sameAffine(loaded->volume.geometry.indexToWorld, soundAffine()));
-    QVERIFY(!loaded->volume.needsCaution());
-    QVERIFY(loaded->volume.problems.empty());
-    QCOMPARE(loaded->volume.sourceFormat, QStringLiteral("NRRD"));
-    for (int voxel = 0; voxel < voxels; ++voxel)
-        QCOMPARE(loaded->volume.encoding.value(loaded->codes[std::size_t(voxel)]),
-            double(valueOf(voxel) + shift));
+    const auto loaded = openBytes(start + header + place + '\n' + data);
+    compareVoxels(loaded, soundAffine(), shift);
+    if (loaded)
+        QCOMPARE(loaded->volume.sourceFormat, QStringLiteral("NRRD"));
 }
 
 void NrrdReaderTest::spacesBecomeLps_data()
@@ -301,38 +288,7 @@ void NrrdReaderTest::fourthAxes()
 
 void NrrdReaderTest::masksAreCheckedAgainstTheFile()
 {
-    const QString source = put(QStringLiteral("head.nrrd"), soundFile());
-    const core::LoadedVolume loaded = test::openVolume(source);
-    const std::vector<std::uint8_t> labels(std::size_t(voxels), 1);
-    core::Segment segment;
-    segment.label = 1;
-    segment.name = QStringLiteral("All");
-    core::ExportRequest request{.format = core::ExportFormat::Nifti,
-        .file = m_folder->filePath(QStringLiteral("mask.nii")),
-        .force = true,
-        .segments = {segment},
-        .planes = {{.plane = 0, .labels = labels}}};
-    const auto report = core::exportMask(loaded.volume, request, {});
-    QVERIFY2(report, qPrintable(report ? QString() : test::errorText(report.error())));
-    const core::LoadedVolume mask = test::openVolume(request.file);
-    QVERIFY(test::cornerDistance(mask.volume.geometry.indexToWorld, loaded.volume.geometry) < 1e-3);
-
-    put(QStringLiteral("head.nrrd"), soundFile().replace("(-12,", "(-11,"));
-    const auto moved = core::exportMask(loaded.volume, request, {});
-    QVERIFY(!moved);
-    QCOMPARE(moved.error().code, core::ErrorCode::ExportMismatch);
-
-    // A session that holds the images holds the header too.
-    put(QStringLiteral("head.nrrd"), soundFile());
-    const QString session = m_folder->filePath(QStringLiteral("head.burin"));
-    core::Result<core::StagedFile> staged = core::stageImages(session, true, loaded);
-    QVERIFY(staged && staged->commit());
-    QVERIFY(QFile::remove(source));
-    QVERIFY(!core::exportMask(loaded.volume, request, {}));
-    const core::Result<core::LoadedVolume> kept = core::loadSessionImages(session);
-    QVERIFY(kept);
-    const auto without = core::exportMask(kept->volume, request, {});
-    QVERIFY2(without, qPrintable(without ? QString() : test::errorText(without.error())));
+    compareMasks(soundFile(), soundFile().replace("(-12,", "(-11,"));
 }
 
 QTEST_GUILESS_MAIN(NrrdReaderTest)
