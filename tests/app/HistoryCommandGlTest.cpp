@@ -109,13 +109,7 @@ private Q_SLOTS:
         const Outcome first =
             run(recipe("r.json", {{key("edits"), toJson(test::manyEdits())}}), "a.burin");
         QCOMPARE(first.status, 0);
-        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
-        QCOMPARE(written.status, 0);
-        QFile file(path("again.json"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(written.output);
-        file.close();
-        const Outcome again = run(file.fileName(), "b.burin");
+        const Outcome again = run(recipeOf("a.burin", "again.json"), "b.burin");
         QVERIFY2(again.status == 0, qPrintable(again.complaint));
         QCOMPARE(lastHash(again), lastHash(first));
     }

@@ -102,9 +102,7 @@ private Q_SLOTS:
         QCOMPARE(other.status, 2);
 
         // A recipe knows it, too.
-        const Outcome written = burin({key("history"), path("s.burin"), key("--as-recipe")});
-        const QString again =
-            recipe("again.json", QJsonDocument::fromJson(written.output).object());
+        const QString again = recipeOf("s.burin", "again.json");
         const Outcome second = burin(
             {key("run"), again, key("--study"), path("ct"), key("--session"), path("again.burin")});
         QVERIFY2(second.status == 0, qPrintable(second.complaint));

@@ -30,8 +30,7 @@ private Q_SLOTS:
         QCOMPARE(
             run(recipe("r.json", {{key("edits"), toJson(test::manyEdits())}}), "a.burin").status,
             0);
-        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
-        const QString file = recipe("again.json", QJsonDocument::fromJson(written.output).object());
+        const QString file = recipeOf("a.burin", "again.json");
         LoadedVolume other = test::smallStudy();
         other.codes[0] += 1;
         const QString study = otherStudy("other.nii.gz", other);
@@ -61,8 +60,7 @@ private Q_SLOTS:
             ChangePiece{.piece = 1, .offsetMm = glm::dvec3(9.0, 0.0, 0.0)},
             PastePiece{.segment = 1, .name = key("Q")}, RemovePiece{.piece = 2}};
         QCOMPARE(run(recipe("r.json", {{key("edits"), toJson(edits)}}), "a.burin").status, 0);
-        const Outcome written = burin({key("history"), path("a.burin"), key("--as-recipe")});
-        const QString file = recipe("again.json", QJsonDocument::fromJson(written.output).object());
+        const QString file = recipeOf("a.burin", "again.json");
         LoadedVolume other = test::smallStudy();
         other.codes[0] += 1;
         const QString study = otherStudy("other2.nii.gz", other);

@@ -70,9 +70,7 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(path(qPrintable(file))));
         const Outcome replayed = burin({key("replay"), path("b.burin"), key("--verify")});
         QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
-        const Outcome written = burin({key("history"), path("b.burin"), key("--as-recipe")});
-        const QString again =
-            recipe("again.json", QJsonDocument::fromJson(written.output).object());
+        const QString again = recipeOf("b.burin", "again.json");
         QVERIFY2(run(again, "c.burin").status == 0, written.output.constData());
         QCOMPARE(history("c.burin")[key("commands")].toArray().last().toObject()[key("hash")],
             history("b.burin")[key("commands")].toArray().last().toObject()[key("hash")]);

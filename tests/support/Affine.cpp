@@ -28,4 +28,12 @@ double cornerDistance(const glm::dmat4& indexToWorld, const core::VolumeGeometry
     return worst;
 }
 
+glm::dvec3 placeOf(const core::VolumeGeometry& geometry, const glm::ivec3& voxel)
+{
+    if (geometry.slicePositions.empty())
+        return geometry.toWorld(glm::dvec3(voxel));
+    return geometry.slicePositions[std::size_t(voxel.z)]
+        + glm::dmat3(geometry.indexToWorld) * glm::dvec3(voxel.x, voxel.y, 0.0);
+}
+
 } // namespace test

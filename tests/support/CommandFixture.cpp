@@ -76,6 +76,13 @@ Outcome CommandFixture::run(
         + more);
 }
 
+QString CommandFixture::recipeOf(const char* session, const char* name) const
+{
+    const Outcome written =
+        burin({QStringLiteral("history"), path(session), QStringLiteral("--as-recipe")});
+    return recipe(name, QJsonDocument::fromJson(written.output).object());
+}
+
 QJsonObject CommandFixture::history(const char* session) const
 {
     const Outcome outcome =

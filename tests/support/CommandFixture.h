@@ -38,6 +38,8 @@ protected:
     [[nodiscard]] QString recipe(const char* name, const QJsonObject& content) const;
     [[nodiscard]] Outcome run(
         const QString& recipeFile, const char* session, const QStringList& more = {}) const;
+    /// What a session did, as a recipe under that name. @return its path
+    [[nodiscard]] QString recipeOf(const char* session, const char* name) const;
     /// `burin history --json`
     [[nodiscard]] QJsonObject history(const char* session) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CheckExport.h"
+#include "tests/support/AlterDicom.h"
 #include "tests/support/SmallSeries.h"
 
 #include <QDir>
@@ -47,16 +48,6 @@ private:
 namespace {
 
 using Alter = std::function<void(DcmDataset&)>;
-
-void alter(const QString& file, const Alter& change)
-{
-    DcmFileFormat format;
-    const QByteArray name = QFile::encodeName(file);
-    QVERIFY(format.loadFile(name.constData()).good());
-    QVERIFY(format.getDataset()->loadAllDataIntoMemory().good());
-    change(*format.getDataset());
-    QVERIFY(format.saveFile(name.constData(), EXS_LittleEndianExplicit).good());
-}
 
 /// The item with a macro's attribute for a frame of a SEG.
 DcmItem& macro(DcmDataset& dataset, const DcmTagKey& sequence, long frame)
@@ -327,9 +318,9 @@ void ExportFaultsTest::faultInTheSegIsCaught()
     const QString file = folder.filePath(QStringLiteral("seg.dcm"));
     QVERIFY(core::exportMask(volume, requestFor(core::ExportFormat::DicomSeg, file), {}));
     // The way through DCMTK and back alone is no fault.
-    alter(file, [](DcmDataset&) {});
+    test::alterDicom(file, [](DcmDataset&) {});
     QVERIFY(core::checkSegExport(file, expectationOf(volume), {}));
-    alter(file, change);
+    test::alterDicom(file, change);
     const auto checked = core::checkSegExport(file, expectationOf(volume), {});
     QVERIFY(!checked);
     QCOMPARE(checked.error().code, core::ErrorCode::ExportMismatch);
@@ -390,7 +381,7 @@ void ExportFaultsTest::faultInTheSourceIsCaught()
         QVERIFY(QFile::remove(file));
         for (std::size_t k = 0; k < volume.sources.size(); ++k) {
             if (everywhere || k == 2)
-                alter(volume.sources[k].file, change);
+                test::alterDicom(volume.sources[k].file, change);
         }
         const auto report = core::exportMask(volume, requestFor(format, file), {});
         QVERIFY(!report);

@@ -3,10 +3,9 @@
 #include "core/export/ExportMask.h"
 #include "core/nifti/NiftiWriter.h"
 #include "tests/support/Affine.h"
+#include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -51,7 +50,7 @@ class ExportNiftiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void nibabelSeesTheSame_data();
+    void nibabelSeesTheSame_data() { test::addPlacementRows(false); }
     void nibabelSeesTheSame();
     void aMaskOnANiftiVolume();
     void unevenSlices();
@@ -60,51 +59,30 @@ private Q_SLOTS:
     void choices();
 };
 
-void ExportNiftiTest::nibabelSeesTheSame_data()
-{
-    QTest::addColumn<glm::dmat3>("directions");
-    QTest::addColumn<glm::dvec3>("shear");
-    QTest::newRow("supine") << glm::dmat3(1.0) << glm::dvec3(0);
-    QTest::newRow("prone") << glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1) << glm::dvec3(0);
-    QTest::newRow("sagittal") << glm::dmat3(0, 1, 0, 0, 0, -1, -1, 0, 0) << glm::dvec3(0);
-    QTest::newRow("oblique") << glm::dmat3(
-        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))))
-                             << glm::dvec3(0);
-    QTest::newRow("tilted") << glm::dmat3(1.0) << glm::dvec3(0, 0.8, 0);
-}
-
 void ExportNiftiTest::nibabelSeesTheSame()
 {
-    QFETCH(glm::dmat3, directions);
-    QFETCH(glm::dvec3, shear);
-    QTemporaryDir folder;
-    test::SmallSeries series;
-    series.size = {11, 7, 6};
-    series.rowDirection = directions[0];
-    series.columnDirection = directions[1];
-    series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
-    const core::Volume volume = series.write(folder.filePath(QStringLiteral("images")));
-    const auto labels = randomLabels(series.size, 3);
-    const std::vector<core::LabelPlaneView> views{{.plane = 0, .labels = labels}};
-    const QString file = folder.filePath(QStringLiteral("mask.nii.gz"));
-    const auto report = core::exportMask(volume,
+    QFETCH(QString, placement);
+    const test::SeriesPlacement lies = test::placementOf(placement);
+    const test::LabelledSeries on(lies.series, randomLabels(lies.series.size, 3));
+    const QString file = on.folder.filePath(QStringLiteral("mask.nii.gz"));
+    const auto report = core::exportMask(on.volume,
         {.format = core::ExportFormat::Nifti,
             .file = file,
             .segments = {segmentOf(1), segmentOf(3)},
-            .planes = views},
+            .planes = on.planes},
         {});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
 
     const auto read = test::runScript(QStringLiteral("nifti_facts.py"), {file});
     QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
     const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
-    QVERIFY(test::cornerDistance(test::matrixFrom(facts["sform"]), volume.geometry) < 1e-3);
-    const bool tilted = glm::length(shear) > 0.0;
-    QCOMPARE(facts["qform"].isNull(), tilted);
-    QCOMPARE(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("tilted")), tilted);
-    QByteArray expected(qsizetype(labels.size()), 0);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        expected[qsizetype(i)] = char(labels[i] == 1 || labels[i] == 3 ? labels[i] : 0);
+    QVERIFY(test::cornerDistance(test::matrixFrom(facts["sform"]), on.volume.geometry) < 1e-3);
+    QCOMPARE(facts["qform"].isNull(), lies.tilted);
+    QCOMPARE(
+        report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("tilted")), lies.tilted);
+    QByteArray expected(qsizetype(on.labels.size()), 0);
+    for (std::size_t i = 0; i < on.labels.size(); ++i)
+        expected[qsizetype(i)] = char(on.labels[i] == 1 || on.labels[i] == 3 ? on.labels[i] : 0);
     QCOMPARE(facts["sha256"].toString().toLatin1(),
         QCryptographicHash::hash(expected, QCryptographicHash::Sha256).toHex());
     QCOMPARE(facts["intent"].toInt(), 1002);

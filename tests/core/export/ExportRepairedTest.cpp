@@ -5,6 +5,7 @@
 #include "core/export/ExportMask.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
+#include "tests/support/Affine.h"
 #include "tests/support/DefectiveSeries.h"
 #include "tests/support/OpenedVolume.h"
 
@@ -29,14 +30,6 @@ const CodedConcept skull{.scheme = QStringLiteral("SCT"),
 
 using Solid = std::function<bool(const glm::dvec3& lps)>;
 
-glm::dvec3 placeOf(const VolumeGeometry& geometry, const glm::ivec3& voxel)
-{
-    if (geometry.slicePositions.empty())
-        return geometry.toWorld(glm::dvec3(voxel));
-    return geometry.slicePositions[std::size_t(voxel.z)]
-        + glm::dmat3(geometry.indexToWorld) * glm::dvec3(voxel.x, voxel.y, 0.0);
-}
-
 /// The voxels whose centres lie in a solid.
 std::vector<std::uint8_t> carved(const VolumeGeometry& geometry, const Solid& solid)
 {
@@ -44,7 +37,7 @@ std::vector<std::uint8_t> carved(const VolumeGeometry& geometry, const Solid& so
     for (int z = 0; z < geometry.size.z; ++z) {
         for (int y = 0; y < geometry.size.y; ++y) {
             for (int x = 0; x < geometry.size.x; ++x)
-                labels.push_back(solid(placeOf(geometry, {x, y, z})) ? 1 : 0);
+                labels.push_back(solid(test::placeOf(geometry, {x, y, z})) ? 1 : 0);
         }
     }
     return labels;

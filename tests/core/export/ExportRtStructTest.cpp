@@ -2,19 +2,16 @@
 #include "core/dicom/KeptHeaders.h"
 #include "core/dicom/RtStructFile.h"
 #include "core/export/CheckExport.h"
+#include "tests/support/AlterDicom.h"
 #include "tests/support/FileSizeLimit.h"
+#include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <dcmtk/config/osconfig.h>
@@ -48,34 +45,20 @@ std::vector<std::uint8_t> randomLabels(const glm::ivec3& size)
     return labels;
 }
 
-QString sha256Of(const std::vector<std::uint8_t>& labels, int label)
-{
-    QByteArray mask(qsizetype(labels.size()), 0);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        mask[qsizetype(i)] = char(labels[i] == label);
-    return QString::fromLatin1(QCryptographicHash::hash(mask, QCryptographicHash::Sha256).toHex());
-}
-
 QString messageOf(const core::Error& error)
 {
     return error.arguments.join(QStringLiteral(" | "));
 }
 
-test::SmallSeries smallSeries()
+test::SmallSeries axialSeries()
 {
-    test::SmallSeries series;
-    series.size = {11, 7, 6};
-    series.placeEvenly({-40.25, -31.5, 812.125}, {0, 0, 2.5});
-    return series;
+    return test::placementOf(QStringLiteral("axial")).series;
 }
 
-/// A series on disk, labels on its grid, and room beside it for what is exported.
-struct Fixture {
-    using Write = core::Volume (test::SmallSeries::*)(const QString& folder) const;
+struct Fixture : test::LabelledSeries {
     explicit Fixture(
-        const test::SmallSeries& series = smallSeries(), Write write = &test::SmallSeries::write)
-        : volume((series.*write)(images))
-        , labels(randomLabels(series.size))
+        const test::SmallSeries& series = axialSeries(), Write write = &test::SmallSeries::write)
+        : LabelledSeries(series, randomLabels(series.size), write)
     {
     }
     [[nodiscard]] core::Result<core::ExportReport> exported(
@@ -96,29 +79,8 @@ struct Fixture {
             qWarning("%s", qPrintable(read.errors));
         return QJsonDocument::fromJson(read.output).object();
     }
-    /// Files beside the series, hidden ones too.
-    [[nodiscard]] qsizetype fileCount() const
-    {
-        return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size();
-    }
-
-    QTemporaryDir folder;
-    QString images = folder.filePath(QStringLiteral("images"));
     QString file = folder.filePath(QStringLiteral("contours.dcm"));
-    core::Volume volume;
-    std::vector<std::uint8_t> labels;
-    std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
 };
-
-void alter(const QString& file, const Alter& change)
-{
-    DcmFileFormat format;
-    const QByteArray name = QFile::encodeName(file);
-    QVERIFY(format.loadFile(name.constData()).good());
-    QVERIFY(format.getDataset()->loadAllDataIntoMemory().good());
-    change(*format.getDataset());
-    QVERIFY(format.saveFile(name.constData(), EXS_LittleEndianImplicit).good());
-}
 
 DcmItem& itemIn(DcmItem& parent, const DcmTagKey& sequence, long index = 0)
 {
@@ -163,7 +125,7 @@ class ExportRtStructTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void othersSeeTheSame_data();
+    void othersSeeTheSame_data() { test::addPlacementRows(); }
     void othersSeeTheSame();
     void framesOfOneFile();
     void headersKeptInASessionWillDo();
@@ -186,44 +148,10 @@ void ExportRtStructTest::validate(const QString& file)
     QVERIFY2(result.exitCode == 0 && !result.output.contains("Error"), result.output.constData());
 }
 
-void ExportRtStructTest::othersSeeTheSame_data()
-{
-    QTest::addColumn<glm::ivec3>("size");
-    QTest::addColumn<glm::dmat3>("directions");
-    QTest::addColumn<glm::dvec3>("shear");
-    QTest::addColumn<bool>("even");
-
-    const glm::dmat3 supine(1.0);
-    QTest::newRow("axial") << glm::ivec3(23, 17, 5) << supine << glm::dvec3(0) << true;
-    QTest::newRow("one slice") << glm::ivec3(9, 8, 1) << supine << glm::dvec3(0) << true;
-    const glm::dmat3 prone(-1, 0, 0, 0, -1, 0, 0, 0, 1);
-    QTest::newRow("prone") << glm::ivec3(11, 7, 6) << prone << glm::dvec3(0) << true;
-    const glm::dmat3 flipped(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    QTest::newRow("flipped") << glm::ivec3(11, 7, 6) << flipped << glm::dvec3(0) << true;
-    const glm::dmat3 coronal(1, 0, 0, 0, 0, -1, 0, 1, 0);
-    QTest::newRow("coronal") << glm::ivec3(11, 7, 6) << coronal << glm::dvec3(0) << true;
-    const glm::dmat3 sagittal(0, 1, 0, 0, 0, -1, -1, 0, 0);
-    QTest::newRow("sagittal") << glm::ivec3(11, 7, 6) << sagittal << glm::dvec3(0) << true;
-    const glm::dmat3 oblique(
-        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))));
-    QTest::newRow("oblique") << glm::ivec3(11, 7, 6) << oblique << glm::dvec3(0) << true;
-    QTest::newRow("tilted") << glm::ivec3(11, 7, 6) << supine << glm::dvec3(0, 0.8, 0) << true;
-    QTest::newRow("uneven") << glm::ivec3(11, 7, 6) << supine << glm::dvec3(0) << false;
-}
-
 void ExportRtStructTest::othersSeeTheSame()
 {
-    QFETCH(glm::ivec3, size);
-    QFETCH(glm::dmat3, directions);
-    QFETCH(glm::dvec3, shear);
-    QFETCH(bool, even);
-    test::SmallSeries series;
-    series.size = size;
-    series.rowDirection = directions[0];
-    series.columnDirection = directions[1];
-    series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
-    if (!even)
-        series.positions.back() += 3.0 * directions[2];
+    QFETCH(QString, placement);
+    const test::SmallSeries series = test::placementOf(placement).series;
     const Fixture on(series);
     const auto report = on.exported({segmentOf(1), segmentOf(3, QStringLiteral("Leber"))});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
@@ -235,19 +163,19 @@ void ExportRtStructTest::othersSeeTheSame()
     const QJsonObject facts = on.facts();
     const QJsonArray rois = facts["rois"].toArray();
     QCOMPARE(rois.size(), 2);
-    QCOMPARE(rois[0]["sha256"].toString(), sha256Of(on.labels, 1));
-    QCOMPARE(rois[1]["sha256"].toString(), sha256Of(on.labels, 3));
+    QCOMPARE(rois[0]["sha256"].toString(), on.sha256Of(1));
+    QCOMPARE(rois[1]["sha256"].toString(), on.sha256Of(3));
     QCOMPARE(rois[0]["name"].toString(), QStringLiteral("Schädel"));
     QCOMPARE(rois[1]["name"].toString(), QStringLiteral("Leber"));
     QCOMPARE(rois[0]["color"].toArray(), (QJsonArray{0x33, 0x9a, 0x00}));
     QVERIFY(facts["offPlaneMm"].toDouble() < 1e-3);
-    QCOMPARE(facts["referenced"].toInt(), size.z);
+    QCOMPARE(facts["referenced"].toInt(), series.size.z);
     QCOMPARE(facts["frameOfReference"].toString(), on.volume.identity.frameOfReferenceUid);
 }
 
 void ExportRtStructTest::framesOfOneFile()
 {
-    const Fixture on(smallSeries(), &test::SmallSeries::writeMultiFrame);
+    const Fixture on(axialSeries(), &test::SmallSeries::writeMultiFrame);
     const auto report = on.exported({segmentOf(1)});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     validate(on.file);
@@ -299,14 +227,14 @@ void ExportRtStructTest::longContours()
     const auto report = on.exported({segmentOf(1)});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     const QJsonObject roi = on.facts()["rois"].toArray()[0].toObject();
-    QCOMPARE(roi["sha256"].toString(), sha256Of(on.labels, 1));
+    QCOMPARE(roi["sha256"].toString(), on.sha256Of(1));
     QVERIFY(roi["mostPoints"].toInt() > 10'000);
     validate(on.file);
 }
 
 void ExportRtStructTest::withoutFrameOfReference()
 {
-    test::SmallSeries series = smallSeries();
+    test::SmallSeries series = axialSeries();
     series.frameOfReference = false;
     const Fixture on(series);
     const auto report = on.exported({segmentOf(1)});
@@ -452,9 +380,9 @@ void ExportRtStructTest::faultInTheFileIsCaught()
     QVERIFY(on.exported(segments));
     const core::ExportExpectation expected{on.volume, segments, on.planes};
     // The way through DCMTK and back alone is no fault.
-    alter(on.file, [](DcmDataset&) {});
+    test::alterDicom(on.file, [](DcmDataset&) {});
     QVERIFY(core::checkRtStructExport(on.file, expected, {}));
-    alter(on.file, change);
+    test::alterDicom(on.file, change);
     const auto checked = core::checkRtStructExport(on.file, expected, {});
     QVERIFY(!checked);
     QCOMPARE(checked.error().code, core::ErrorCode::ExportMismatch);

@@ -3,19 +3,15 @@
 #include "core/dicom/SegReader.h"
 #include "core/export/ExportMask.h"
 #include "tests/support/FileSizeLimit.h"
+#include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <dcmtk/config/osconfig.h>
@@ -57,14 +53,6 @@ std::vector<std::uint8_t> randomLabels(const glm::ivec3& size, unsigned seed)
     return labels;
 }
 
-QString sha256Of(const std::vector<std::uint8_t>& labels, int label)
-{
-    QByteArray mask(qsizetype(labels.size()), 0);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        mask[qsizetype(i)] = char(labels[i] == label);
-    return QString::fromLatin1(QCryptographicHash::hash(mask, QCryptographicHash::Sha256).toHex());
-}
-
 QString messageOf(const core::Error& error)
 {
     return QString::number(int(error.code)) + QLatin1Char(' ')
@@ -78,16 +66,12 @@ test::SmallSeries evenSeries()
     return series;
 }
 
-/// A series on disk, labels on its grid, and room beside it for what is exported.
-struct LabelledSeries {
-    using Write = core::Volume (test::SmallSeries::*)(const QString& folder) const;
-    explicit LabelledSeries(
+struct Fixture : test::LabelledSeries {
+    explicit Fixture(
         const test::SmallSeries& series = evenSeries(), Write write = &test::SmallSeries::write)
-        : volume((series.*write)(images))
-        , labels(randomLabels(series.size, 1))
+        : LabelledSeries(series, randomLabels(series.size, 1), write)
     {
     }
-
     [[nodiscard]] core::ExportRequest request(
         const std::vector<core::Segment>& segments = {segmentOf(1, skull)}) const
     {
@@ -98,22 +82,12 @@ struct LabelledSeries {
     {
         return core::exportMask(volume, what, progress);
     }
-    /// Files beside the series, hidden ones too.
-    [[nodiscard]] qsizetype fileCount() const
-    {
-        return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size();
-    }
 
-    QTemporaryDir folder;
-    QString images = folder.filePath(QStringLiteral("images"));
     QString file = folder.filePath(QStringLiteral("seg.dcm"));
-    core::Volume volume;
-    std::vector<std::uint8_t> labels;
-    std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
 };
 
 /// What pydicom sees in a SEG and the images that it refers to.
-QJsonObject factsOf(const LabelledSeries& on)
+QJsonObject factsOf(const Fixture& on)
 {
     const auto read = test::runScript(QStringLiteral("seg_facts.py"), {on.file, on.images});
     if (read.exitCode != 0)
@@ -127,8 +101,10 @@ class ExportSegTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void othersSeeTheSame_data();
+    void othersSeeTheSame_data() { test::addPlacementRows(); }
     void othersSeeTheSame();
+    void bitsOfEveryWidth_data();
+    void bitsOfEveryWidth();
     void framesOfOneFile();
     void headersKeptInASessionWillDo_data();
     void headersKeptInASessionWillDo();
@@ -158,51 +134,19 @@ void ExportSegTest::validate(const QString& file)
     QVERIFY2(result.exitCode == 0 && !text.contains("Error"), text.constData());
 }
 
-void ExportSegTest::othersSeeTheSame_data()
-{
-    QTest::addColumn<glm::ivec3>("size");
-    QTest::addColumn<glm::dmat3>("directions");
-    QTest::addColumn<glm::dvec3>("shear");
-    QTest::addColumn<bool>("even");
-
-    const glm::dmat3 supine(1.0);
-    for (int columns = 8; columns < 16; ++columns)
-        QTest::addRow("rows x columns mod 8 = %d", 9 * columns % 8)
-            << glm::ivec3(columns, 9, 5) << supine << glm::dvec3(0) << true;
-    QTest::newRow("one slice") << glm::ivec3(5, 3, 1) << supine << glm::dvec3(0) << true;
-    const glm::dmat3 prone(-1, 0, 0, 0, -1, 0, 0, 0, 1);
-    QTest::newRow("prone") << glm::ivec3(11, 7, 6) << prone << glm::dvec3(0) << true;
-    const glm::dmat3 sagittal(0, 1, 0, 0, 0, -1, -1, 0, 0);
-    QTest::newRow("sagittal") << glm::ivec3(11, 7, 6) << sagittal << glm::dvec3(0) << true;
-    const glm::dmat3 oblique(
-        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))));
-    QTest::newRow("oblique") << glm::ivec3(11, 7, 6) << oblique << glm::dvec3(0) << true;
-    QTest::newRow("tilted") << glm::ivec3(11, 7, 6) << supine << glm::dvec3(0, 0.8, 0) << true;
-    QTest::newRow("uneven") << glm::ivec3(11, 7, 6) << supine << glm::dvec3(0) << false;
-}
-
 void ExportSegTest::othersSeeTheSame()
 {
-    QFETCH(glm::ivec3, size);
-    QFETCH(glm::dmat3, directions);
-    QFETCH(glm::dvec3, shear);
-    QFETCH(bool, even);
-    test::SmallSeries series;
-    series.size = size;
-    series.rowDirection = directions[0];
-    series.columnDirection = directions[1];
-    series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
-    if (!even)
-        series.positions.back() += 3.0 * directions[2];
-    const LabelledSeries on(series);
+    QFETCH(QString, placement);
+    const test::SmallSeries series = test::placementOf(placement).series;
+    const glm::ivec3 size = series.size;
+    const Fixture on(series);
     const auto report = on.exported(on.request({segmentOf(1, skull), segmentOf(5, liver)}));
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     QVERIFY(!report->written.isEmpty() && !report->checked.isEmpty());
     QCOMPARE(on.fileCount(), 1);
 
     const QJsonObject facts = factsOf(on);
-    QCOMPARE(
-        facts["sha256"].toArray(), (QJsonArray{sha256Of(on.labels, 1), sha256Of(on.labels, 5)}));
+    QCOMPARE(facts["sha256"].toArray(), (QJsonArray{on.sha256Of(1), on.sha256Of(5)}));
     QCOMPARE(facts["emptyFrames"].toInt(), 0);
     QCOMPARE(facts["frames"].toInt(), size.z > 1 ? (size.z - 1) + (size.z - 2) : 2);
     QCOMPARE(facts["overlap"].toString(), QStringLiteral("NO"));
@@ -219,11 +163,33 @@ void ExportSegTest::othersSeeTheSame()
     validate(on.file);
 }
 
+/// Frames of a size that is no multiple of a byte follow each other without a gap.
+void ExportSegTest::bitsOfEveryWidth_data()
+{
+    QTest::addColumn<glm::ivec3>("size");
+    for (int columns = 8; columns < 16; ++columns)
+        QTest::addRow("rows x columns mod 8 = %d", 9 * columns % 8) << glm::ivec3(columns, 9, 5);
+    QTest::addRow("a small one") << glm::ivec3(5, 3, 1);
+}
+
+void ExportSegTest::bitsOfEveryWidth()
+{
+    QFETCH(glm::ivec3, size);
+    test::SmallSeries series;
+    series.size = size;
+    series.placeEvenly({-40.25, -31.5, 812.125}, {0, 0, 2.5});
+    const Fixture on(series);
+    const auto report = on.exported(on.request({segmentOf(1, skull), segmentOf(5, liver)}));
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    QCOMPARE(factsOf(on)["sha256"].toArray(), (QJsonArray{on.sha256Of(1), on.sha256Of(5)}));
+    validate(on.file);
+}
+
 void ExportSegTest::framesOfOneFile()
 {
     test::SmallSeries series;
     series.placeEvenly({3, 4, 5}, {0, 0, 1.5});
-    const LabelledSeries on(series, &test::SmallSeries::writeMultiFrame);
+    const Fixture on(series, &test::SmallSeries::writeMultiFrame);
     const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     validate(on.file);
@@ -254,7 +220,7 @@ void ExportSegTest::headersKeptInASessionWillDo()
     test::SmallSeries series = evenSeries();
     if (oddValues)
         series.sex = "male";
-    LabelledSeries on(
+    Fixture on(
         series, multiFrame ? &test::SmallSeries::writeMultiFrame : &test::SmallSeries::write);
     // What is new each time does not count.
     const auto textOf = [](const QString& file) {
@@ -291,20 +257,21 @@ void ExportSegTest::headersKeptInASessionWillDo()
 
 void ExportSegTest::planesOverlap()
 {
-    LabelledSeries on;
+    Fixture on;
     const auto second = randomLabels(on.volume.geometry.size, 2);
     on.planes.push_back({.plane = 1, .labels = second});
     const auto report = on.exported(on.request({segmentOf(1, skull, 0), segmentOf(1, liver, 1)}));
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     const QJsonObject facts = factsOf(on);
-    QCOMPARE(facts["sha256"].toArray(), (QJsonArray{sha256Of(on.labels, 1), sha256Of(second, 1)}));
+    QCOMPARE(
+        facts["sha256"].toArray(), (QJsonArray{on.sha256Of(1), test::sha256OfLabel(second, 1)}));
     QCOMPARE(facts["overlap"].toString(), QStringLiteral("YES"));
     validate(on.file);
 }
 
 void ExportSegTest::emptySegmentIsLeftOutAndNamed()
 {
-    const LabelledSeries on;
+    const Fixture on;
     const auto report = on.exported(on.request({segmentOf(7, {}), segmentOf(2, liver)}));
     QVERIFY(report.has_value());
     QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Schädel 7")));
@@ -317,7 +284,7 @@ void ExportSegTest::emptySegmentIsLeftOutAndNamed()
 
 void ExportSegTest::nothingToExport()
 {
-    const LabelledSeries on;
+    const Fixture on;
     for (const std::vector<core::Segment>& segments :
         {std::vector<core::Segment>{}, std::vector<core::Segment>{segmentOf(9, skull)}}) {
         const auto report = on.exported(on.request(segments));
@@ -329,7 +296,7 @@ void ExportSegTest::nothingToExport()
 
 void ExportSegTest::segmentWithoutCodeIsRefused()
 {
-    const LabelledSeries on;
+    const Fixture on;
     core::ExportRequest request = on.request({segmentOf(1, skull), segmentOf(2, {})});
     auto report = on.exported(request);
     QVERIFY(!report);
@@ -346,7 +313,7 @@ void ExportSegTest::segmentWithoutCodeIsRefused()
 
 void ExportSegTest::sourceWithoutUidsIsRefused()
 {
-    LabelledSeries on;
+    Fixture on;
     core::Volume& volume = on.volume;
     QVERIFY(core::dicomSegObstacle(volume).isEmpty());
     volume.sources[3].sopInstanceUid.clear();
@@ -364,7 +331,7 @@ void ExportSegTest::sourceWithoutFrameOfReference()
 {
     test::SmallSeries series = evenSeries();
     series.frameOfReference = false;
-    const LabelledSeries on(series);
+    const Fixture on(series);
     const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     validate(on.file);
@@ -376,7 +343,7 @@ void ExportSegTest::invalidSourceValuesAreNormalised()
     series.sex = "male";
     series.studyDate = "2020.03.04";
     series.birthDate = "unknown";
-    const LabelledSeries on(series);
+    const Fixture on(series);
     const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Birth Date")));
@@ -413,7 +380,7 @@ void ExportSegTest::namesInOtherScripts()
     test::SmallSeries series = evenSeries();
     series.characterSet = characterSet.toStdString();
     series.patientName = stored.toStdString();
-    const LabelledSeries on(series);
+    const Fixture on(series);
     const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     const auto seg = core::readSeg(on.file);
@@ -424,7 +391,7 @@ void ExportSegTest::namesInOtherScripts()
 
 void ExportSegTest::existingFileIsRefused()
 {
-    const LabelledSeries on;
+    const Fixture on;
     QFile old(on.file);
     QVERIFY(old.open(QIODevice::WriteOnly));
     old.write("kept");
@@ -441,7 +408,7 @@ void ExportSegTest::existingFileIsRefused()
 
 void ExportSegTest::aFileOfTheStudyIsNeverReplaced()
 {
-    const LabelledSeries on;
+    const Fixture on;
     core::ExportRequest request = on.request();
     request.file = on.volume.sources[2].file;
     request.force = true;
@@ -457,7 +424,7 @@ void ExportSegTest::fullDiskLeavesNothing()
     test::SmallSeries series;
     series.size = {64, 64, 8};
     series.placeEvenly({0, 0, 0}, {0, 0, 1});
-    const LabelledSeries on(series);
+    const Fixture on(series);
     for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
         core::ExportRequest request = on.request();
         request.format = format;
@@ -476,7 +443,7 @@ void ExportSegTest::fullDiskLeavesNothing()
 
 void ExportSegTest::cancelledLeavesNothing()
 {
-    const LabelledSeries on;
+    const Fixture on;
     for (const auto format : {core::ExportFormat::DicomSeg, core::ExportFormat::Nifti}) {
         // Cancelled as soon as the writer, and then as soon as the check begins to read.
         for (int reports = 0; reports < 2; ++reports) {
@@ -503,7 +470,7 @@ void ExportSegTest::cancelledLeavesNothing()
 
 void ExportSegTest::uidsAreNewEachTime()
 {
-    const LabelledSeries on;
+    const Fixture on;
     QStringList uids;
     for (int i = 0; i < 2; ++i) {
         core::ExportRequest request = on.request();

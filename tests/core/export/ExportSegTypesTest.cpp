@@ -2,8 +2,8 @@
 #include "core/dicom/SegReader.h"
 #include "core/export/CheckExport.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -118,6 +118,8 @@ class ExportSegTypesTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+    void othersSeeTheSame_data();
+    void othersSeeTheSame();
     void fractionalHoldsTheCoverage();
     void fractionalWithoutCoverageIsWhole();
     void labelMap();
@@ -139,6 +141,56 @@ void ExportSegTypesTest::validate(const QString& file)
     const auto result = test::runProgram(QStringLiteral("dciodvfy"), {file});
     const QByteArray text = result.output;
     QVERIFY2(result.exitCode == 0 && !text.contains("Error"), text.constData());
+}
+
+void ExportSegTypesTest::othersSeeTheSame_data()
+{
+    QTest::addColumn<core::ExportFormat>("format");
+    QTest::addColumn<QString>("placement");
+    for (const test::SeriesPlacement& placement : test::seriesPlacements()) {
+        const QString name = QString::fromLatin1(placement.name);
+        QTest::addRow("fractional, %s", placement.name)
+            << core::ExportFormat::DicomSegFractional << name;
+        QTest::addRow("label map, %s", placement.name)
+            << core::ExportFormat::DicomSegLabelMap << name;
+    }
+}
+
+/// The voxels and their places, however the series lies: DICOM SEG of the two other types.
+void ExportSegTypesTest::othersSeeTheSame()
+{
+    QFETCH(core::ExportFormat, format);
+    QFETCH(QString, placement);
+    const test::SmallSeries series = test::placementOf(placement).series;
+    std::mt19937 random(11);
+    std::vector<std::uint8_t> some(
+        std::size_t(series.size.x) * std::size_t(series.size.y) * std::size_t(series.size.z));
+    for (auto& label : some)
+        label = std::uint8_t(random() % 3);
+    const test::LabelledSeries on(series, some);
+    const QString file = on.folder.filePath(QStringLiteral("seg.dcm"));
+    const auto report = core::exportMask(on.volume,
+        {.format = format,
+            .file = file,
+            .segments = {segmentOf(1, "Niere"), segmentOf(2, "Übrige")},
+            .planes = on.planes},
+        {});
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    const auto read = test::runScript(QStringLiteral("seg_facts.py"), {file, on.images});
+    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
+    const QJsonObject facts = QJsonDocument::fromJson(read.output).object();
+    const bool fractional = format == core::ExportFormat::DicomSegFractional;
+    const auto expected = [&](std::uint8_t label) {
+        QByteArray mask;
+        for (const std::uint8_t voxel : on.labels)
+            mask += voxel == label ? char(fractional ? 255 : 1) : '\0';
+        return sha256(mask);
+    };
+    QCOMPARE(facts["sha256"].toArray(), (QJsonArray{expected(1), expected(2)}));
+    QCOMPARE(facts["referenced"].toInt(), series.size.z);
+    QCOMPARE(facts["frameOfReference"].toString(), on.volume.identity.frameOfReferenceUid);
+    if (fractional)
+        validate(file);
 }
 
 void ExportSegTypesTest::fractionalHoldsTheCoverage()

@@ -2,15 +2,14 @@
 #include "core/export/CheckExport.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/meshfile/MeshReader.h"
+#include "tests/support/Affine.h"
+#include "tests/support/EngineCases.h"
 #include "tests/support/FileSizeLimit.h"
+#include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <QDir>
 #include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <functional>
@@ -39,23 +38,25 @@ QString messageOf(const core::Error& error)
     return error.arguments.join(QStringLiteral(" | "));
 }
 
-test::SmallSeries smallSeries()
+test::SmallSeries axialSeries()
 {
-    test::SmallSeries series;
-    series.size = {11, 7, 6};
-    series.placeEvenly({-40.25, -31.5, 812.125}, {0, 0, 2.5});
-    return series;
+    return test::placementOf(QStringLiteral("axial")).series;
 }
 
-/// A series on disk, labels 0 to 3 on its grid, and room beside it for what is exported.
-struct Fixture {
-    explicit Fixture(const test::SmallSeries& series = smallSeries())
-        : volume(series.write(folder.filePath(QStringLiteral("images"))))
-        , labels(volume.geometry.voxelCount())
+std::vector<std::uint8_t> randomLabels(const glm::ivec3& size)
+{
+    std::mt19937 random(4);
+    std::vector<std::uint8_t> labels(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    for (auto& label : labels)
+        label = std::uint8_t(random() % 4);
+    return labels;
+}
+
+struct Fixture : test::LabelledSeries {
+    explicit Fixture(const test::SmallSeries& series = axialSeries())
+        : LabelledSeries(series, randomLabels(series.size))
     {
-        std::mt19937 random(4);
-        for (auto& label : labels)
-            label = std::uint8_t(random() % 4);
     }
     [[nodiscard]] QString file(const char* name) const
     {
@@ -79,10 +80,6 @@ struct Fixture {
         return core::checkSurfaceExport(format, file(name), {volume, segments, planes, space}, {});
     }
 
-    QTemporaryDir folder;
-    core::Volume volume;
-    std::vector<std::uint8_t> labels;
-    std::vector<core::LabelPlaneView> planes{{.plane = 0, .labels = labels}};
     std::vector<core::Segment> segments{
         segmentOf(1, QStringLiteral("Schädel")), segmentOf(3, QStringLiteral("Leber rechts"))};
 };
@@ -110,7 +107,7 @@ class ExportSurfaceTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyGeometry_data();
+    void everyGeometry_data() { test::addPlacementRows(); }
     void everyGeometry();
     void readByOthers_data();
     void readByOthers();
@@ -121,40 +118,10 @@ private Q_SLOTS:
     void faultInTheFileIsCaught();
 };
 
-void ExportSurfaceTest::everyGeometry_data()
-{
-    QTest::addColumn<glm::dmat3>("directions");
-    QTest::addColumn<glm::dvec3>("shear");
-    QTest::addColumn<int>("slices");
-    QTest::addColumn<bool>("even");
-    const glm::dmat3 supine(1.0);
-    QTest::newRow("axial") << supine << glm::dvec3(0) << 6 << true;
-    QTest::newRow("one slice") << supine << glm::dvec3(0) << 1 << true;
-    const glm::dmat3 flipped(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    QTest::newRow("flipped") << flipped << glm::dvec3(0) << 6 << true;
-    const glm::dmat3 sagittal(0, 1, 0, 0, 0, -1, -1, 0, 0);
-    QTest::newRow("sagittal") << sagittal << glm::dvec3(0) << 6 << true;
-    const glm::dmat3 oblique(
-        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))));
-    QTest::newRow("oblique") << oblique << glm::dvec3(0) << 6 << true;
-    QTest::newRow("tilted") << supine << glm::dvec3(0, 0.8, 0) << 6 << true;
-    QTest::newRow("uneven") << supine << glm::dvec3(0) << 6 << false;
-}
-
 void ExportSurfaceTest::everyGeometry()
 {
-    QFETCH(glm::dmat3, directions);
-    QFETCH(glm::dvec3, shear);
-    QFETCH(int, slices);
-    QFETCH(bool, even);
-    test::SmallSeries series;
-    series.size = {11, 7, slices};
-    series.rowDirection = directions[0];
-    series.columnDirection = directions[1];
-    series.placeEvenly({-40.25, -31.5, 812.125}, directions[2] * 2.5 + shear);
-    if (!even)
-        series.positions.back() += 3.0 * directions[2];
-    const Fixture on(series);
+    QFETCH(QString, placement);
+    const Fixture on(test::placementOf(placement).series);
     for (const auto& [format, name] : formats) {
         const auto report = on.exported(format, name);
         QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
@@ -185,33 +152,36 @@ void ExportSurfaceTest::everyGeometry()
     }
 }
 
-/// The same points, seen from the other axes.
+/// The same points, seen from the other axes, on a grid that is turned and tilted; with BURIN_LONG
+/// however the series lies.
 void ExportSurfaceTest::readByOthers_data()
 {
     QTest::addColumn<Format>("format");
     QTest::addColumn<QByteArray>("name");
     QTest::addColumn<bool>("ras");
+    QTest::addColumn<QString>("placement");
+    const QString turned = QStringLiteral("oblique and tilted");
     for (const auto& [format, name] : formats) {
-        QTest::addRow("%s LPS", name) << format << QByteArray(name) << false;
-        QTest::addRow("%s RAS", name) << format << QByteArray(name) << true;
+        for (const test::SeriesPlacement& lies : test::seriesPlacements()) {
+            const QString placement = QString::fromLatin1(lies.name);
+            if (placement != turned && !test::longRun())
+                continue;
+            QTest::addRow("%s LPS, %s", name, lies.name)
+                << format << QByteArray(name) << false << placement;
+            QTest::addRow("%s RAS, %s", name, lies.name)
+                << format << QByteArray(name) << true << placement;
+        }
     }
 }
 
-/// A reader in Python that knows the formats and nothing of Burin finds the same voxels inside, on
-/// a grid that is turned and tilted.
+/// A reader in Python that knows the formats and nothing of Burin finds the same voxels inside.
 void ExportSurfaceTest::readByOthers()
 {
     QFETCH(Format, format);
     QFETCH(QByteArray, name);
     QFETCH(bool, ras);
-    test::SmallSeries series;
-    series.size = {9, 7, 5};
-    const glm::dmat3 turned(
-        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, -0.5))));
-    series.rowDirection = turned[0];
-    series.columnDirection = turned[1];
-    series.placeEvenly({-40.25, -31.5, 812.125}, turned[2] * 2.5 + 0.6 * turned[1]);
-    const Fixture on(series);
+    QFETCH(QString, placement);
+    const Fixture on(test::placementOf(placement).series);
     const auto report =
         on.exported(format, name.constData(), ras ? core::MeshSpace::Ras : core::MeshSpace::Lps);
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
@@ -220,10 +190,10 @@ void ExportSurfaceTest::readByOthers()
     QVERIFY(places.open(QIODevice::WriteOnly));
     QByteArray expected;
     std::size_t at = 0;
-    for (int z = 0; z < series.size.z; ++z) {
-        for (int y = 0; y < series.size.y; ++y) {
-            for (int x = 0; x < series.size.x; ++x, ++at) {
-                const glm::dvec3 place = on.volume.geometry.toWorld({x, y, z});
+    for (int z = 0; z < on.volume.geometry.size.z; ++z) {
+        for (int y = 0; y < on.volume.geometry.size.y; ++y) {
+            for (int x = 0; x < on.volume.geometry.size.x; ++x, ++at) {
+                const glm::dvec3 place = test::placeOf(on.volume.geometry, {x, y, z});
                 places.write(QStringLiteral("%1 %2 %3\n")
                                  .arg(place.x, 0, 'g', 17)
                                  .arg(place.y, 0, 'g', 17)

@@ -9,30 +9,19 @@ centre crosses the contour an odd number of times; contours of one image are joi
 """
 import hashlib
 import json
-import pathlib
 import sys
 
 import numpy
 import pydicom
 
+import source_images
+
 rt = pydicom.dcmread(sys.argv[1])
 frame = rt.ReferencedFrameOfReferenceSequence[0]
 series = frame.RTReferencedStudySequence[0].RTReferencedSeriesSequence[0]
 referenced = {image.ReferencedSOPInstanceUID for image in series.ContourImageSequence}
-sources = []
-for path in sorted(pathlib.Path(sys.argv[2]).rglob("*")):
-    if path.is_file():
-        try:
-            header = pydicom.dcmread(path, stop_before_pixels=True)
-        except pydicom.errors.InvalidDicomError:
-            continue
-        if header.get("SOPInstanceUID") in referenced:
-            sources.append(header)
-assert len(sources) == len(referenced), "referenced images"
+sources = source_images.referred(sys.argv[2], referenced)
 assert all(s.SeriesInstanceUID == series.SeriesInstanceUID for s in sources), "series"
-orientation = numpy.array(sources[0].ImageOrientationPatient, float)
-normal = numpy.cross(orientation[:3], orientation[3:])
-sources.sort(key=lambda s: float(normal @ numpy.array(s.ImagePositionPatient, float)))
 slice_of = {s.SOPInstanceUID: k for k, s in enumerate(sources)}
 rows, columns = sources[0].Rows, sources[0].Columns
 y, x = numpy.mgrid[0:rows, 0:columns].astype(float)
