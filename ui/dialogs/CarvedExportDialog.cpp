@@ -3,22 +3,20 @@
 
 #include "core/export/CarvedVolume.h"
 #include "core/session/SessionStudy.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/DeidentifyBox.h"
 #include "ui/dialogs/ExportRun.h"
 #include "ui/dialogs/StudyBlock.h"
+#include "ui/dialogs/TargetRow.h"
 
-#include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
@@ -29,11 +27,6 @@
 namespace ui {
 
 namespace {
-
-QString folderKey()
-{
-    return QStringLiteral("export/folder");
-}
 
 QLabel* line(QWidget* parent, const QString& text, const char* role)
 {
@@ -73,10 +66,9 @@ CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
 
     for (QRadioButton* button : {m_series, m_nifti, m_coverage})
         connect(button, &QRadioButton::toggled, this, &CarvedExportDialog::suggestTarget);
-    connect(m_target, &QLineEdit::textChanged, this, &CarvedExportDialog::showState);
+    connect(m_target, &TargetRow::changed, this, &CarvedExportDialog::showState);
     connect(m_fill, &QDoubleSpinBox::valueChanged, this, &CarvedExportDialog::showState);
     connect(m_deidentify, &DeidentifyBox::changed, this, &CarvedExportDialog::showState);
-    connect(m_browse, &QPushButton::clicked, this, &CarvedExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &CarvedExportDialog::start);
     connect(m_close, &QPushButton::clicked, this, &CarvedExportDialog::reject);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
@@ -123,25 +115,20 @@ void CarvedExportDialog::build()
     m_fill->setToolTip(tr("The value of the voxels that are carved away; at first the least of the "
                           "study"));
     m_deidentify = new DeidentifyBox(this);
-    m_target = new QLineEdit(this);
-    m_target->setObjectName(QStringLiteral("carvedTarget"));
-    m_browse = new QPushButton(tr("Browse …"), this);
+    m_target =
+        new TargetRow(tr("To"), QStringLiteral("carvedTarget"), QStringLiteral("export/folder"),
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), this);
     m_run = new ExportRun(QStringLiteral("carved"), this);
     m_export = new QPushButton(tr("Export and check"), this);
     m_export->setObjectName(QStringLiteral("carvedStart"));
     m_export->setDefault(true);
     m_close = new QPushButton(tr("Close"), this);
     m_close->setAutoDefault(false);
-    m_browse->setAutoDefault(false);
 
     auto* fill = new QHBoxLayout;
     fill->addWidget(m_fillLabel);
     fill->addWidget(m_fill);
     fill->addStretch(1);
-    auto* target = new QHBoxLayout;
-    target->addWidget(new QLabel(tr("To"), this));
-    target->addWidget(m_target, 1);
-    target->addWidget(m_browse);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(m_close);
@@ -156,22 +143,21 @@ void CarvedExportDialog::build()
     layout->addWidget(m_coverage);
     layout->addLayout(fill);
     layout->addWidget(m_deidentify);
-    layout->addLayout(target);
+    layout->addWidget(m_target);
     layout->addWidget(m_run);
     layout->addStretch(1);
     layout->addLayout(buttons);
+    tabAsLaidOut(*this);
 }
 
 void CarvedExportDialog::suggestTarget()
 {
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QString folder = m_target->text().isEmpty()
-        ? QSettings().value(folderKey(), documents).toString()
-        : QFileInfo(m_target->text()).path();
     const QString name = m_series->isChecked() ? QStringLiteral("carved")
         : m_nifti->isChecked()                 ? QStringLiteral("carved.nii.gz")
                                                : QStringLiteral("coverage.nii.gz");
-    m_target->setText(QDir(folder).filePath(name));
+    m_target->setName(name);
+    m_target->askFor(tr("Export to"),
+        m_series->isChecked() ? tr("New folder (*)") : tr("NIfTI (*.nii.gz *.nii)"));
     m_deidentify->setVisible(m_series->isChecked());
     m_fill->setEnabled(!m_coverage->isChecked());
     m_fillLabel->setEnabled(!m_coverage->isChecked());
@@ -182,19 +168,10 @@ void CarvedExportDialog::showState()
 {
     if (running())
         return;
-    const bool named = !m_target->text().trimmed().isEmpty();
+    const bool named = !m_target->path().isEmpty();
     m_run->clearReport();
     m_run->say(named ? QString() : tr("Name the target."));
     m_export->setEnabled(named);
-}
-
-void CarvedExportDialog::browse()
-{
-    const QString chosen = QFileDialog::getSaveFileName(this, tr("Export to"), m_target->text(),
-        m_series->isChecked() ? tr("New folder (*)") : tr("NIfTI (*.nii.gz *.nii)"), nullptr,
-        QFileDialog::DontConfirmOverwrite);
-    if (!chosen.isEmpty())
-        m_target->setText(chosen);
 }
 
 void CarvedExportDialog::start()
@@ -202,14 +179,14 @@ void CarvedExportDialog::start()
     core::EditSession* session = m_workspace.session();
     if (!session || running())
         return;
-    const QFileInfo target(m_target->text().trimmed());
+    const QFileInfo target(m_target->path());
     m_force = false;
     if (!m_series->isChecked() && target.exists()) {
         if (!mayReplace(target.filePath(), this))
             return;
         m_force = true;
     }
-    QSettings().setValue(folderKey(), target.absolutePath());
+    m_target->remember();
     std::set<std::uint8_t> layers;
     for (const core::SculptLayer& layer : session->document().layers) {
         const bool wanted = m_coverage->isChecked() ? layer.id == m_workspace.activeLayer()
@@ -227,7 +204,7 @@ void CarvedExportDialog::write(const std::vector<ExportJob::Plane>& layers)
 {
     const core::Volume volume = *m_workspace.volume();
     std::vector<std::uint8_t> coverage = composed(layers, volume.geometry.voxelCount());
-    const QString target = m_target->text().trimmed();
+    const QString target = m_target->path();
     if (m_coverage->isChecked()) {
         const core::SculptLayer* layer = activeLayer(m_workspace);
         m_job.start([volume, target, force = m_force, name = layer ? layer->name : QString(),
@@ -262,8 +239,7 @@ void CarvedExportDialog::write(const std::vector<ExportJob::Plane>& layers)
 void CarvedExportDialog::showRunning(bool isRunning)
 {
     const bool possible = core::carvedSeriesObstacle(*m_workspace.volume()).isEmpty();
-    for (QWidget* input :
-        std::initializer_list<QWidget*>{m_nifti, m_deidentify, m_target, m_browse})
+    for (QWidget* input : std::initializer_list<QWidget*>{m_nifti, m_deidentify, m_target})
         input->setEnabled(!isRunning);
     m_series->setEnabled(!isRunning && possible);
     m_coverage->setEnabled(!isRunning && activeLayer(m_workspace));

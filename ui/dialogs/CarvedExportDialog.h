@@ -8,7 +8,6 @@
 
 class QDoubleSpinBox;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class QRadioButton;
 
@@ -16,6 +15,7 @@ namespace ui {
 
 class DeidentifyBox;
 class ExportRun;
+class TargetRow;
 class Workspace;
 
 /// Writes the study without what is carved away, as a new DICOM series or NIfTI, or the coverage of
@@ -37,7 +37,6 @@ private:
     void build();
     void suggestTarget();
     void showState();
-    void browse();
     void start();
     void write(const std::vector<ExportJob::Plane>& layers);
     void showRunning(bool running);
@@ -51,10 +50,9 @@ private:
     QRadioButton* m_coverage = nullptr;
     QDoubleSpinBox* m_fill = nullptr;
     QLabel* m_fillLabel = nullptr;
-    QLineEdit* m_target = nullptr;
+    TargetRow* m_target = nullptr;
     DeidentifyBox* m_deidentify = nullptr; ///< of the series
     ExportRun* m_run = nullptr;
-    QPushButton* m_browse = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_close = nullptr;
     bool m_force = false;

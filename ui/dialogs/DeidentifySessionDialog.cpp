@@ -4,20 +4,19 @@
 #include "core/export/MaskSelection.h"
 #include "core/session/DeidentifySession.h"
 #include "core/session/EditSession.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/DeidentifyBox.h"
 #include "ui/dialogs/ExportRun.h"
+#include "ui/dialogs/TargetRow.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
 
@@ -27,8 +26,6 @@
 namespace ui {
 
 namespace {
-
-const QLatin1String folderKey("sessions/folder");
 
 /// Where the session is copied to; only its owner may look into the folder.
 QString copyIn(const QTemporaryDir& folder)
@@ -42,8 +39,8 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     : QDialog(parent)
     , m_workspace(workspace)
     , m_options(new DeidentifyBox(this))
-    , m_file(new QLineEdit(this))
-    , m_browse(new QPushButton(tr("Browse …"), this))
+    , m_target(new TargetRow(tr("File"), QStringLiteral("deidentifiedFile"),
+          QStringLiteral("sessions/folder"), QDir::homePath(), this))
     , m_save(new QPushButton(tr("Save and check"), this))
     , m_close(new QPushButton(tr("Close"), this))
     , m_run(new ExportRun(QStringLiteral("deidentified"), this))
@@ -58,16 +55,10 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
         this);
     what->setWordWrap(true);
     m_options->askForSession();
-    m_file->setObjectName(QStringLiteral("deidentifiedFile"));
     m_save->setObjectName(QStringLiteral("deidentifiedSave"));
     m_save->setDefault(true);
     m_close->setAutoDefault(false);
-    m_browse->setAutoDefault(false);
 
-    auto* target = new QHBoxLayout;
-    target->addWidget(new QLabel(tr("File"), this));
-    target->addWidget(m_file, 1);
-    target->addWidget(m_browse);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(m_close);
@@ -77,16 +68,16 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(what);
     layout->addWidget(m_options);
-    layout->addLayout(target);
+    layout->addWidget(m_target);
     layout->addWidget(m_run);
     layout->addStretch(1);
     layout->addLayout(buttons);
+    tabAsLaidOut(*this);
 
-    const QString folder = QSettings().value(folderKey, QDir::homePath()).toString();
-    m_file->setText(QDir(folder).filePath(QStringLiteral("deidentified.burin")));
-    connect(m_file, &QLineEdit::textChanged, this, &DeidentifySessionDialog::showState);
+    m_target->askFor(tr("Save de-identified session as"), tr("Sessions of Burin (*.burin)"));
+    m_target->setName(QStringLiteral("deidentified.burin"));
+    connect(m_target, &TargetRow::changed, this, &DeidentifySessionDialog::showState);
     connect(m_options, &DeidentifyBox::changed, this, &DeidentifySessionDialog::showState);
-    connect(m_browse, &QPushButton::clicked, this, &DeidentifySessionDialog::browse);
     connect(m_save, &QPushButton::clicked, this, &DeidentifySessionDialog::start);
     connect(m_close, &QPushButton::clicked, this, &DeidentifySessionDialog::reject);
     connect(&m_job, &BackgroundJob::ended, this, &DeidentifySessionDialog::showRunning);
@@ -97,20 +88,11 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     showState();
 }
 
-void DeidentifySessionDialog::browse()
-{
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Save de-identified session as"), m_file->text(),
-            tr("Sessions of Burin (*.burin)"), nullptr, QFileDialog::DontConfirmOverwrite);
-    if (!file.isEmpty())
-        m_file->setText(file);
-}
-
 void DeidentifySessionDialog::showState()
 {
     if (running())
         return;
-    const bool named = !m_file->text().trimmed().isEmpty();
+    const bool named = !m_target->path().isEmpty();
     m_run->clearReport();
     m_run->say(named ? QString() : tr("Name the file."));
     m_save->setEnabled(named);
@@ -121,13 +103,13 @@ void DeidentifySessionDialog::start()
     core::EditSession* session = m_workspace.session();
     if (!session || running())
         return;
-    const QString target = m_file->text().trimmed();
+    const QString target = m_target->path();
     const bool replaces = QFileInfo::exists(target);
     if (QFileInfo(target) == QFileInfo(session->file()))
         return m_run->say(tr("That is the open session itself: name another file."), "bad");
     if (replaces && !mayReplace(target, this))
         return;
-    QSettings().setValue(folderKey, QFileInfo(target).absolutePath());
+    m_target->remember();
     m_run->clearReport();
     m_run->showProgress(tr("Writing the last steps"), 0, 0);
     m_waits = true;
@@ -184,7 +166,7 @@ void DeidentifySessionDialog::write(
 
 void DeidentifySessionDialog::showRunning()
 {
-    for (QWidget* input : std::initializer_list<QWidget*>{m_options, m_file, m_browse, m_save})
+    for (QWidget* input : std::initializer_list<QWidget*>{m_options, m_target, m_save})
         input->setEnabled(!running());
     m_run->setRunning(running());
 }

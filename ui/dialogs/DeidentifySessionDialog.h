@@ -8,7 +8,6 @@
 
 #include <memory>
 
-class QLineEdit;
 class QPushButton;
 class QTemporaryDir;
 
@@ -16,6 +15,7 @@ namespace ui {
 
 class DeidentifyBox;
 class ExportRun;
+class TargetRow;
 class Workspace;
 
 /// "Save de-identified session as …": a copy of the open session for others, without what tells of
@@ -33,7 +33,6 @@ Q_SIGNALS:
     void saved(const QString& file);
 
 private:
-    void browse();
     void showState();
     void start();
     void write(const QString& target, bool replaces, const std::shared_ptr<QTemporaryDir>& folder);
@@ -43,8 +42,7 @@ private:
 
     Workspace& m_workspace;
     DeidentifyBox* m_options;
-    QLineEdit* m_file;
-    QPushButton* m_browse;
+    TargetRow* m_target;
     QPushButton* m_save;
     QPushButton* m_close;
     ExportRun* m_run;

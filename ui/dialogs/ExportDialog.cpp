@@ -4,23 +4,21 @@
 #include "core/session/EditSession.h"
 #include "core/session/SegmentLayers.h"
 #include "core/session/SessionStudy.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/ExportOptions.h"
 #include "ui/dialogs/ExportRun.h"
 #include "ui/dialogs/ExportSegments.h"
 #include "ui/dialogs/StudyBlock.h"
+#include "ui/dialogs/TargetRow.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/pacs/SendDialog.h"
 
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
@@ -31,11 +29,6 @@
 namespace ui {
 
 namespace {
-
-QString folderKey()
-{
-    return QStringLiteral("export/folder");
-}
 
 QString suffixOf(core::ExportFormat format)
 {
@@ -57,8 +50,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_segments, &ExportSegments::failed, this, &ExportDialog::showFailure);
     connect(m_options, &ExportOptions::formatChanged, this, &ExportDialog::showFormat);
     connect(m_options, &ExportOptions::changed, this, &ExportDialog::showChange);
-    connect(m_file, &QLineEdit::textChanged, this, &ExportDialog::showChange);
-    connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
+    connect(m_target, &TargetRow::changed, this, &ExportDialog::showChange);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
     connect(m_close, &QPushButton::clicked, this, &ExportDialog::reject);
     connect(
@@ -87,9 +79,9 @@ void ExportDialog::build()
 {
     m_segments = new ExportSegments(m_workspace, this);
     m_options = new ExportOptions(m_workspace, this);
-    m_file = new QLineEdit(this);
-    m_file->setObjectName(QStringLiteral("exportFile"));
-    m_browse = new QPushButton(tr("Browse …"), this);
+    m_target =
+        new TargetRow(tr("File"), QStringLiteral("exportFile"), QStringLiteral("export/folder"),
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), this);
     m_run = new ExportRun(QStringLiteral("export"), this);
     m_export = new QPushButton(tr("Export and check"), this);
     m_export->setObjectName(QStringLiteral("exportStart"));
@@ -101,7 +93,6 @@ void ExportDialog::build()
     m_send->hide();
     m_send->setAutoDefault(false);
     m_close->setAutoDefault(false);
-    m_browse->setAutoDefault(false);
 
     auto* ticks = new QHBoxLayout;
     m_ticked = new QLabel(this);
@@ -116,10 +107,6 @@ void ExportDialog::build()
         ticks->addWidget(button);
         m_tickers.push_back(button);
     }
-    auto* target = new QHBoxLayout;
-    target->addWidget(new QLabel(tr("File"), this));
-    target->addWidget(m_file, 1);
-    target->addWidget(m_browse);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(m_close);
@@ -133,26 +120,29 @@ void ExportDialog::build()
     layout->addWidget(m_segments, 1);
     layout->addLayout(ticks);
     layout->addWidget(m_options);
-    layout->addLayout(target);
+    layout->addWidget(m_target);
     layout->addWidget(m_run);
     layout->addLayout(buttons);
+    tabAsLaidOut(*this);
 
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QString folder = QSettings().value(folderKey(), documents).toString();
-    m_file->setText(
-        QDir(folder).filePath(QStringLiteral("segmentation") + suffixOf(m_options->format())));
+    m_target->setName(QStringLiteral("segmentation") + suffixOf(m_options->format()));
 }
 
 void ExportDialog::showFormat()
 {
-    QString file = m_file->text();
+    const core::ExportFormatFacts& chosen = m_options->facts();
+    m_target->askFor(tr("Export to"),
+        QStringLiteral("%1 (*%2 *%3)")
+            .arg(QLatin1String(chosen.title), QLatin1String(chosen.ending),
+                QLatin1String(chosen.otherEnding)));
+    QString file = m_target->path();
     for (const core::ExportFormatFacts& facts : core::exportFormats()) {
         for (const char* ending : {facts.ending, facts.otherEnding}) {
             if (*ending != '\0' && file.endsWith(QLatin1String(ending)))
                 file.chop(qsizetype(qstrlen(ending)));
         }
     }
-    m_file->setText(file + suffixOf(m_options->format()));
+    m_target->setPath(file + suffixOf(m_options->format()));
     showChange();
 }
 
@@ -194,22 +184,10 @@ void ExportDialog::showState()
                      "what it is.")
                       .arg(uncoded.size())
                       .arg(uncoded[0]);
-    else if (m_file->text().trimmed().isEmpty())
+    else if (m_target->path().isEmpty())
         problem = tr("Name the file.");
     m_run->say(problem);
     m_export->setEnabled(problem.isEmpty());
-}
-
-void ExportDialog::browse()
-{
-    const core::ExportFormatFacts& facts = m_options->facts();
-    const QString filter = QStringLiteral("%1 (*%2 *%3)")
-                               .arg(QLatin1String(facts.title), QLatin1String(facts.ending),
-                                   QLatin1String(facts.otherEnding));
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Export to"), m_file->text(), filter, nullptr, QFileDialog::DontConfirmOverwrite);
-    if (!file.isEmpty())
-        m_file->setText(file);
 }
 
 void ExportDialog::start()
@@ -220,14 +198,14 @@ void ExportDialog::start()
     core::ExportRequest request;
     m_options->putInto(request);
     request.seg.codes = m_segments->codes();
-    request.file = m_file->text().trimmed();
+    request.file = m_target->path();
     if (QFileInfo::exists(request.file)) {
         if (!mayReplace(request.file, this))
             return;
         request.force = true;
     }
     m_request = std::move(request);
-    QSettings().setValue(folderKey(), QFileInfo(m_request.file).absolutePath());
+    m_target->remember();
     std::set<std::uint8_t> planes;
     for (const core::Segment& segment : m_segments->chosen())
         planes.insert(segment.plane);
@@ -287,7 +265,7 @@ void ExportDialog::write(const std::vector<ExportJob::Plane>& coverages)
 
 void ExportDialog::showRunning(bool isRunning)
 {
-    for (QWidget* input : std::initializer_list<QWidget*>{m_segments, m_options, m_file, m_browse})
+    for (QWidget* input : std::initializer_list<QWidget*>{m_segments, m_options, m_target})
         input->setEnabled(!isRunning);
     for (QPushButton* button : m_tickers)
         button->setEnabled(!isRunning);

@@ -8,7 +8,6 @@
 #include <QDialog>
 
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace ui {
@@ -16,6 +15,7 @@ namespace ui {
 class ExportOptions;
 class ExportRun;
 class ExportSegments;
+class TargetRow;
 class Workspace;
 
 /// Export of chosen segments in one of core::exportFormats(): whose study it is, which segments
@@ -47,7 +47,6 @@ private:
     void showState();
     void showChange();
     void showFormat();
-    void browse();
     void start();
     void takeLabels(const std::vector<ExportJob::Plane>& planes);
     void write(const std::vector<ExportJob::Plane>& coverages);
@@ -61,9 +60,8 @@ private:
     ExportOptions* m_options = nullptr;
     QLabel* m_ticked = nullptr; ///< how many segments, how much
     std::vector<QPushButton*> m_tickers;
-    QLineEdit* m_file = nullptr;
+    TargetRow* m_target = nullptr;
     ExportRun* m_run = nullptr;
-    QPushButton* m_browse = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_send = nullptr; ///< once there is a DICOM file
     QPushButton* m_close = nullptr;

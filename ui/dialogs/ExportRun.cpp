@@ -3,13 +3,13 @@
 
 #include "ui/ErrorText.h"
 #include "ui/Theme.h"
+#include "ui/widgets/StateLine.h"
 
 #include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -33,13 +33,10 @@ QString inColour(const QString& sign, const QColor& colour)
 
 ExportRun::ExportRun(const QString& name, QWidget* parent)
     : QWidget(parent)
-    , m_state(new QLabel(this))
+    , m_state(new StateLine(name + QStringLiteral("State"), this))
     , m_progress(new QProgressBar(this))
     , m_report(new QLabel(this))
 {
-    m_state->setObjectName(name + QStringLiteral("State"));
-    m_state->setTextFormat(Qt::PlainText);
-    m_state->setWordWrap(true);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
     m_progress->hide();
@@ -59,10 +56,7 @@ ExportRun::ExportRun(const QString& name, QWidget* parent)
 
 void ExportRun::say(const QString& sentence, const char* role)
 {
-    m_state->setProperty("role", QLatin1String(role));
-    m_state->style()->unpolish(m_state);
-    m_state->style()->polish(m_state);
-    m_state->setText(sentence);
+    m_state->say(sentence, role);
     m_state->setVisible(!sentence.isEmpty());
 }
 

@@ -10,6 +10,8 @@ class QProgressBar;
 
 namespace ui {
 
+class StateLine;
+
 /// The lower part of the export dialogs: what is missing yet, how far the work is, and the verdict:
 /// what was written, what the check of it found, what its reader must know, its checksum.
 class ExportRun : public QWidget {
@@ -29,7 +31,7 @@ public:
     void showFailure(const core::Error& error);
 
 private:
-    QLabel* m_state;
+    StateLine* m_state;
     QProgressBar* m_progress;
     QLabel* m_report;
 };

@@ -9,6 +9,7 @@
 #include "ui/pacs/SearchForm.h"
 #include "ui/pacs/SeriesPreview.h"
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/widgets/StateLine.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -17,7 +18,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
     , m_form(new SearchForm(this))
     , m_hits(new HitsTree(this))
     , m_preview(new SeriesPreview(m_cache, this))
-    , m_state(new QLabel(this))
+    , m_state(new StateLine(QStringLiteral("pacsState"), this))
     , m_progress(new QProgressBar(this))
     , m_copies(new CopiesRow(m_cache, this))
     , m_test(new QPushButton(QStringLiteral("Test"), this))
@@ -56,7 +56,7 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
     connect(m_test, &QPushButton::clicked, this, &PacsBrowserDialog::test);
     connect(m_search, &QPushButton::clicked, this, &PacsBrowserDialog::search);
     connect(m_form, &SearchForm::searchAsked, this, &PacsBrowserDialog::search);
-    connect(m_form, &SearchForm::changed, this, [this] { say(m_form->problem()); });
+    connect(m_form, &SearchForm::changed, this, [this] { m_state->say(m_form->problem()); });
     connect(m_hits, &HitsTree::seriesAsked, this, &PacsBrowserDialog::askForSeries);
     connect(m_hits, &HitsTree::choiceChanged, this, &PacsBrowserDialog::showChoice);
     connect(m_hits, &HitsTree::openAsked, this, [this] { download(true); });
@@ -70,15 +70,16 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
     connect(m_copies, &CopiesRow::cleared, this, [this](int removed, bool someStay) {
         const QString count = removed == 1 ? QStringLiteral("1 copy was removed")
                                            : QStringLiteral("%1 copies were removed").arg(removed);
-        say(someStay ? count + QStringLiteral("; what is open stays.") : count + u'.');
+        m_state->say(someStay ? count + QStringLiteral("; what is open stays.") : count + u'.');
         markCopies();
     });
     connect(&m_downloadJob, &BackgroundJob::progressed, this,
         [this](const QString& step, int done, int total) {
             m_progress->setRange(0, std::max(total, 0));
             m_progress->setValue(done);
-            say(total > 0 ? QStringLiteral("%1 · %2 of %3 images").arg(step).arg(done).arg(total)
-                          : QStringLiteral("%1 · %2 images").arg(step).arg(done));
+            m_state->say(total > 0
+                    ? QStringLiteral("%1 · %2 of %3 images").arg(step).arg(done).arg(total)
+                    : QStringLiteral("%1 · %2 images").arg(step).arg(done));
         });
     for (BackgroundJob* job : {&m_queryJob, &m_downloadJob})
         connect(job, &BackgroundJob::ended, this, &PacsBrowserDialog::showButtons);
@@ -90,9 +91,6 @@ PacsBrowserDialog::~PacsBrowserDialog() = default;
 
 void PacsBrowserDialog::build()
 {
-    m_state->setObjectName(QStringLiteral("pacsState"));
-    m_state->setTextFormat(Qt::PlainText);
-    m_state->setWordWrap(true);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
     m_progress->hide();
@@ -155,7 +153,7 @@ void PacsBrowserDialog::fillSources()
     m_source->setCurrentIndex(
         std::max(0, m_source->findData(QSettings().value(lastKey).toString())));
     m_source->setPlaceholderText(QStringLiteral("none yet"));
-    say(m_sources.empty()
+    m_state->say(m_sources.empty()
             ? QStringLiteral("There is no source yet: add one by Sources … at the right.")
             : QString());
     showButtons();
@@ -172,14 +170,14 @@ void PacsBrowserDialog::test()
     const core::PacsSource* one = source();
     if (!one || m_downloadJob.running())
         return;
-    say(QStringLiteral("Asking %1 …").arg(one->address()));
+    m_state->say(QStringLiteral("Asking %1 …").arg(one->address()));
     m_queryJob.start([this, asked = *one](const core::Progress& progress) -> std::function<void()> {
         const core::Result<void> answered = core::echoNode(asked, progress);
         return [this, asked, answered] {
             if (answered)
-                say(QStringLiteral("✓ %1 answers.").arg(asked.address()), "good");
+                m_state->say(QStringLiteral("✓ %1 answers.").arg(asked.address()), "good");
             else
-                say(errorText(answered.error()), "bad");
+                m_state->say(errorText(answered.error()), "bad");
         };
     });
     showButtons();
@@ -195,26 +193,27 @@ void PacsBrowserDialog::search()
     m_seriesJob.cancel();
     m_hits->showStudies({});
     showChoice();
-    say(QStringLiteral("Searching %1 …").arg(one->address()));
+    m_state->say(QStringLiteral("Searching %1 …").arg(one->address()));
     m_queryJob.start([this, asked = *one, filter = m_form->filter()](
                          const core::Progress& progress) -> std::function<void()> {
         const auto found = core::findStudies(asked, filter, mostStudies, progress);
         return [this, found] {
             if (!found)
-                return say(errorText(found.error()), "bad");
+                return m_state->say(errorText(found.error()), "bad");
             m_hits->showStudies(found->hits);
             showCopies();
             const std::size_t count = found->hits.size();
             if (found->more)
-                say(QStringLiteral("The first %1 studies; there are more: say more of what you "
+                m_state->say(
+                    QStringLiteral("The first %1 studies; there are more: say more of what you "
                                    "look for.")
                         .arg(count),
                     "caution");
             else if (count == 0)
-                say(QStringLiteral("No study there matches."));
+                m_state->say(QStringLiteral("No study there matches."));
             else
-                say(count == 1 ? QStringLiteral("1 study")
-                               : QStringLiteral("%1 studies").arg(count));
+                m_state->say(count == 1 ? QStringLiteral("1 study")
+                                        : QStringLiteral("%1 studies").arg(count));
         };
     });
     showButtons();
@@ -263,7 +262,7 @@ void PacsBrowserDialog::download(bool thenOpen)
     const core::RetrieveWish wish{
         .studyUid = choice->study.studyUid, .seriesUid = choice->seriesUid()};
     m_progress->setRange(0, 0);
-    say(QStringLiteral("Asking %1 what it holds of it …").arg(m_searched.address()));
+    m_state->say(QStringLiteral("Asking %1 what it holds of it …").arg(m_searched.address()));
     m_downloadJob.start(
         [this, asked = m_searched, wish, path, thenOpen, cache = m_cache,
             limit = cacheLimitBytes()](const core::Progress& progress) -> std::function<void()> {
@@ -284,7 +283,7 @@ void PacsBrowserDialog::download(bool thenOpen)
                 if (got)
                     showDownloaded(path, *got, thenOpen);
                 else
-                    say(errorText(got.error()), "bad");
+                    m_state->say(errorText(got.error()), "bad");
             };
         });
     showButtons();
@@ -295,8 +294,8 @@ void PacsBrowserDialog::showDownloaded(
 {
     showCopies();
     const int count = got.received + got.kept;
-    say(count == 0 ? QStringLiteral("✓ It is here already.")
-                   : QStringLiteral("✓ %1 images are here, each checked.").arg(count),
+    m_state->say(count == 0 ? QStringLiteral("✓ It is here already.")
+                            : QStringLiteral("✓ %1 images are here, each checked.").arg(count),
         "good");
     if (!thenOpen)
         return;
@@ -331,20 +330,13 @@ void PacsBrowserDialog::markCopies()
     m_hits->markHere([this](const HitsTree::Choice& choice) { return !copyOf(choice).isEmpty(); });
 }
 
-void PacsBrowserDialog::say(const QString& sentence, const char* role)
-{
-    m_state->setProperty("role", QLatin1String(role));
-    m_state->style()->unpolish(m_state);
-    m_state->style()->polish(m_state);
-    m_state->setText(sentence);
-}
-
 void PacsBrowserDialog::reject()
 {
     if (!m_downloadJob.running())
         return QDialog::reject();
     m_downloadJob.cancel();
-    say(QStringLiteral("Aborted. What has come is kept: the same download goes on from there."));
+    m_state->say(
+        QStringLiteral("Aborted. What has come is kept: the same download goes on from there."));
 }
 
 } // namespace ui

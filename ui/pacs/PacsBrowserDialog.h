@@ -20,6 +20,7 @@ namespace ui {
 class CopiesRow;
 class SearchForm;
 class SeriesPreview;
+class StateLine;
 
 /// Studies at a source: looks for them, shows a picture of a series, downloads into the local
 /// copies, opens. All that waits for a network or a disk does so beside the GUI thread.
@@ -48,7 +49,6 @@ private:
     void showButtons();
     void showCopies();
     void markCopies();
-    void say(const QString& sentence, const char* role = "secondary");
     [[nodiscard]] QString pathOf(const HitsTree::Choice& choice) const;
     /// The copy that holds it: its own, or its study's. Empty: none.
     [[nodiscard]] QString copyOf(const HitsTree::Choice& choice) const;
@@ -61,7 +61,7 @@ private:
     SearchForm* m_form;
     HitsTree* m_hits;
     SeriesPreview* m_preview;
-    QLabel* m_state;
+    StateLine* m_state;
     QProgressBar* m_progress;
     CopiesRow* m_copies;
     QPushButton* m_test;

@@ -5,6 +5,7 @@
 #include "ui/PacsSources.h"
 #include "ui/Theme.h"
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/widgets/StateLine.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -13,7 +14,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     : QDialog(parent)
     , m_files(files)
     , m_source(new QComboBox(this))
-    , m_state(new QLabel(this))
+    , m_state(new StateLine(QStringLiteral("sendState"), this))
     , m_progress(new QProgressBar(this))
     , m_edit(new QPushButton(QStringLiteral("Sources …"), this))
     , m_send(new QPushButton(QStringLiteral("Send"), this))
@@ -40,9 +40,6 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     resize(560, 200);
     m_source->setObjectName(QStringLiteral("sendSource"));
     m_send->setObjectName(QStringLiteral("sendStart"));
-    m_state->setObjectName(QStringLiteral("sendState"));
-    m_state->setTextFormat(Qt::PlainText);
-    m_state->setWordWrap(true);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
     m_progress->hide();
@@ -83,8 +80,7 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
         m_progress->setRange(0, total);
         m_progress->setValue(done);
         if (total > 1 && done > 0)
-            say(QStringLiteral("Sending · %1 of %2 files").arg(done).arg(total),
-                QStringLiteral("secondary"));
+            m_state->say(QStringLiteral("Sending · %1 of %2 files").arg(done).arg(total));
     });
     connect(&m_job, &BackgroundJob::ended, this, [this] { showRunning(false); });
     fillSources();
@@ -99,9 +95,8 @@ void SendDialog::fillSources()
     m_source->setCurrentIndex(
         std::max(0, m_source->findData(QSettings().value(lastKey).toString())));
     m_send->setEnabled(!m_sources.empty());
-    say(m_sources.empty() ? QStringLiteral("There is no source yet: add one by Sources …")
-                          : QString(),
-        QStringLiteral("secondary"));
+    m_state->say(m_sources.empty() ? QStringLiteral("There is no source yet: add one by Sources …")
+                                   : QString());
 }
 
 void SendDialog::send()
@@ -111,20 +106,19 @@ void SendDialog::send()
         return;
     const core::PacsSource source = m_sources[std::size_t(row)];
     QSettings().setValue(lastKey, source.name);
-    say(QStringLiteral("Sending to %1 …").arg(source.address()), QStringLiteral("secondary"));
+    m_state->say(QStringLiteral("Sending to %1 …").arg(source.address()));
     m_progress->setRange(0, 0);
     m_job.start([this, source, files = m_files](
                     const core::Progress& progress) -> std::function<void()> {
         const core::Result<core::SentObjects> sent = core::sendFiles(source, files, progress);
         return [this, source, sent] {
             if (!sent)
-                return say(errorText(sent.error()), QStringLiteral("bad"));
+                return m_state->say(errorText(sent.error()), "bad");
             QStringList lines{sent->sent == 1
                     ? QStringLiteral("✓ %1 took it.").arg(source.address())
                     : QStringLiteral("✓ %1 took %2 files.").arg(source.address()).arg(sent->sent)};
             lines += sent->warnings;
-            say(lines.join(u'\n'),
-                sent->warnings.isEmpty() ? QStringLiteral("good") : QStringLiteral("caution"));
+            m_state->say(lines.join(u'\n'), sent->warnings.isEmpty() ? "good" : "caution");
         };
     });
     showRunning(true);
@@ -139,20 +133,12 @@ void SendDialog::showRunning(bool running)
     m_close->setText(running ? QStringLiteral("Abort") : QStringLiteral("Close"));
 }
 
-void SendDialog::say(const QString& sentence, const QString& role)
-{
-    m_state->setProperty("role", role);
-    m_state->style()->unpolish(m_state);
-    m_state->style()->polish(m_state);
-    m_state->setText(sentence);
-}
-
 void SendDialog::reject()
 {
     if (!m_job.running())
         return QDialog::reject();
     m_job.cancel();
-    say(QStringLiteral("Aborted; what was sent before stays there."), QStringLiteral("secondary"));
+    m_state->say(QStringLiteral("Aborted; what was sent before stays there."));
 }
 
 } // namespace ui

@@ -16,6 +16,7 @@ class QPushButton;
 
 namespace ui {
 
+class StateLine;
 /// Stores files at one of the sources: C-STORE or STOW-RS, as it speaks.
 class SendDialog : public QDialog {
     Q_OBJECT
@@ -27,13 +28,12 @@ private:
     void fillSources();
     void send();
     void showRunning(bool running);
-    void say(const QString& sentence, const QString& role);
     void reject() override;
 
     QStringList m_files;
     std::vector<core::PacsSource> m_sources;
     QComboBox* m_source;
-    QLabel* m_state;
+    StateLine* m_state;
     QProgressBar* m_progress;
     QPushButton* m_edit;
     QPushButton* m_send;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/widgets/StateLine.h"
 
 #include "ui/ErrorText.h"
 #include "ui/Icons.h"
@@ -17,7 +18,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -35,7 +35,7 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     , m_remove(new QPushButton(QStringLiteral("Remove"), this))
     , m_test(new QPushButton(QStringLiteral("Test"), this))
     , m_ok(nullptr)
-    , m_state(new QLabel(this))
+    , m_state(new StateLine(QStringLiteral("sourcesState"), this))
 {
     setWindowTitle(QStringLiteral("Sources"));
     resize(820, 520);
@@ -92,9 +92,6 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     columns->addLayout(right, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_ok = buttons->button(QDialogButtonBox::Ok);
-    m_state->setObjectName(QStringLiteral("sourcesState"));
-    m_state->setTextFormat(Qt::PlainText);
-    m_state->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
@@ -165,7 +162,7 @@ void SourcesDialog::remove()
     m_list->setEnabled(true);
     m_ok->setEnabled(true);
     m_test->setEnabled(false);
-    say(QString(), QStringLiteral("secondary"));
+    m_state->say(QString());
     showSource();
 }
 
@@ -263,7 +260,7 @@ void SourcesDialog::takeOver()
     m_list->setEnabled(now.has_value());
     m_test->setEnabled(now.has_value());
     const bool isBlank = m_address->text().trimmed().isEmpty();
-    say(now || isBlank ? QString() : errorText(now.error()), QStringLiteral("secondary"));
+    m_state->say(now || isBlank ? QString() : errorText(now.error()));
 }
 
 void SourcesDialog::test()
@@ -271,14 +268,14 @@ void SourcesDialog::test()
     const core::Result<core::PacsSource> now = source();
     if (!now)
         return;
-    say(QStringLiteral("Asking %1 …").arg(now->address()), QStringLiteral("secondary"));
+    m_state->say(QStringLiteral("Asking %1 …").arg(now->address()));
     m_job.start([this, source = *now](const core::Progress& progress) -> std::function<void()> {
         const core::Result<void> answered = core::echoNode(source, progress);
         return [this, source, answered] {
             if (answered)
-                say(QStringLiteral("%1 answers.").arg(source.address()), QStringLiteral("good"));
+                m_state->say(QStringLiteral("%1 answers.").arg(source.address()), "good");
             else
-                say(errorText(answered.error()), QStringLiteral("bad"));
+                m_state->say(errorText(answered.error()), "bad");
         };
     });
 }
@@ -287,14 +284,6 @@ void SourcesDialog::keep()
 {
     setPacsSources(m_sources);
     accept();
-}
-
-void SourcesDialog::say(const QString& sentence, const QString& role)
-{
-    m_state->setProperty("role", role);
-    m_state->style()->unpolish(m_state);
-    m_state->style()->polish(m_state);
-    m_state->setText(sentence);
 }
 
 } // namespace ui

@@ -17,6 +17,7 @@ class QSpinBox;
 
 namespace ui {
 
+class StateLine;
 /// The list of named sources: adds, changes, tries and removes them. OK keeps them (PacsSources.h).
 class SourcesDialog : public QDialog {
     Q_OBJECT
@@ -38,7 +39,6 @@ private:
     void keep();
     /// What the fields say. InvalidField.
     [[nodiscard]] core::Result<core::PacsSource> source() const;
-    void say(const QString& sentence, const QString& role);
 
     std::vector<core::PacsSource> m_sources;
     bool m_filling = false;
@@ -59,7 +59,7 @@ private:
     QPushButton* m_remove;
     QPushButton* m_test;
     QPushButton* m_ok;
-    QLabel* m_state;
+    StateLine* m_state;
     BackgroundJob m_job;
 };
 
