@@ -58,6 +58,13 @@ QString seriesText(const core::StudyIdentity& identity)
         {prefixed(QStringLiteral("series "), identity.seriesNumber), identity.seriesDescription});
 }
 
+QString slicesApartText(const core::VolumeGeometry& geometry)
+{
+    return geometry.slicePositions.empty()
+        ? QStringLiteral("every %1 mm").arg(QString::number(geometry.spacingMm().z, 'g', 4))
+        : QStringLiteral("unevenly spaced");
+}
+
 QString numberText(double value, int decimals)
 {
     QString text = QString::number(value, 'f', decimals);

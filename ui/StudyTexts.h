@@ -23,6 +23,9 @@ namespace ui {
 /// "series 3 · Head bone".
 [[nodiscard]] QString seriesText(const core::StudyIdentity& identity);
 
+/// "every 2.5 mm", or that slices are unevenly spaced.
+[[nodiscard]] QString slicesApartText(const core::VolumeGeometry& geometry);
+
 /// A modality value with its unit; as many decimals as @p span, the width of the range it is seen
 /// in, calls for.
 [[nodiscard]] QString valueText(double value, const QString& unit, double span);

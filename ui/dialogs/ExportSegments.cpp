@@ -89,6 +89,7 @@ ExportSegments::ExportSegments(Workspace& workspace, QWidget* parent)
 {
     setObjectName(QStringLiteral("exportSegments"));
     setHeaderLabels({tr("Segment"), tr("Volume"), tr("Code"), tr("Remarks")});
+    headerItem()->setTextAlignment(VolumeColumn, Qt::AlignRight | Qt::AlignVCenter);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setSelectionMode(QAbstractItemView::NoSelection);

@@ -42,13 +42,12 @@ QString descriptionOf(const core::SeriesEntry& entry)
 QString sizeOf(const core::SeriesEntry& entry)
 {
     const glm::ivec3 size = entry.geometry.size;
-    const glm::dvec3 spacing = entry.geometry.spacingMm();
     const QString times = entry.times.isEmpty()
         ? QString()
         : QStringLiteral(", %1 points in time").arg(entry.times.size());
     const QString every = entry.needsSpacing()
         ? QString()
-        : QStringLiteral(", every %1 mm").arg(spacing.z, 0, 'g', 3);
+        : QStringLiteral(", ") + slicesApartText(entry.geometry);
     return QStringLiteral("%1%2\n%3 × %4%5")
         .arg(size.z)
         .arg(times)

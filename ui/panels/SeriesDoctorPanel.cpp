@@ -3,6 +3,7 @@
 
 #include "core/repair/RepairLattice.h"
 #include "core/session/EditSession.h"
+#include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/panels/FindingBox.h"
@@ -24,15 +25,13 @@ namespace {
 QString gridText(const core::VolumeGeometry& geometry)
 {
     const glm::dvec3 spacing = geometry.spacingMm();
-    const QString apart = geometry.slicePositions.empty()
-        ? QObject::tr("every %1 mm").arg(QString::number(spacing.z, 'g', 4))
-        : QObject::tr("unevenly spaced");
     // Three lines: side by side with another in the width of a panel one would be cut off.
     return QObject::tr("%1 × %2 × %3\n%4 × %5 mm\n%6")
         .arg(geometry.size.x)
         .arg(geometry.size.y)
         .arg(geometry.size.z)
-        .arg(QString::number(spacing.x, 'g', 3), QString::number(spacing.y, 'g', 3), apart);
+        .arg(QString::number(spacing.x, 'g', 3), QString::number(spacing.y, 'g', 3),
+            slicesApartText(geometry));
 }
 
 QLabel* smallText(QWidget* parent, const QString& text = {})
