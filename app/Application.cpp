@@ -241,31 +241,44 @@ void Application::openDemonstration()
 
 void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path)
 {
+    // The study may be the open one: its session is closed before it is looked into.
+    if (!makeRoom())
+        return;
     const QString file = sessionFile(loaded->volume);
     const QString series = core::withRepair(loaded->volume.seriesKey, loaded->volume.repair);
-    // The study may be the open one: its session is closed before it is looked into.
-    core::Result<void> begun = makeRoom();
-    if (begun && QFileInfo::exists(file)) {
-        const auto contents = core::checkSession(file);
-        begun = contents ? goOn(std::move(*loaded), file, *contents)
-                         : core::Result<void>(tl::unexpected(contents.error()));
-    } else if (begun) {
-        begun = begin(std::move(*loaded), file);
-    }
-    if (begun)
-        ui::RecentStudies::add(path);
-    else
-        tellWhyNot(begun.error(), file, path, series);
+    const auto repair = core::SeriesRepair::fromText(loaded->volume.repair);
+    const bool givenSpacing = repair && repair->givenSpacingMm;
+    make(loaded, {.file = file},
+        [this, file, path, series, givenSpacing](const core::Result<void>& opened) {
+            if (opened)
+                ui::RecentStudies::add(path, givenSpacing ? series : QString());
+            else
+                tellWhyNot(opened.error(), file, path, series);
+        });
 }
 
 void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
     const QString& file, const std::shared_ptr<const core::SessionContents>& contents)
 {
-    const auto begun = goOn(std::move(*loaded), file, *contents);
-    if (!begun)
-        tell(begun.error());
-    else if (!isWorkingSession(m_sessionFile))
-        ui::RecentStudies::add(m_sessionFile);
+    if (!makeRoom())
+        return;
+    make(loaded, {.file = file, .contents = contents}, [this](const core::Result<void>& opened) {
+        if (!opened)
+            tell(opened.error());
+        else if (!isWorkingSession(m_sessionFile))
+            ui::RecentStudies::add(m_sessionFile);
+    });
+}
+
+void Application::make(const std::shared_ptr<core::LoadedVolume>& loaded, SessionOpening::Wish wish,
+    const std::function<void(const core::Result<void>&)>& then)
+{
+    wish.redo = !m_notRedone.contains(wish.file);
+    wish.wakeUp = [this] { wake(); };
+    m_window->opener().goOn(QStringLiteral("Preparing the views"), [this, loaded, wish, then] {
+        const auto opening = SessionOpening::make(*m_engine, std::move(*loaded), wish);
+        return [this, opening, file = wish.file, then] { then(take(*opening, file)); };
+    });
 }
 
 core::Result<void> Application::makeRoom()
@@ -277,19 +290,25 @@ core::Result<void> Application::makeRoom()
     return {};
 }
 
-core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& newFile)
+core::Result<void> Application::take(SessionOpening& opening, const QString& file)
 {
-    m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
-    // A study opens, even where no step of it can be written.
-    auto session = core::EditSession::create(m_engine->edits(), std::move(loaded),
-        {.file = newFile, .beginWithoutFile = true, .wakeUp = [this] { wake(); }});
-    if (!session)
-        return tl::unexpected(session.error());
-    const std::optional<core::Error> whyNoFile = (*session)->whyNoFile();
-    m_sessionFile = newFile;
-    m_rowsAtFirst = whyNoFile ? std::nullopt : std::optional<std::size_t>(0);
-    m_workspace->setSession(std::move(*session));
-    if (whyNoFile)
+    if (!opening.session && opening.plan && !opening.plan->redo.empty()) {
+        withdraw(*opening.plan, file);
+        m_notRedone.insert(file);
+        m_window->opener().openSession(file);
+        return core::failure(core::ErrorCode::Cancelled);
+    }
+    if (!opening.session)
+        return tl::unexpected(opening.session.error());
+    const std::size_t steps = (*opening.session)->history().rows().size();
+    const std::optional<core::Error> whyNoFile = (*opening.session)->whyNoFile();
+    const bool madeForIt = opening.plan ? opening.plan->isNew : !whyNoFile;
+    m_sessionFile = opening.file;
+    m_rowsAtFirst = madeForIt ? std::optional(steps) : std::nullopt;
+    m_workspace->setSession(std::move(*opening.session));
+    if (opening.plan)
+        tellOfSession(opening, file, steps);
+    else if (whyNoFile)
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("Steps stay in memory only, until you save the session elsewhere: %1.")
                 .arg(ui::noFileText(*whyNoFile)),
@@ -297,52 +316,33 @@ core::Result<void> Application::begin(core::LoadedVolume loaded, const QString& 
     return {};
 }
 
-core::Result<void> Application::goOn(
-    core::LoadedVolume loaded, const QString& file, const core::SessionContents& contents)
+void Application::tellOfSession(
+    const SessionOpening& opening, const QString& file, std::size_t steps)
 {
-    if (const auto free = makeRoom(); !free)
-        return free;
-    const auto plan = planFor(file, contents, !m_notRedone.contains(file));
-    if (!plan)
-        return tl::unexpected(plan.error());
-    const std::optional<core::Error> notFromStudy = loaded.notFromStudy;
-    m_engine->setVolumeGeometry(loaded.volume.geometry, loaded.volume.encoding);
-    auto session = openPlanned(m_engine->edits(), std::move(loaded), *plan, [this] { wake(); });
-    if (!session && !plan->redo.empty()) {
-        withdraw(*plan, file);
-        m_notRedone.insert(file);
-        m_window->opener().openSession(file);
-        return core::failure(core::ErrorCode::Cancelled);
-    }
-    if (!session)
-        return tl::unexpected(session.error());
-    const std::size_t steps = (*session)->history().rows().size();
-    m_sessionFile = plan->file;
-    m_rowsAtFirst = plan->isNew ? std::optional(steps) : std::nullopt;
-    m_workspace->setSession(std::move(*session));
+    const SessionPlan& plan = *opening.plan;
+    const core::SessionContents& contents = *opening.contents;
     const bool nothingLost =
-        plan->damage && !contents.damage && plan->redo.size() == contents.redo.size();
+        plan.damage && !contents.damage && plan.redo.size() == contents.redo.size();
     if (nothingLost) {
-        m_window->messages().show(ui::MessageBar::Kind::Caution, ui::errorText(*plan->damage));
-    } else if (plan->damage) {
-        m_workspace->fail(*plan->damage);
-    } else if (!plan->whyReadOnly.isEmpty()) {
+        m_window->messages().show(ui::MessageBar::Kind::Caution, ui::errorText(*plan.damage));
+    } else if (plan.damage) {
+        m_workspace->fail(*plan.damage);
+    } else if (!plan.whyReadOnly.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("%1 is %2. Here it can be looked at, not edited.")
-                .arg(QFileInfo(file).fileName(), plan->whyReadOnly),
+                .arg(QFileInfo(file).fileName(), plan.whyReadOnly),
             QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
     } else if (!contents.leftOpen.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("%1: %2. Its last steps may be missing.")
                 .arg(QFileInfo(file).fileName(), contents.leftOpen));
-    } else if (notFromStudy) {
-        tellWhereImagesAre(*notFromStudy, file);
+    } else if (opening.notFromStudy) {
+        tellWhereImagesAre(*opening.notFromStudy, file);
     } else if (steps > 0) {
         m_workspace->say(steps == 1
                 ? QStringLiteral("The session of this study was continued: 1 step")
                 : QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
     }
-    return {};
 }
 
 void Application::tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file)

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/SessionPlan.h"
+#include "app/SessionOpening.h"
 #include "core/base/Result.h"
 
 #include <QObject>
 #include <QSet>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 
-namespace core {
-class EditSession;
-struct LoadedVolume;
-} // namespace core
-namespace gpu {
-class GpuEngine;
-}
 namespace ui {
 class MainWindow;
 class Workspace;
@@ -50,10 +44,14 @@ private:
     /// A session file that somebody named.
     void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file,
         const std::shared_ptr<const core::SessionContents>& contents);
-    core::Result<void> begin(core::LoadedVolume loaded, const QString& newFile);
-    /// An existing session file. Cancelled also where it is opened once more (SessionPlan::redo).
-    core::Result<void> goOn(
-        core::LoadedVolume loaded, const QString& file, const core::SessionContents& contents);
+    /// Beside the GUI thread; @p then hears how take() ended.
+    void make(const std::shared_ptr<core::LoadedVolume>& loaded, SessionOpening::Wish wish,
+        const std::function<void(const core::Result<void>&)>& then);
+    /// Into the window. @p file that was asked for. Cancelled also where it is opened once more
+    /// (SessionPlan::redo).
+    core::Result<void> take(SessionOpening& opening, const QString& file);
+    /// What is to be known of a session that was gone on with.
+    void tellOfSession(const SessionOpening& opening, const QString& file, std::size_t steps);
     /// The engine holds one volume at a time: the old session closes its file first. Errors:
     /// Cancelled (it holds steps that are on no disk, and the user stays with them).
     core::Result<void> makeRoom();

@@ -240,7 +240,7 @@ void MainWindow::buildCentre()
     connect(m_start, &StartPage::openFileAsked, this, [this] { askForFile(m_opener, *this); });
     connect(m_start, &StartPage::demonstrationAsked, this, &MainWindow::demonstrationAsked);
     connect(m_start, &StartPage::recentAsked, this,
-        [this](const QString& path) { m_opener.open(path); });
+        [this](const QString& path) { m_opener.open(path, RecentStudies::seriesOf(path)); });
     connect(m_start, &StartPage::sessionAsked, this,
         [this](const QString& file) { m_opener.openSession(file); });
 }
@@ -251,8 +251,14 @@ void MainWindow::connectOpener()
     connect(&m_opener, &StudyOpener::started, m_messages, &MessageBar::dismiss);
     connect(&m_opener, &StudyOpener::started, &m_actions, &Actions::refresh);
     connect(&m_opener, &StudyOpener::finished, &m_actions, &Actions::refresh);
-    connect(&m_opener, &StudyOpener::sliceReady, this, &MainWindow::showEarlySlice);
-    connect(&m_opener, &StudyOpener::finished, this, [this] { showEarlySlice(nullptr); });
+    connect(&m_opener, &StudyOpener::sliceReady, this, [this](const auto& early) {
+        m_early = early;
+        showEarlySlice(early);
+    });
+    connect(&m_opener, &StudyOpener::finished, this, [this] {
+        m_early.reset();
+        showEarlySlice(nullptr);
+    });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
     connect(
         &m_opener, &StudyOpener::choiceNeeded, this,
@@ -370,6 +376,9 @@ void MainWindow::showSession()
 {
     if (!m_workspace.volume()) {
         m_workspace.setActiveTool(nullptr);
+        // What takes the closed study's place is on its way already.
+        if (m_early)
+            showEarlySlice(m_early);
         m_start->showRecent(RecentStudies::paths());
         m_start->showSessions(m_sessionFolder);
     }

@@ -103,6 +103,7 @@ private:
     QString m_graphics;
     Actions m_actions;
     StudyOpener m_opener;
+    std::shared_ptr<const core::EarlySlice> m_early; ///< of what is being opened
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_sculptMenu = nullptr;

@@ -61,7 +61,8 @@ StudyOpener::StudyOpener(QObject* parent)
 StudyOpener::~StudyOpener()
 {
     cancel();
-    join();
+    if (m_worker.joinable())
+        m_worker.join();
 }
 
 void StudyOpener::open(const QString& path, const QString& series)
@@ -137,8 +138,6 @@ void StudyOpener::start(const QString& path,
     std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work)
 {
     cancel();
-    join();
-    m_busy = true;
     // Reports of a job that was cancelled meanwhile are dropped on this side of the queue.
     auto listener = std::make_shared<core::Progress*>(nullptr);
     auto progress = std::make_shared<core::Progress>(
@@ -158,19 +157,39 @@ void StudyOpener::start(const QString& path,
                     Q_EMIT sliceReady(slice);
             });
         };
-    m_progress = progress;
     Q_EMIT started(path);
-    m_worker = std::thread([this, progress, early, work = std::move(work)] {
-        auto tell = work(*progress, early);
-        QMetaObject::invokeMethod(this, [this, progress, tell = std::move(tell)] {
-            if (m_progress != progress)
-                return;
-            m_progress.reset();
-            m_busy = false;
-            tell();
-            Q_EMIT finished();
+    launch(progress, [progress, early, work = std::move(work)] { return work(*progress, early); });
+}
+
+void StudyOpener::goOn(const QString& step, std::function<Tell()> work)
+{
+    launch(std::make_shared<core::Progress>(), std::move(work));
+    Q_EMIT progressed(step, 0, 0);
+}
+
+void StudyOpener::launch(
+    const std::shared_ptr<core::Progress>& progress, std::function<Tell()> work)
+{
+    m_progress = progress;
+    m_busy = true;
+    // What was called off may take a while to notice; nobody but the next worker waits for it.
+    m_worker = std::thread(
+        [this, progress, work = std::move(work), before = std::move(m_worker)]() mutable {
+            if (before.joinable())
+                before.join();
+            Tell tell = work();
+            // It owns nothing any longer when its outcome is told.
+            work = {};
+            QMetaObject::invokeMethod(this, [this, progress, tell = std::move(tell)] {
+                if (m_progress != progress)
+                    return;
+                m_progress.reset();
+                m_busy = false;
+                tell();
+                if (!m_busy)
+                    Q_EMIT finished();
+            });
         });
-    });
 }
 
 void StudyOpener::cancel()
@@ -181,12 +200,6 @@ void StudyOpener::cancel()
     m_progress.reset();
     m_busy = false;
     Q_EMIT finished();
-}
-
-void StudyOpener::join()
-{
-    if (m_worker.joinable())
-        m_worker.join();
 }
 
 } // namespace ui

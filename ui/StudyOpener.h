@@ -43,6 +43,12 @@ public:
     using Job = std::function<core::Result<core::LoadedVolume>(
         const core::Progress&, const core::EarlySliceListener&)>;
     void run(const QString& path, Job job);
+    /// What tells of an outcome, on this thread.
+    using Tell = std::function<void()>;
+    /// What more an opening takes beside the GUI thread; only while loaded() or sessionLoaded() is
+    /// told, by who is told. It is the same opening still: busy(), its first slice stays, and
+    /// finished() follows what @p work returns. When called off, that is dropped.
+    void goOn(const QString& step, std::function<Tell()> work);
     void cancel();
     [[nodiscard]] bool busy() const { return m_busy; }
 
@@ -64,16 +70,15 @@ Q_SIGNALS:
     void sessionStudyNeeded(
         const QString& sessionFile, const QString& format, const core::Error& why);
     void failed(const core::Error& error); ///< not told when cancelled
-    void finished(); ///< after any of the above, or cancelled
+    /// After any of the above and what goOn() adds, or cancelled.
+    void finished();
 
 private:
-    /// What tells of the result, on this thread.
-    using Tell = std::function<void()>;
     void start(const QString& path,
         std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work);
-    void join();
+    void launch(const std::shared_ptr<core::Progress>& progress, std::function<Tell()> work);
 
-    std::thread m_worker;
+    std::thread m_worker; ///< waits for the one before it
     std::shared_ptr<core::Progress> m_progress;
     bool m_busy = false;
 };

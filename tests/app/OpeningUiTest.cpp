@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/SessionFiles.h"
+#include "tests/support/ApplicationFixture.h"
+#include "tests/support/ImageFiles.h"
+#include "tests/support/SessionFiles.h"
+#include "tests/support/SyntheticSeries.h"
+#include "ui/LoadingBar.h"
+#include "ui/RecentStudies.h"
+#include "ui/StartPage.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTest>
+
+/// A study that is loaded is put into the engine beside the GUI thread, which goes on meanwhile.
+class OpeningUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    static constexpr int patience = test::ApplicationFixture::patience;
+    std::unique_ptr<test::ApplicationFixture> m_fixture;
+
+    QString path(const char* name) const { return m_fixture->path(name); }
+    ui::MainWindow& window() const { return m_fixture->window(); }
+    ui::Workspace& workspace() const { return m_fixture->workspace(); }
+    ui::StudyOpener& opener() const { return window().opener(); }
+    /// Behind those who are told of it first.
+    template <class Signal> void whenTold(Signal signal, std::function<void()> look)
+    {
+        connect(&opener(), signal, this, look);
+    }
+
+private Q_SLOTS:
+    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
+    void cleanup() { m_fixture.reset(); }
+
+    void nobodyWaitsForTheEngine_data()
+    {
+        QTest::addColumn<bool>("session");
+        QTest::newRow("a study") << false;
+        QTest::newRow("a session") << true;
+    }
+
+    void nobodyWaitsForTheEngine()
+    {
+        QFETCH(bool, session);
+        const QString file = path("case/s.burin");
+        if (session)
+            test::writeSession(file, path("case/ct"));
+        bool told = false;
+        const auto look = [&] {
+            told = true;
+            // The engine makes its textures now: nothing is open yet, and who is told goes on.
+            QVERIFY(!workspace().session());
+            QVERIFY(opener().busy());
+            QVERIFY(window().findChild<ui::LoadingBar*>()->isVisible());
+        };
+        whenTold(&ui::StudyOpener::loaded, look);
+        whenTold(&ui::StudyOpener::sessionLoaded, look);
+        QSignalSpy finished(&opener(), &ui::StudyOpener::finished);
+        opener().open(session ? file : path("case/ct"));
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, patience);
+        QVERIFY(told);
+        QVERIFY(workspace().session());
+        QVERIFY(!opener().busy());
+        QVERIFY(!window().findChild<ui::LoadingBar*>()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), patience);
+    }
+
+    /// In place of an open study its first slice shows until it is there.
+    void anotherStudyTakesItsPlace()
+    {
+        m_fixture->open(path("case/ct"));
+        test::SyntheticSeries series;
+        series.studyUid = QStringLiteral("2.25.500");
+        series.seriesUid = QStringLiteral("2.25.501");
+        test::writeSeries(series, path("other"));
+        bool early = false;
+        whenTold(&ui::StudyOpener::loaded, [&] {
+            early = window().views().earlySlice() != nullptr;
+            QVERIFY(!workspace().session());
+        });
+        QSignalSpy finished(&opener(), &ui::StudyOpener::finished);
+        opener().open(path("other"));
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, patience);
+        QVERIFY(early);
+        QVERIFY(!window().views().earlySlice());
+        QCOMPARE(workspace().volume()->identity.studyUid, series.studyUid);
+    }
+
+    void calledOffItLeavesNothing()
+    {
+        whenTold(&ui::StudyOpener::loaded, [this] { opener().cancel(); });
+        QSignalSpy finished(&opener(), &ui::StudyOpener::finished);
+        QSignalSpy changed(&workspace(), &ui::Workspace::sessionChanged);
+        opener().open(path("case/ct"));
+        QTRY_VERIFY_WITH_TIMEOUT(finished.size() >= 1, patience);
+        disconnect(&opener(), &ui::StudyOpener::loaded, this, nullptr);
+        QVERIFY(window().findChild<ui::StartPage*>()->isVisible());
+        // What was made of it is gone before the next one is made.
+        m_fixture->open(path("case/ct"));
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(m_fixture->session().history().rows().size(), std::size_t(0));
+        window().closeStudy();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            QDir(app::sessionFolder()).entryList(QDir::Files).isEmpty(), patience);
+    }
+
+    void theProgramEndsMeanwhile()
+    {
+        bool told = false;
+        whenTold(&ui::StudyOpener::loaded, [&] { told = true; });
+        opener().open(path("case/ct"));
+        QTRY_VERIFY_WITH_TIMEOUT(told, patience);
+        m_fixture->close();
+        m_fixture->start();
+        m_fixture->open(path("case/ct"));
+        QCOMPARE(m_fixture->session().history().rows().size(), std::size_t(0));
+    }
+
+    /// How far apart the voxels of pictures are is asked once.
+    void recentPicturesKnowTheirSpacing()
+    {
+        const QString folder = path("pictures");
+        QVERIFY(QDir().mkpath(folder));
+        for (int k = 0; k < 4; ++k) {
+            QFile file(QStringLiteral("%1/%2.png").arg(folder).arg(k));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(test::png(test::picture<std::uint8_t>(k, 20, 16)));
+        }
+        QSignalSpy asked(&opener(), &ui::StudyOpener::spacingNeeded);
+        QSignalSpy finished(&opener(), &ui::StudyOpener::finished);
+        opener().open(folder, QStringLiteral("+spacing=0.5x0.25x2"));
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, patience);
+        QCOMPARE(workspace().volume()->geometry.spacingMm(), glm::dvec3(0.5, 0.25, 2));
+        window().closeStudy();
+        QCOMPARE(ui::RecentStudies::paths().value(0), folder);
+        Q_EMIT window().findChild<ui::StartPage*>()->recentAsked(folder);
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, patience);
+        QCOMPARE(asked.size(), 0);
+        QCOMPARE(workspace().volume()->geometry.spacingMm(), glm::dvec3(0.5, 0.25, 2));
+        // Studies that say it themselves are not remembered by it.
+        window().closeStudy();
+        m_fixture->open(path("case/ct"));
+        QCOMPARE(ui::RecentStudies::seriesOf(path("case/ct")), QString());
+        QVERIFY(!ui::RecentStudies::seriesOf(folder).isEmpty());
+    }
+};
+
+QTEST_MAIN(OpeningUiTest)
+#include "OpeningUiTest.moc"
