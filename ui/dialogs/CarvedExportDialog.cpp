@@ -170,6 +170,7 @@ void CarvedExportDialog::showState()
         return;
     const bool named = !m_target->path().isEmpty();
     m_run->clearReport();
+    m_export->setDefault(true);
     m_run->say(named ? QString() : tr("Name the target."));
     m_export->setEnabled(named);
 }
@@ -256,6 +257,7 @@ void CarvedExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
     m_run->showReport(report);
+    m_close->setDefault(true); // it is done: Enter is not to replace it
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);
 }

@@ -2,6 +2,7 @@
 #include "ui/dialogs/CodeDialog.h"
 
 #include "ui/SegmentCodes.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/CodeDetails.h"
 
@@ -87,6 +88,7 @@ CodeDialog::CodeDialog(const QString& segment, const core::CodedConcept& present
     layout->addLayout(form);
     layout->addWidget(m_problem);
     layout->addWidget(buttons);
+    tabAsLaidOut(*this);
 
     fillList();
     connect(m_search, &QLineEdit::textChanged, this, &CodeDialog::narrow);
@@ -131,6 +133,7 @@ void CodeDialog::askDetails(const core::SegCodes& present)
     column->insertWidget(at, m_details);
     column->insertWidget(at, new QLabel(tr("In this export's DICOM SEG also:"), this));
     resize(width(), 680);
+    tabAsLaidOut(*this);
 }
 
 core::SegCodes CodeDialog::details() const

@@ -94,6 +94,7 @@ void DeidentifySessionDialog::showState()
         return;
     const bool named = !m_target->path().isEmpty();
     m_run->clearReport();
+    m_save->setDefault(true);
     m_run->say(named ? QString() : tr("Name the file."));
     m_save->setEnabled(named);
 }
@@ -157,6 +158,7 @@ void DeidentifySessionDialog::write(
                 .checked = {},
                 .cautions = {},
                 .sha256 = sum.value_or(QString())});
+            m_close->setDefault(true); // it is done: Enter is not to replace it
             m_workspace.say(tr("The de-identified session is saved: %1").arg(target));
             Q_EMIT saved(target);
         };

@@ -153,6 +153,7 @@ void ExportDialog::showChange()
         return;
     m_run->clearReport();
     m_send->hide();
+    m_export->setDefault(true);
     showState();
 }
 
@@ -281,6 +282,7 @@ void ExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
     m_run->showReport(report);
+    m_close->setDefault(true); // it is done: Enter is not to replace it
     m_send->setVisible(core::factsOf(m_request.format).namesSourceImages);
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);

@@ -3,6 +3,7 @@
 
 #include "ui/ErrorText.h"
 #include "ui/StudyTexts.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/ThumbnailLoader.h"
 
@@ -45,9 +46,8 @@ QString sizeOf(const core::SeriesEntry& entry)
     const QString times = entry.times.isEmpty()
         ? QString()
         : QStringLiteral(", %1 points in time").arg(entry.times.size());
-    const QString every = entry.needsSpacing()
-        ? QString()
-        : QStringLiteral(", ") + slicesApartText(entry.geometry);
+    const QString every =
+        entry.needsSpacing() ? QString() : QStringLiteral(", ") + slicesApartText(entry.geometry);
     return QStringLiteral("%1%2\n%3 × %4%5")
         .arg(size.z)
         .arg(times)
@@ -177,6 +177,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     m_open->setEnabled(false);
     m_open->setDefault(true);
     layout->addWidget(buttons);
+    tabAsLaidOut(*this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, [this] {

@@ -2,6 +2,7 @@
 #include "ui/dialogs/SpacingDialog.h"
 
 #include "core/repair/SeriesRepair.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 
 #include <QDialogButtonBox>
@@ -100,6 +101,7 @@ SpacingDialog::SpacingDialog(const core::SeriesEntry& entry, QWidget* parent)
     m_open->setProperty("role", QStringLiteral("primary"));
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(buttons);
+    tabAsLaidOut(*this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showExtent();

@@ -3,6 +3,7 @@
 
 #include "ui/ErrorText.h"
 #include "ui/PacsSources.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/pacs/CopiesRow.h"
 #include "ui/pacs/PacsCache.h"
@@ -126,6 +127,7 @@ void PacsBrowserDialog::build()
     layout->addWidget(m_state);
     layout->addWidget(m_progress);
     layout->addLayout(buttons);
+    tabAsLaidOut(*this);
 }
 
 QWidget* PacsBrowserDialog::sourceRow()

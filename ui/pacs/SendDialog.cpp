@@ -3,6 +3,7 @@
 
 #include "ui/ErrorText.h"
 #include "ui/PacsSources.h"
+#include "ui/TabOrder.h"
 #include "ui/Theme.h"
 #include "ui/pacs/SourcesDialog.h"
 #include "ui/widgets/StateLine.h"
@@ -70,6 +71,7 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     layout->addWidget(m_progress);
     layout->addStretch(1);
     layout->addLayout(buttons);
+    tabAsLaidOut(*this);
     connect(m_send, &QPushButton::clicked, this, &SendDialog::send);
     connect(m_close, &QPushButton::clicked, this, &SendDialog::reject);
     connect(m_edit, &QPushButton::clicked, this, [this] {
@@ -114,6 +116,7 @@ void SendDialog::send()
         return [this, source, sent] {
             if (!sent)
                 return m_state->say(errorText(sent.error()), "bad");
+            m_close->setDefault(true); // it is done: Enter is not to send it again
             QStringList lines{sent->sent == 1
                     ? QStringLiteral("✓ %1 took it.").arg(source.address())
                     : QStringLiteral("✓ %1 took %2 files.").arg(source.address()).arg(sent->sent)};

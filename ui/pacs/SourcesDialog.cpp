@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/TabOrder.h"
 #include "ui/widgets/StateLine.h"
 
 #include "ui/ErrorText.h"
@@ -97,6 +98,7 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     layout->setSpacing(12);
     layout->addLayout(columns, 1);
     layout->addWidget(buttons);
+    tabAsLaidOut(*this);
 
     connect(addOne, &QPushButton::clicked, this, &SourcesDialog::add);
     connect(m_remove, &QPushButton::clicked, this, &SourcesDialog::remove);
