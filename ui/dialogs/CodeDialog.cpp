@@ -72,6 +72,7 @@ CodeDialog::CodeDialog(const QString& segment, const core::CodedConcept& present
     m_meaning->setObjectName(QStringLiteral("codeMeaning"));
     m_meaning->setText(present.meaning);
     m_problem->setProperty("role", QStringLiteral("caution"));
+    m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
 
     auto* form = new QFormLayout;

@@ -10,6 +10,8 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -35,7 +37,8 @@ ExportRun::ExportRun(const QString& name, QWidget* parent)
     : QWidget(parent)
     , m_state(new StateLine(name + QStringLiteral("State"), this))
     , m_progress(new QProgressBar(this))
-    , m_report(new QLabel(this))
+    , m_report(new QLabel)
+    , m_scroll(new QScrollArea(this))
 {
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
@@ -44,13 +47,19 @@ ExportRun::ExportRun(const QString& name, QWidget* parent)
     m_report->setTextFormat(Qt::RichText);
     m_report->setWordWrap(true);
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_report->hide();
+    m_report->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_scroll->setWidget(m_report);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->viewport()->setAutoFillBackground(false);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_state);
     layout->addWidget(m_progress);
-    layout->addWidget(m_report);
+    layout->addWidget(m_scroll);
     say({});
 }
 
@@ -88,14 +97,43 @@ void ExportRun::showReport(const core::ExportReport& report)
     if (!report.sha256.isEmpty())
         text += paragraph(tr("SHA-256: %1").arg(report.sha256), theme::secondary);
     m_report->setText(text);
-    m_report->show();
+    m_scroll->show();
     say({});
+    growDialog();
 }
 
 void ExportRun::clearReport()
 {
-    m_report->hide();
+    m_scroll->hide();
     m_report->clear();
+}
+
+void ExportRun::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitReport();
+}
+
+/// As high as its lines, as far as that goes.
+void ExportRun::fitReport()
+{
+    constexpr int mostHeight = 240;
+    m_scroll->setFixedHeight(std::min(mostHeight, m_report->heightForWidth(width())));
+}
+
+/// A verdict is seen whole without anybody drawing the dialog larger; no more than the screen has.
+void ExportRun::growDialog()
+{
+    fitReport();
+    QWidget* dialog = window();
+    if (!dialog->layout())
+        return;
+    dialog->layout()->activate();
+    const int frame = dialog->frameGeometry().height() - dialog->height();
+    const int most = dialog->screen()->availableGeometry().height() - frame;
+    const int needed = dialog->layout()->totalMinimumHeightForWidth(dialog->width());
+    dialog->resize(
+        dialog->width(), std::clamp(needed, dialog->height(), std::max(most, dialog->height())));
 }
 
 void ExportRun::showFailure(const core::Error& error)

@@ -7,6 +7,7 @@
 
 class QLabel;
 class QProgressBar;
+class QScrollArea;
 
 namespace ui {
 
@@ -30,10 +31,17 @@ public:
     void clearReport();
     void showFailure(const core::Error& error);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitReport();
+    void growDialog();
+
     StateLine* m_state;
     QProgressBar* m_progress;
     QLabel* m_report;
+    QScrollArea* m_scroll; ///< of a report that has more lines than a dialog has room for
 };
 
 /// Asks whether a file that is there may go. Waits for the answer.

@@ -22,10 +22,19 @@ StudyBlock::StudyBlock(const core::Volume& volume, QWidget* parent)
     QStringList study{studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     study.removeAll(QString());
     addLine(study.join(QStringLiteral(" · ")), "secondary");
+    QStringList cautions;
     for (const core::VolumeProblem& problem : volume.problems) {
         if (problem.caution)
-            addLine(tr("Caution: %1").arg(problem.text), "caution");
+            cautions += problem.text;
     }
+    // One for each damaged slice may be more than a screen has lines.
+    constexpr qsizetype mostLines = 3;
+    const qsizetype shown = cautions.size() > mostLines ? mostLines - 1 : cautions.size();
+    for (const QString& caution : cautions.mid(0, shown))
+        addLine(tr("Caution: %1").arg(caution), "caution");
+    if (shown < cautions.size())
+        addLine(tr("Caution: %1 more, which the series doctor lists.").arg(cautions.size() - shown),
+            "caution");
 }
 
 void StudyBlock::addLine(const QString& text, const char* role, const char* name)
