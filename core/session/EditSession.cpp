@@ -9,8 +9,8 @@
 #include "core/session/OperationQueue.h"
 #include "core/session/ReadLabels.h"
 #include "core/session/RestoreSession.h"
-#include "core/session/TouchSearch.h"
 #include "core/session/SurfaceOperation.h"
+#include "core/session/TouchSearch.h"
 #include "core/session/WalkOperation.h"
 
 #include <utility>
@@ -456,10 +456,7 @@ void EditSession::setDisplay(const QJsonObject& display)
 
 void EditSession::setSurfaceListener(std::function<void(SurfaceUpdate)> listener)
 {
-    SessionState& state = m_queue->state();
-    state.surface.setListener(std::move(listener));
-    if (m_queue->idle())
-        state.surface.showAll(state.document.surface.has_value());
+    m_queue->submit(std::make_unique<ShowSurface>(std::move(listener)));
 }
 
 const SimplexMesh* EditSession::surface() const

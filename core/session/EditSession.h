@@ -193,9 +193,9 @@ public:
     /// The surface that is being refined; null: there is none, or something is under way. Until the
     /// next call that changes anything.
     [[nodiscard]] const SimplexMesh* surface() const;
-    /// Told what is to be drawn anew of the surface, at once all that there is. Called on any
-    /// thread; it never waits for whoever draws. It lives as long as the session or until it is
-    /// replaced by an empty one, which only an idle session may be given.
+    /// Told what is to be drawn anew of the surface: first, behind what waits, all that there is.
+    /// Called on any thread, and must not wait for whoever draws. It lives as long as the session
+    /// or until another one is told.
     void setSurfaceListener(std::function<void(SurfaceUpdate)> listener);
 
     /// Display state is no step of undo.

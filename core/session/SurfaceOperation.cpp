@@ -146,4 +146,16 @@ void SurfaceOperation::giveUp(SessionState& state, const Error& error)
     m_done = true;
 }
 
+ShowSurface::ShowSurface(SurfaceState::Listener listener)
+    : m_listener(std::move(listener))
+{
+}
+
+void ShowSurface::start(SessionState& state)
+{
+    state.surface.setListener(std::move(m_listener));
+    state.surface.showAll(state.document.surface.has_value());
+    m_done = true;
+}
+
 } // namespace core

@@ -52,4 +52,17 @@ private:
     bool m_done = false;
 };
 
+/// From now on somebody else is told what is to be drawn of the surface: in its place in line, when
+/// nothing deforms it.
+class ShowSurface final : public Operation {
+public:
+    explicit ShowSurface(SurfaceState::Listener listener);
+    void start(SessionState& state) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+
+private:
+    SurfaceState::Listener m_listener;
+    bool m_done = false;
+};
+
 } // namespace core
