@@ -80,7 +80,8 @@ bool KernelWarmUp::runNext()
 {
     static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
         &KernelWarmUp::runTakingGrowth, &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser,
-        &KernelWarmUp::runPeel, &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance};
+        &KernelWarmUp::runPeel, &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance,
+        &KernelWarmUp::runRelabelling};
     if (!m_fields || m_done == runs.size())
         return false;
     (this->*runs[m_done++])();
@@ -190,6 +191,16 @@ void KernelWarmUp::runTolerance()
     while (kernel && !(*kernel)->done())
         (*kernel)->advance(std::size_t(m_fields->grid().brickCount()));
     m_fields->dropTolerance();
+}
+
+void KernelWarmUp::runRelabelling()
+{
+    // A click on a chunk.
+    core::RelabelListed relabel{.target = {.plane = 0, .label = label}, .bricks = {}};
+    relabel.bricks.push_back({.brick = 0,
+        .asked =
+            std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, core::RelabelListed::give)});
+    run(relabel, {});
 }
 
 } // namespace gpu

@@ -36,6 +36,7 @@ private:
     void runTakingGrowth();
     void runGrowth();
     void runTolerance();
+    void runRelabelling();
 
     EditPrograms& m_programs;
     VolumeTextures m_textures;
