@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/demo/DemoStudy.h"
+#include "core/demo/HeadPhantom.h"
+#include "core/refine/InitialFit.h"
 #include "core/refine/SurfaceUpdate.h"
+#include "tests/support/EngineCases.h"
 #include "tests/support/FrameTest.h"
 #include "tests/support/SimplexShapes.h"
 
@@ -103,6 +107,19 @@ int mostApart(const Frame& one, const Frame& other)
     return most;
 }
 
+/// The brain of the demonstration head.
+core::BoxMask brainOf(const core::DemoStudy& study)
+{
+    std::vector<std::uint8_t> labels;
+    labels.reserve(study.parts.size());
+    for (const std::uint8_t part : study.parts) {
+        const bool inside = part >= std::uint8_t(core::HeadPart::GreyMatter)
+            && part <= std::uint8_t(core::HeadPart::BrainStem);
+        labels.push_back(inside ? 1 : 0);
+    }
+    return core::BoxMask::of(labels, 1, study.geometry.size);
+}
+
 /// Whether every pixel is, within a tolerance, what a rule makes of those of two other pictures.
 template <class Rule>
 int mostOff(const Frame& seen, const Frame& one, const Frame& other, Rule rule)
@@ -137,6 +154,76 @@ class SurfacePassGlTest : public test::FrameTest {
     {
         view.surface = look;
         return draw(view);
+    }
+    /// The demonstration head, and the surface of its brain with some marks.
+    void openHead()
+    {
+        const auto study = core::makeDemoStudy({});
+        QVERIFY(study);
+        core::VoxelEncoding encoding;
+        encoding.rescaleIntercept = -1024.0;
+        std::vector<std::uint16_t> codes;
+        codes.reserve(study->hounsfield.size());
+        for (const std::int16_t value : study->hounsfield)
+            codes.push_back(std::uint16_t(value + 1024));
+        QVERIFY(m_fixture->volume.open(study->geometry.size, codes));
+        m_fixture->volume.setGeometry(study->geometry, encoding);
+        auto mesh = core::initialFit(
+            brainOf(*study), study->geometry, {.vertices = 20'000, .steps = 15}, {});
+        QVERIFY(mesh);
+        core::SimplexMeshEdit edit(*mesh);
+        for (const core::VertexId id : mesh->vertexIds()) {
+            const glm::dvec3& place = mesh->position(id);
+            if (place.z > 45.0)
+                edit.setMark(id, core::SurfaceMark::Green);
+            if (glm::length(place - glm::dvec3(-45.0, -45.0, 10.0)) < 22.0)
+                edit.setMark(id, core::SurfaceMark::Red);
+        }
+        (void)edit.commit();
+        show(*mesh);
+    }
+    static VolumeScene headScene()
+    {
+        VolumeScene view;
+        view.eyeLps = {-260.0, -430.0, 110.0};
+        view.heightMm = 240.0;
+        view.surfaceThreshold = 300.0;
+        view.transferFunction.points = {{150.0, 0x8a4b32, 0.0}, {250.0, 0xd9a066, 0.05},
+            {600.0, 0xf2e4c4, 0.35}, {1800.0, 0xffffff, 0.8}};
+        view.mipWindow = {700.0, 1800.0};
+        view.xrayWindow = {200.0, 1400.0};
+        view.cutFaces = CutFaces::GreyValues;
+        view.faceWindow = {60.0, 400.0};
+        view.clip.planes[0] = {.pointLps = {-12.0, -10.0, 0.0},
+            .normalLps = glm::normalize(glm::dvec3(-1.0, -0.8, 0.25)),
+            .on = true};
+        return view;
+    }
+    static SceneSurface brainLook()
+    {
+        SceneSurface look;
+        look.colours.rgb = 0xE0A080;
+        look.window = {40.0, 120.0};
+        return look;
+    }
+    double millisecondsOfFull(const VolumeScene& view, const glm::ivec2& frameSize)
+    {
+        std::optional<double> milliseconds;
+        FrameScheduler& scheduler = m_fixture->scheduler;
+        scheduler.setListener([&](const Frame& frame) {
+            if (frame.quality != Frame::Quality::Coarse && !milliseconds)
+                milliseconds = frame.renderMilliseconds;
+        });
+        scheduler.request({.view = 7,
+            .sizePixels = frameSize,
+            .scene = view,
+            .segments = {},
+            .interacting = false});
+        while (!milliseconds && scheduler.work(false)) { }
+        scheduler.setListener({});
+        scheduler.forget(7);
+        (void)scheduler.work(false);
+        return milliseconds.value_or(1e9);
     }
     static void addModes()
     {
@@ -651,6 +738,67 @@ private Q_SLOTS:
                 QVERIFY(test::imageOf(frame).save(QDir(folder).filePath(name)));
             }
         }
+    }
+
+    /// With BURIN_LONG: what a frame of the demonstration head costs with the surface of its brain
+    /// and without.
+    void costsLittle()
+    {
+        if (!test::longRun())
+            QSKIP("BURIN_LONG is not set");
+        openHead();
+        const SceneSurface look = brainLook();
+        for (int mode = 0; mode < int(renderModes); ++mode) {
+            VolumeScene view = headScene();
+            view.mode = RenderMode(mode);
+            // Turn about, so that the machine is as busy with one as with the other.
+            std::array<double, 2> least{1e9, 1e9};
+            for (int i = 0; i < 8; ++i) {
+                view.eyeLps.x += 0.02;
+                view.surface.reset();
+                if (i % 2 == 1)
+                    view.surface = look;
+                double& known = least[std::size_t(i % 2)];
+                known = std::min(known, millisecondsOfFull(view, {820, 580}));
+            }
+            qInfo("mode %d: %.0f ms without the surface, %.0f ms with: %.2f", mode, least[0],
+                least[1], least[1] / least[0]);
+        }
+    }
+
+    /// With BURIN_SCREENSHOTS: pictures to be looked at.
+    void onTheDemonstrationHead()
+    {
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (folder.isEmpty())
+            QSKIP("BURIN_SCREENSHOTS is not set");
+        openHead();
+        const auto keep = [&](const char* name, const Scene& scene) {
+            const Frame frame = m_fixture->draw(scene, {656, 464});
+            QVERIFY(test::imageOf(frame).save(
+                QDir(folder).filePath(QStringLiteral("head-%1.png").arg(QLatin1String(name)))));
+        };
+        VolumeScene view = headScene();
+        view.surface = brainLook();
+        keep("shaded", view);
+        view.surface->style = SurfaceStyle::Wireframe;
+        keep("wires", view);
+        view.surface->style = SurfaceStyle::GreyValues;
+        view.surface->colours.markOpacity = 0.25f;
+        keep("greys", view);
+        view.surface = brainLook();
+        view.clip.planes[0].on = false;
+        keep("within", view);
+        view.mode = RenderMode::Dvr;
+        view.surface->opacity = 0.6f;
+        keep("dvr", view);
+        SliceScene slice;
+        slice.centreLps = {0.0, 0.0, 20.0};
+        slice.rightLps = glm::normalize(glm::dvec3(1.0, 0.0, 0.3));
+        slice.mmPerPixel = 0.4;
+        slice.window = {60.0, 400.0};
+        slice.contour = SceneContour{};
+        keep("slice", slice);
     }
 };
 
