@@ -19,6 +19,9 @@ std::vector<ExportChoice> exportChoices(const Document& document, const std::bit
             choice.remarks += QStringLiteral("hidden");
         if (growing.test(segment.label))
             choice.remarks += QStringLiteral("growth not finished");
+        if (document.surface && document.surface->differs
+            && document.surface->segment == segment.label)
+            choice.remarks += QStringLiteral("surface not written back");
         if (!segment.code.isSet())
             choice.remarks += QStringLiteral("not coded yet");
         choices.push_back(choice);

@@ -16,7 +16,7 @@ struct ExportChoice {
     Segment segment;
     double millilitres = 0.0;
     bool chosen = false; ///< the tick to begin with: shown and not empty
-    QStringList remarks; ///< "empty", "hidden", "growth not finished", "not coded yet"
+    QStringList remarks; ///< "empty", "hidden", "surface not written back", …
 };
 
 /// All segments of the document, in its order, with what the dialog says about each.

@@ -36,7 +36,8 @@ SegmentListModel::SegmentListModel(Workspace& workspace, QObject* parent)
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Segments
-                || change.what == core::DocumentChange::What::Labels)
+                || change.what == core::DocumentChange::What::Labels
+                || change.what == core::DocumentChange::What::Surface)
                 refresh();
         });
     connect(&workspace, &Workspace::activeSegmentChanged, this, &SegmentListModel::refresh);
@@ -100,7 +101,11 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
             .arg(segment->name, data(index, VolumeRole).toString(),
                 segment->visible ? tr("shown") : tr("hidden"));
     case Qt::ToolTipRole:
-        return tr("%1\n%2").arg(segment->name, data(index, CodeTextRole).toString());
+        return data(index, UnwrittenRole).toBool()
+            ? tr("%1\n%2\nIts surface was not written back: these are the voxels before it was "
+                 "changed.")
+                  .arg(segment->name, data(index, CodeTextRole).toString())
+            : tr("%1\n%2").arg(segment->name, data(index, CodeTextRole).toString());
     case LabelRole:
         return int(segment->label);
     case ColourRole:
@@ -119,6 +124,10 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
             : QStringList();
     case CodeTextRole:
         return segment->code.isSet() ? segment->code.meaning : tr("not coded yet");
+    case UnwrittenRole: {
+        const auto& surface = m_workspace.session()->document().surface;
+        return surface && surface->differs && surface->segment == segment->label;
+    }
     case ActiveRole:
         return segment->label == m_workspace.activeSegment();
     default:

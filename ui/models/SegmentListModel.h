@@ -24,6 +24,7 @@ public:
         VolumeRole, ///< QString: "9.8 mL", "—" while empty
         CodeRole, ///< QStringList {scheme, value, meaning}, empty if not coded; can be set
         CodeTextRole, ///< QString: the meaning, or "not coded yet"
+        UnwrittenRole, ///< bool: its surface is another by now, and was not written back
         ActiveRole, ///< bool
     };
 

@@ -84,10 +84,12 @@ void SegmentDelegate::paint(
         QFontMetrics(theme::smallFont())
             .elidedText(index.data(SegmentListModel::CodeTextRole).toString(), Qt::ElideRight,
                 codeRect(row).width()));
-    painter->setPen(theme::secondary);
+    const bool unwritten = index.data(SegmentListModel::UnwrittenRole).toBool();
+    painter->setPen(unwritten ? theme::caution : theme::secondary);
     const QRect volume(row.right() - lockWidth - volumeWidth, row.top() + 3, volumeWidth - 4, 18);
+    const QString millilitres = index.data(SegmentListModel::VolumeRole).toString();
     painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter,
-        index.data(SegmentListModel::VolumeRole).toString());
+        unwritten ? QStringLiteral("≠ ") + millilitres : millilitres);
     const bool locked = index.data(SegmentListModel::LockedRole).toBool();
     const bool isProtected = index.data(SegmentListModel::ProtectedRole).toBool();
     // What is not on says where to click, to who is looking there.
