@@ -232,6 +232,13 @@ void ExportNiftiTest::choices()
     QVERIFY(choices[2].remarks.contains(QStringLiteral("empty")));
     QVERIFY(choices[3].remarks.contains(QStringLiteral("growth not finished")));
     QVERIFY(choices[3].remarks.contains(QStringLiteral("not coded yet")));
+
+    const QString unwritten = QStringLiteral("surface not written back");
+    document.surface = core::RefinedSurface{.segment = 4, .differs = true};
+    QVERIFY(core::exportChoices(document, growing)[3].remarks.contains(unwritten));
+    QVERIFY(core::exportChoices(document, growing)[0].remarks.isEmpty());
+    document.surface->differs = false;
+    QVERIFY(!core::exportChoices(document, growing)[3].remarks.contains(unwritten));
 }
 
 QTEST_GUILESS_MAIN(ExportNiftiTest)
