@@ -138,6 +138,53 @@ private Q_SLOTS:
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 
+    void readsChunks()
+    {
+        const Result<Edit> plain = editFromJson(parse("{'edit':'chunks','segment':2}"));
+        QVERIFY(plain);
+        QCOMPARE(std::get<Chunks>(*plain).marginMm, 10.0);
+        QVERIFY(!std::get<Chunks>(*plain).owners);
+        const Result<Edit> named =
+            editFromJson(parse("{'edit':'chunks','segment':2,'marginMm':3.0001,"
+                               "'owners':[{'label':1,'voxels':'AAEC'},{'label':2,'voxels':''}]}"));
+        QVERIFY(named);
+        QCOMPARE(std::get<Chunks>(quantised(*named)).marginMm, 3.0);
+        QCOMPARE(std::get<Chunks>(*named).owners->front().voxels, QByteArray("\0\1\2", 3));
+        const Result<Edit> clicked =
+            editFromJson(parse("{'edit':'chunkToggle','segment':2,'chunks':40,"
+                               "'pointsLps':[[1,2,3],[4,5,6]]}"));
+        QVERIFY(clicked);
+        QVERIFY(std::get<ChunkToggle>(*clicked).mode == ChunkToggle::Mode::Toggle);
+        QVERIFY(!std::get<ChunkToggle>(*clicked).bricks);
+        const Result<Edit> forced = editFromJson(
+            parse("{'edit':'chunkToggle','segment':2,'chunks':40,'mode':'remove',"
+                  "'pointsLps':[[1,2,3]],'overwriteUnlocked':true,'bricks':[0,7,90000]}"));
+        QVERIFY(forced);
+        QVERIFY(std::get<ChunkToggle>(*forced).mode == ChunkToggle::Mode::Remove);
+        QCOMPARE(*std::get<ChunkToggle>(*forced).bricks, (std::vector<std::int64_t>{0, 7, 90000}));
+        for (const Edit& edit : {*plain, quantised(*named), *clicked, *forced})
+            QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
+        for (const char* wrong : {"{'edit':'chunks'}", "{'edit':'chunks','segment':0}",
+                 "{'edit':'chunks','segment':2,'marginMm':-1}",
+                 "{'edit':'chunks','segment':2,'owners':[]}",
+                 "{'edit':'chunks','segment':2,'owners':[{'label':1}]}",
+                 "{'edit':'chunks','segment':2,'owners':[{'label':256,'voxels':''}]}",
+                 "{'edit':'chunks','segment':2,'owners':[{'label':1,'voxels':'?'}]}",
+                 "{'edit':'chunks','segment':2,"
+                 "'owners':[{'label':2,'voxels':''},{'label':1,'voxels':''}]}",
+                 "{'edit':'chunkToggle','segment':2,'chunks':40,'pointsLps':[]}",
+                 "{'edit':'chunkToggle','segment':2,'chunks':0,'pointsLps':[[1,2,3]]}",
+                 "{'edit':'chunkToggle','segment':2,'chunks':5001,'pointsLps':[[1,2,3]]}",
+                 "{'edit':'chunkToggle','segment':2,'pointsLps':[[1,2,3]]}",
+                 "{'edit':'chunkToggle','segment':2,'chunks':4,'mode':'take',"
+                 "'pointsLps':[[1,2,3]]}",
+                 "{'edit':'chunkToggle','segment':2,'chunks':4,'pointsLps':[[1,2,3]],"
+                 "'bricks':[3,3]}",
+                 "{'edit':'chunkToggle','segment':2,'chunks':4,'pointsLps':[[1,2,3]],"
+                 "'bricks':[-1]}"})
+            QVERIFY2(!editFromJson(parse(wrong)), wrong);
+    }
+
     void readsBrushes()
     {
         const Result<Edit> paint = editFromJson(
