@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(one->parts.front().vertices.size(), other->parts.front().vertices.size());
         const glm::dvec3 turned =
             glm::dvec3(-1, -1, 1) * glm::dvec3(one->parts.front().vertices.front());
-        const glm::dvec3 read = other->parts.front().vertices.front();
+        const glm::dvec3 read(other->parts.front().vertices.front());
         QVERIFY(glm::distance(turned, read) < 1e-4);
     }
 

@@ -71,7 +71,8 @@ private Q_SLOTS:
         const Outcome replayed = burin({key("replay"), path("b.burin"), key("--verify")});
         QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
         const QString again = recipeOf("b.burin", "again.json");
-        QVERIFY2(run(again, "c.burin").status == 0, written.output.constData());
+        const Outcome repeated = run(again, "c.burin");
+        QVERIFY2(repeated.status == 0, qPrintable(repeated.complaint));
         QCOMPARE(history("c.burin")[key("commands")].toArray().last().toObject()[key("hash")],
             history("b.burin")[key("commands")].toArray().last().toObject()[key("hash")]);
     }
