@@ -157,39 +157,54 @@ void StudyOpener::start(const QString& path,
                     Q_EMIT sliceReady(slice);
             });
         };
+    m_progress = progress;
+    m_busy = true;
     Q_EMIT started(path);
-    launch(progress, [progress, early, work = std::move(work)] { return work(*progress, early); });
+    launch([progress, early, work = std::move(work)] { return work(*progress, early); });
 }
 
 void StudyOpener::goOn(const QString& step, std::function<Tell()> work)
 {
-    launch(std::make_shared<core::Progress>(), std::move(work));
+    m_progress = std::make_shared<core::Progress>();
+    m_busy = true;
+    launch(std::move(work));
     Q_EMIT progressed(step, 0, 0);
 }
 
-void StudyOpener::launch(
-    const std::shared_ptr<core::Progress>& progress, std::function<Tell()> work)
+void StudyOpener::launch(std::function<Tell()> work)
 {
-    m_progress = progress;
-    m_busy = true;
+    const auto outcome = std::make_shared<Outcome>();
+    m_outcome = outcome;
     // What was called off may take a while to notice; nobody but the next worker waits for it.
     m_worker = std::thread(
-        [this, progress, work = std::move(work), before = std::move(m_worker)]() mutable {
+        [this, outcome, work = std::move(work), before = std::move(m_worker)]() mutable {
             if (before.joinable())
                 before.join();
             Tell tell = work();
-            // It owns nothing any longer when its outcome is told.
             work = {};
-            QMetaObject::invokeMethod(this, [this, progress, tell = std::move(tell)] {
-                if (m_progress != progress)
+            {
+                const std::lock_guard lock(outcome->mutex);
+                // What it holds then goes here, before another worker begins.
+                if (outcome->calledOff)
                     return;
-                m_progress.reset();
-                m_busy = false;
-                tell();
-                if (!m_busy)
-                    Q_EMIT finished();
+                outcome->tell = std::move(tell);
+            }
+            QMetaObject::invokeMethod(this, [this, outcome] {
+                if (m_outcome == outcome)
+                    take();
             });
         });
+}
+
+void StudyOpener::take()
+{
+    const Tell tell = std::exchange(m_outcome->tell, {});
+    m_outcome.reset();
+    m_progress.reset();
+    m_busy = false;
+    tell();
+    if (!m_busy)
+        Q_EMIT finished();
 }
 
 void StudyOpener::cancel()
@@ -199,6 +214,13 @@ void StudyOpener::cancel()
     m_progress->cancel();
     m_progress.reset();
     m_busy = false;
+    Tell dropped;
+    {
+        const std::lock_guard lock(m_outcome->mutex);
+        m_outcome->calledOff = true;
+        dropped = std::exchange(m_outcome->tell, {});
+    }
+    m_outcome.reset();
     Q_EMIT finished();
 }
 

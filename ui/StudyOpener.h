@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 namespace core {
@@ -76,10 +77,19 @@ Q_SIGNALS:
 private:
     void start(const QString& path,
         std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work);
-    void launch(const std::shared_ptr<core::Progress>& progress, std::function<Tell()> work);
+    void launch(std::function<Tell()> work);
+    void take();
+
+    /// Of the work under way, from its thread to this one.
+    struct Outcome {
+        std::mutex mutex;
+        Tell tell; ///< guarded by the mutex until it is taken
+        bool calledOff = false; ///< guarded by the mutex
+    };
 
     std::thread m_worker; ///< waits for the one before it
-    std::shared_ptr<core::Progress> m_progress;
+    std::shared_ptr<core::Progress> m_progress; ///< none: nothing is under way
+    std::shared_ptr<Outcome> m_outcome; ///< likewise
     bool m_busy = false;
 };
 
