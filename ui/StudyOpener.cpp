@@ -221,6 +221,7 @@ void StudyOpener::cancel()
         dropped = std::exchange(m_outcome->tell, {});
     }
     m_outcome.reset();
+    dropped = {}; // before anybody begins something else
     Q_EMIT finished();
 }
 
