@@ -55,6 +55,10 @@ std::vector<StrokeCase> surfaceCases()
         .path = {.radiusMm = 5.0 * voxelMm, .pointsLps = {at({9, 0, 0}), at({11, 0, 0})}}};
     const core::Edit smooth =
         core::SmoothSurface{.path = {.radiusMm = 5.0 * voxelMm, .pointsLps = {at({9, 0, 0})}}};
+    const core::Edit attract = core::AttractSurface{
+        .path = {.radiusMm = 5.0 * voxelMm, .pointsLps = {at({9, 0, 0}), at({8, 3, 0})}}};
+    const core::Edit shape =
+        core::ApplyTemplate{.contoursLps = {{at({7, -4, 0}), at({11, 0, 0}), at({7, 4, 0})}}};
     const core::Edit write = core::WriteBack{};
     const core::Edit paint = core::PaintStroke{
         .segment = 1, .path = {.radiusMm = 3.0 * voxelMm, .pointsLps = {at({0, 10, 0})}}};
@@ -78,6 +82,8 @@ std::vector<StrokeCase> surfaceCases()
     add("scrape", {ball, lay, red}, scrape);
     add("drag", {ball, lay, red}, drag);
     add("smooth", {ball, lay, red, push}, smooth);
+    add("attract", {ball, lay, red}, attract);
+    add("template", {ball, lay, red}, shape);
     add("write back", {ball, lay, red, push}, write);
     add("write back what was not changed", {ball, lay}, write);
     add("write back beside others", {ball, beside, lay, red, push}, write);

@@ -228,7 +228,7 @@ private Q_SLOTS:
                 fixture.at(fixture.slice, {3.0, -radius, 0.0})},
             false);
         QVERIFY(fixture.session().transactionOpen());
-        QTest::keyClick(&fixture.window, Qt::Key_Escape);
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
         fixture.settle();
         QVERIFY(!fixture.session().transactionOpen());
         QCOMPARE(fixture.session().stateHash(), before);
