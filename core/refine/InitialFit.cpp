@@ -22,6 +22,15 @@ constexpr double reachVoxels = 4.0;
 /// does as well; forces would only crumple them.
 constexpr std::size_t fewVertices = 64;
 
+/// A mask as ragged as noise has more vertices than were asked for, since every hole is kept; it is
+/// fitted less well then, rather than for minutes: so many vertices in all are moved, and looked at
+/// for intersections.
+constexpr std::size_t mostMoves = 8'000'000;
+constexpr std::size_t mostLooks = 4'000'000;
+constexpr int fewestSteps = lastSteps + 5;
+constexpr int fewestRounds = 3;
+constexpr int mostRounds = 40;
+
 /// Those of parts that are large enough to be deformed.
 std::vector<VertexId> verticesToFit(const SimplexMesh& mesh)
 {
@@ -62,26 +71,29 @@ Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geomet
     const std::vector<const ExternalForce*> forces{&boundary};
     DeformationSettings motion{.negligibleMm = 0.01 * widthMm, .stirringMm = 0.1 * widthMm};
     RestructuringSettings structure{.areaMm2 = meanFaceAreaMm2(*mesh)};
+    const std::size_t vertices = mesh->vertexCount();
+    const int steps = std::min(settings.steps, std::max(fewestSteps, int(mostMoves / vertices)));
+    const int rounds = std::clamp(int(mostLooks / vertices), fewestRounds, mostRounds);
     SimplexMeshEdit edit(*mesh);
     Deformation deformation(motion);
     deformation.activate(*mesh, verticesToFit(*mesh));
-    for (int i = 0; i < settings.steps && !deformation.active().empty(); ++i) {
+    for (int i = 0; i < steps && !deformation.active().empty(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        if (i == settings.steps - lastSteps) {
+        if (i == steps - lastSteps) {
             motion.internal = lastInternal;
             deformation = Deformation(motion);
             deformation.activate(*mesh, verticesToFit(*mesh));
         }
         deformation.step(edit, forces);
-        progress.report(step, i + 1, settings.steps);
-        if (settings.restructureEvery == 0 || i + 1 >= settings.steps - lastSteps
+        progress.report(step, i + 1, steps);
+        if (settings.restructureEvery == 0 || i + 1 >= steps - lastSteps
             || (i + 1) % settings.restructureEvery != 0)
             continue;
         const Restructured done = restructure(edit, deformation.active(), structure);
         deformation.restructured(*mesh, done.vertices);
     }
-    repairSelfIntersections(edit, geometry);
+    repairSelfIntersections(edit, geometry, rounds);
     edit.commit();
     return mesh;
 }
