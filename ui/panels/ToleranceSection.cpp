@@ -68,7 +68,8 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             using What = core::DocumentChange::What;
-            if (change.what != What::Disk && change.what != What::Measurements)
+            if (change.what != What::Disk && change.what != What::Measurements
+                && change.what != What::Chunks)
                 follow();
         });
     connect(&workspace.seeds(), &PendingSeeds::changed, this, &ToleranceSection::showText);
