@@ -2,6 +2,7 @@
 #include "ui/models/HistoryModel.h"
 
 #include "core/edits/DocumentEdits.h"
+#include "core/edits/SurfacePaths.h"
 #include "ui/CountText.h"
 #include "ui/Workspace.h"
 
@@ -27,8 +28,8 @@ struct RowText {
 
 RowText textOf(const core::HistoryRow& row)
 {
-    const qsizetype comma =
-        core::changesDocumentOnly(row.edit) ? -1 : row.name.lastIndexOf(QLatin1String(", "));
+    const bool hasFigures = !core::changesDocumentOnly(row.edit) || core::isOfSurface(row.edit);
+    const qsizetype comma = hasFigures ? row.name.lastIndexOf(QLatin1String(", ")) : -1;
     if (comma < 0)
         return {row.name, {}};
     return {row.name.left(comma), row.name.mid(comma + 2)};
