@@ -164,7 +164,8 @@ std::optional<std::array<VertexId, 2>> splitFace(
         const VertexId after = ring[(places[i] + 1) % ring.size()];
         SimplexVertex vertex;
         vertex.positionLps = 0.5 * (mesh.position(before) + mesh.position(after));
-        vertex.mark = mesh.mark(before);
+        // Or yellow would creep into what is red where it is stretched.
+        vertex.mark = mesh.mark(after) == SurfaceMark::Red ? SurfaceMark::Red : mesh.mark(before);
         added[i] = edit.addVertex(vertex);
         enterRing(edit, beyond[i], after, added[i]);
     }

@@ -34,8 +34,8 @@ bool mergeFaces(SimplexMeshEdit& edit, VertexId from, VertexId to);
 
 /// Lays an edge through a face, from the middle of the edge that follows ring[first] to that of the
 /// edge that follows ring[second]. The new face lies between the two, with ring[first + 1] …
-/// ring[second]; new vertices have the mark of the one before them. Gives the new vertices; none:
-/// refused.
+/// ring[second]; a new vertex is red if either end of its edge is, and else has the mark of the one
+/// before. Gives the new vertices; none: refused.
 std::optional<std::array<VertexId, 2>> splitFace(
     SimplexMeshEdit& edit, FaceId face, std::size_t first, std::size_t second);
 

@@ -19,8 +19,8 @@ public:
     {
         return {};
     }
-    std::optional<Grip> gripOf(
-        const SurfacePoint& /*point*/, const glm::dvec3& /*placeLps*/) override
+    std::optional<Grip> gripOf(const SurfacePoint& /*point*/, const glm::dvec3& /*homeLps*/,
+        const glm::dvec3& /*placeLps*/) override
     {
         return std::nullopt;
     }

@@ -47,14 +47,15 @@ std::optional<double> GreyBox::edgeAlongMm(
 {
     constexpr int mostSteps = 400;
     const int steps = std::min(mostSteps, int(std::ceil(reachMm / m_stepMm)));
-    // Values from −(steps + 2) to steps + 2; changes over two steps around each place between.
+    // A change is taken over the width of two voxels, as grey values are linear between them.
+    constexpr int half = 2;
+    const int pad = steps + half + 1;
     std::vector<double> values;
-    values.reserve(std::size_t(2 * steps + 5));
-    for (int i = -steps - 2; i <= steps + 2; ++i)
+    values.reserve(std::size_t(2 * pad + 1));
+    for (int i = -pad; i <= pad; ++i)
         values.push_back(at(placeLps + double(i) * m_stepMm * unitWay));
     const auto steepAt = [&](int i) {
-        const auto middle = std::size_t(i + steps + 2);
-        return std::abs(values[middle + 1] - values[middle - 1]);
+        return std::abs(values[std::size_t(i + pad + half)] - values[std::size_t(i + pad - half)]);
     };
     const auto scoreAt = [&](int i) {
         const double far = double(i) / double(steps + 1);

@@ -41,18 +41,22 @@ public:
         return reached;
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) override
+    std::optional<Grip> gripOf(
+        const SurfacePoint& point, const glm::dvec3& homeLps, const glm::dvec3& placeLps) override
     {
-        if (!isReached(point.positionLps))
+        if (!isReached(point.positionLps)
+            && !(isReached(homeLps) && isJustBelow(point.positionLps)))
             return std::nullopt;
-        const double leftMm = glm::dot(point.positionLps - m_centre, m_normal);
+        const double height = glm::dot(point.positionLps - m_centre, m_normal);
+        const double leftMm = std::abs(height);
         const double strideMm = m_scale.strideMm(point);
         const glm::dvec3 moved = placeLps - point.positionLps;
         glm::dvec3 aside = moved - glm::dot(moved, m_normal) * m_normal;
         const double asideMm = glm::length(aside);
         if (asideMm > 0.5 * strideMm)
             aside *= 0.5 * strideMm / asideMm;
-        glm::dvec3 place = point.positionLps + aside - std::min(leftMm, strideMm) * m_normal;
+        glm::dvec3 place =
+            point.positionLps + aside - std::clamp(height, -strideMm, strideMm) * m_normal;
         if (leftMm > strideMm)
             return Grip{.placeLps = place, .leftMm = leftMm, .normalLps = glm::dvec3(0.0)};
         // Twice: the first takes it there but for the rounding of long ways.
@@ -62,6 +66,12 @@ public:
     }
 
 private:
+    /// Where the surface before the tool may have been drawn with what the tool took down.
+    [[nodiscard]] bool isJustBelow(const glm::dvec3& positionLps) const
+    {
+        const double height = glm::dot(positionLps - m_centre, m_normal);
+        return height < -skinMm && height > -m_scale.edgeMm;
+    }
     [[nodiscard]] bool isReached(const glm::dvec3& positionLps) const
     {
         const glm::dvec3 from = positionLps - m_centre;

@@ -14,6 +14,8 @@ constexpr double springShare = 0.5;
 
 void SurfaceHolds::learn(const SimplexMesh& mesh, std::span<const VertexId> active)
 {
+    if (m_step == 0)
+        m_slotsAtFirst = mesh.vertexSlots();
     m_holds.resize(std::max<std::size_t>(m_holds.size(), mesh.vertexSlots()));
     ++m_step;
     for (const VertexId id : active) {
@@ -35,19 +37,28 @@ SurfaceHolds::Hold SurfaceHolds::held(const SimplexMesh& mesh, VertexId id) cons
     const glm::dvec3 place = mesh.position(id);
     Hold hold{.home = place, .last = place, .isKnown = true};
     glm::dvec3 normals(0.0);
+    glm::dvec3 homewards(0.0);
     double offMm = 0.0;
     int touched = 0;
     for (const VertexId near : mesh.neighbours(id)) {
-        if (!isSame(mesh, near) || m_holds[near].normal == glm::dvec3(0.0))
+        if (!isSame(mesh, near))
             continue;
         const Hold& other = m_holds[near];
+        homewards += other.home - other.last;
+        if (other.normal == glm::dvec3(0.0))
+            continue;
         normals += other.normal;
         offMm += glm::dot(other.home - place, other.normal);
         ++touched;
     }
     const double length = glm::length(normals);
-    if (touched < 2 || length < 0.9 * double(touched))
+    if (touched < 2 || length < 0.9 * double(touched)) {
+        // Where it would have been, had its neighbours not been moved; but one that was there
+        // before is at home where it is.
+        if (id >= m_slotsAtFirst || m_holds[id].isKnown)
+            hold.home = place + homewards / 3.0;
         return hold;
+    }
     hold.normal = normals / length;
     hold.home = place + offMm / double(touched) * hold.normal;
     return hold;
@@ -65,7 +76,7 @@ void SurfaceHolds::guide(const SurfacePoint& point, glm::dvec3& forceMm, glm::dv
     Hold& hold = m_holds[point.vertex];
     const bool isFree = m_isYellowFree && follows(point.mark);
     const auto grip =
-        isFree ? std::optional<ToolBehaviour::Grip>() : m_tool.gripOf(point, placeLps);
+        isFree ? std::optional<ToolBehaviour::Grip>() : m_tool.gripOf(point, hold.home, placeLps);
     if (grip) {
         placeLps = grip->placeLps;
         forceMm = placeLps - point.positionLps;

@@ -57,6 +57,7 @@ private:
     bool m_isMaskThere;
     bool m_isYellowFree = false;
     std::uint32_t m_step = 0;
+    VertexId m_slotsAtFirst = 0; ///< ids beyond are new
     std::vector<Hold> m_holds; ///< by vertex
 };
 

@@ -41,7 +41,8 @@ public:
         return m_shape->region();
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& placeLps) override
+    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& /*homeLps*/,
+        const glm::dvec3& placeLps) override
     {
         if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isRegion)
             return std::nullopt;

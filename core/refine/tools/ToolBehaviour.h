@@ -59,9 +59,10 @@ public:
     };
     /// None: the tool does not hold it. Called by several threads at once, but once a step for a
     /// vertex.
+    /// @param homeLps where it was before the tool came, or left it
     /// @param placeLps where forces would take it
     [[nodiscard]] virtual std::optional<Grip> gripOf(
-        const SurfacePoint& point, const glm::dvec3& placeLps) = 0;
+        const SurfacePoint& point, const glm::dvec3& homeLps, const glm::dvec3& placeLps) = 0;
     /// The one vertex that it moves itself; noId: there is none.
     [[nodiscard]] virtual VertexId dragged() const { return noId; }
     /// A vertex that is new.

@@ -329,12 +329,13 @@ void SurfaceStrokeTest::edgesAttract()
         for (int y = 0; y < 61; ++y) {
             for (int x = 0; x < 61; ++x) {
                 const double off = 22.0 - glm::distance(glm::dvec3(x, y, z), glm::dvec3(30));
-                codes.push_back(std::uint16_t(500.0 + 400.0 * off / std::sqrt(1.0 + off * off)));
+                codes.push_back(
+                    std::uint16_t(std::lround(500.0 + 400.0 * off / std::sqrt(1.0 + off * off))));
             }
         }
     }
     const core::GreyBox grey(made.geometry, glm::ivec3(0), glm::ivec3(61), codes);
-    QCOMPARE(grey.at({0, 0, 0}), 899.0);
+    QCOMPARE(grey.at({0, 0, 0}), 900.0);
     QCOMPARE(grey.at({22, 0, 0}), 500.0);
     QCOMPARE(grey.at({22.5, 0, 0}), 0.5 * (500.0 + 217.0));
     QVERIFY(std::abs(*grey.edgeAlongMm({20, 0, 0}, {1, 0, 0}, 5.0) - 2.0) < 0.25);
