@@ -10,8 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <tuple>
+#include <vector>
 
 namespace gpu {
 
@@ -51,14 +50,108 @@ glm::vec4 planeOf(const glm::dvec3& normal, double offset)
     return {glm::vec3(normal), float(offset)};
 }
 
+void setCamera(Program& program, const WorldBox& bounds, const glm::ivec2& pictureSize,
+    const VolumeScene& scene, const PassTarget& target)
+{
+    const ViewFrame view = ViewFrame::of(scene, target.frameSize);
+    const double distance = std::max(view.distanceMm, 1e-6);
+    const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5 - glm::dvec2(target.pixelJitter);
+    const glm::dvec2 texels(pictureSize);
+    // Columns: right, down and forward in mm from the target, then 1.
+    const glm::dvec2 perMm = 2.0 / (view.mmPerPixel * double(target.pixelScale) * texels);
+    const glm::dvec2 centre = 2.0 * middle / (double(target.pixelScale) * texels) - 1.0;
+    glm::dmat4 clip{0.0};
+    clip[0][0] = perMm.x;
+    clip[1][1] = perMm.y;
+    const glm::dvec3 eye = scene.targetLps - view.forward * distance;
+    if (scene.orthographic) {
+        const auto [near, far] = depthsOf(bounds, scene.targetLps, view.forward);
+        const double margin = 0.01 * (far - near) + 1e-3;
+        const double range = far - near + 2.0 * margin;
+        clip[2][2] = 2.0 / range;
+        clip[3] = glm::dvec4(centre, -2.0 * (near - margin) / range - 1.0, 1.0);
+    } else {
+        auto [near, far] = depthsOf(bounds, eye, view.forward);
+        near = std::max(0.99 * near, 0.1);
+        far = std::max(1.01 * far, 2.0 * near);
+        // w is the depth from the eye in distances of the target.
+        const double slope = (far + near) / (far - near);
+        clip[2] = glm::dvec4(centre / distance, slope / distance, 1.0 / distance);
+        clip[3] = glm::dvec4(centre, slope - 2.0 * far * near / (far - near) / distance, 1.0);
+    }
+    const glm::dvec3 up = -view.down;
+    const glm::dvec3 toLight = glm::normalize(-view.forward * 0.80 + up * 0.48 - view.right * 0.36);
+    program.set("clipFromView", glm::mat4(clip))
+        .set("viewRight", glm::vec3(view.right))
+        .set("viewDown", glm::vec3(view.down))
+        .set("viewForward", glm::vec3(view.forward))
+        .set("viewTarget", glm::vec3(scene.targetLps))
+        .set("eyeDistance", scene.orthographic ? 0.0f : float(distance))
+        .set("toLight", glm::vec3(toLight))
+        .set("viewUp", glm::vec3(up));
+}
+
+/// What hides parts of it.
+std::vector<glm::vec4> planesOf(const VolumeTextures& volume, const VolumeScene& scene)
+{
+    std::vector<glm::vec4> planes;
+    const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
+    for (const core::HalfSpace& half : core::halfSpaces(scene.clip, volume.geometry())) {
+        // dot(n, M p + b) ≤ w
+        const glm::dvec3 normal = glm::transpose(glm::dmat3(worldToIndex)) * half.normal;
+        const double offset = half.offset - glm::dot(half.normal, glm::dvec3(worldToIndex[3]));
+        const double length = glm::length(normal);
+        if (length > 0.0)
+            planes.push_back(planeOf(normal / length, offset / length));
+    }
+    const core::ClipPlane& own = scene.surface->clip;
+    if (own.on)
+        planes.push_back(planeOf(own.normalLps, glm::dot(own.normalLps, own.pointLps)));
+    return planes;
+}
+
+void setLook(Program& program, const VolumeTextures& volume, const SceneSurface& look,
+    const PassTarget& target)
+{
+    const glm::dvec3 voxel = 1.0 / glm::dvec3(volume.size());
+    const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
+    glm::dmat4 worldToTexture = worldToIndex;
+    worldToTexture[3] += glm::dvec4(glm::dvec3(0.5), 0.0);
+    for (int column = 0; column < 4; ++column)
+        worldToTexture[column] *= glm::dvec4(voxel, 1.0);
+    setMarkColours(program, look.colours);
+    program.set("wireHalf", std::max(0.5f * wireWidth / target.pixelScale, 0.35f))
+        .set("worldToTexture", glm::mat4(worldToTexture))
+        .set("window", glm::vec2(greyOfTexel(volume.encoding(), look.window)));
+}
+
+/// Whether an eye may look at the inside of a surface that is closed and whole.
+bool mayBeInside(const WorldBox& bounds, const VolumeScene& scene)
+{
+    const double margin = 1.0 + 0.01 * glm::length(bounds.maximum - bounds.minimum);
+    return !scene.orthographic && glm::all(glm::greaterThan(scene.eyeLps, bounds.minimum - margin))
+        && glm::all(glm::lessThan(scene.eyeLps, bounds.maximum + margin));
+}
+
 } // namespace
 
 SurfacePass::SurfacePass(const ShaderLibrary& library)
-    : m_program(library,
-        {.label = "surface",
-            .vertexPath = "render/surfacePass.vert",
-            .fragmentPath = "render/surfacePass.frag"})
+    : m_library(library)
 {
+}
+
+Program& SurfacePass::programFor(SurfaceStyle style, bool hides)
+{
+    Program& known = m_programs[2 * std::size_t(style) + std::size_t(hides)];
+    if (!known)
+        known = Program(m_library,
+            {.label = "surface",
+                .vertexPath = "render/surfacePass.vert",
+                .fragmentPath = "render/surfacePass.frag",
+                .defines = {{"WIRES", style == SurfaceStyle::Wireframe ? 1 : 0},
+                    {"GREYS", style == SurfaceStyle::GreyValues ? 1 : 0},
+                    {"HIDES", hides ? 1 : 0}}});
+    return known;
 }
 
 void SurfacePass::draw(SurfacePicture& picture, const SurfaceBuffers& surface,
@@ -71,9 +164,13 @@ void SurfacePass::draw(SurfacePicture& picture, const SurfaceBuffers& surface,
     picture.blocks = blocksAround(
         glm::vec3(bounds.minimum), glm::vec3(bounds.maximum), glm::dmat4(1.0), scene, target);
     resize(picture, target.frameSize);
-    setCamera(surface, picture, scene, target);
-    setClip(volume, scene);
-    setLook(volume, *scene.surface, target);
+    const std::vector<glm::vec4> planes = planesOf(volume, scene);
+    Program& program = programFor(scene.surface->style, !planes.empty());
+    setCamera(program, bounds, picture.colours.size(), scene, target);
+    setLook(program, volume, *scene.surface, target);
+    if (!planes.empty())
+        program.set("hiddenBeyond", std::span<const glm::vec4>(planes))
+            .set("hiddenCount", int(planes.size()));
     volume.intensity().bindUnit(0);
 
     picture.frame.bind();
@@ -82,87 +179,16 @@ void SurfacePass::draw(SurfacePicture& picture, const SurfaceBuffers& surface,
     picture.frame.clear();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    m_program.use();
+    const bool frontAlone = planes.empty() && scene.surface->style != SurfaceStyle::Wireframe
+        && !mayBeInside(bounds, scene);
+    if (frontAlone) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_FRONT); // rows run downwards: what faces the viewer turns to the right
+    }
+    program.use();
     surface.draw();
+    glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
-}
-
-void SurfacePass::setCamera(const SurfaceBuffers& surface, const SurfacePicture& picture,
-    const VolumeScene& scene, const PassTarget& target)
-{
-    const ViewFrame view = ViewFrame::of(scene, target.frameSize);
-    const double distance = std::max(view.distanceMm, 1e-6);
-    const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5 - glm::dvec2(target.pixelJitter);
-    const glm::dvec2 texels(picture.colours.size());
-    // Columns: right, down and forward in mm from the target, then 1.
-    const glm::dvec2 perMm = 2.0 / (view.mmPerPixel * double(target.pixelScale) * texels);
-    const glm::dvec2 centre = 2.0 * middle / (double(target.pixelScale) * texels) - 1.0;
-    glm::dmat4 clip{0.0};
-    clip[0][0] = perMm.x;
-    clip[1][1] = perMm.y;
-    const glm::dvec3 eye = scene.targetLps - view.forward * distance;
-    if (scene.orthographic) {
-        const auto [near, far] = depthsOf(surface.bounds(), scene.targetLps, view.forward);
-        const double margin = 0.01 * (far - near) + 1e-3;
-        const double range = far - near + 2.0 * margin;
-        clip[2][2] = 2.0 / range;
-        clip[3] = glm::dvec4(centre, -2.0 * (near - margin) / range - 1.0, 1.0);
-    } else {
-        auto [near, far] = depthsOf(surface.bounds(), eye, view.forward);
-        near = std::max(0.99 * near, 0.1);
-        far = std::max(1.01 * far, 2.0 * near);
-        // w is the depth from the eye in distances of the target.
-        const double slope = (far + near) / (far - near);
-        clip[2] = glm::dvec4(centre / distance, slope / distance, 1.0 / distance);
-        clip[3] = glm::dvec4(centre, slope - 2.0 * far * near / (far - near) / distance, 1.0);
-    }
-    const glm::dvec3 up = -view.down;
-    const glm::dvec3 toLight = glm::normalize(-view.forward * 0.80 + up * 0.48 - view.right * 0.36);
-    m_program.set("clipFromView", glm::mat4(clip))
-        .set("viewRight", glm::vec3(view.right))
-        .set("viewDown", glm::vec3(view.down))
-        .set("viewForward", glm::vec3(view.forward))
-        .set("viewTarget", glm::vec3(scene.targetLps))
-        .set("eyeDistance", scene.orthographic ? 0.0f : float(distance))
-        .set("toLight", glm::vec3(toLight))
-        .set("viewUp", glm::vec3(up));
-}
-
-void SurfacePass::setClip(const VolumeTextures& volume, const VolumeScene& scene)
-{
-    std::array<glm::vec4, 10> planes; // six of the box, three, and its own
-    planes.fill(planeOf(glm::dvec3(0.0), 1.0)); // hides nothing
-    std::size_t count = 0;
-    const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
-    for (const core::HalfSpace& half : core::halfSpaces(scene.clip, volume.geometry())) {
-        // dot(n, M p + b) ≤ w
-        const glm::dvec3 normal = glm::transpose(glm::dmat3(worldToIndex)) * half.normal;
-        const double offset = half.offset - glm::dot(half.normal, glm::dvec3(worldToIndex[3]));
-        const double length = glm::length(normal);
-        if (length > 0.0 && count + 1 < planes.size())
-            planes[count++] = planeOf(normal / length, offset / length);
-    }
-    const core::ClipPlane& own = scene.surface->clip;
-    if (own.on)
-        planes[count++] = planeOf(own.normalLps, glm::dot(own.normalLps, own.pointLps));
-    m_program.set("hiddenBeyond", std::span<const glm::vec4>(planes))
-        .set("hiddenCount", int(count));
-}
-
-void SurfacePass::setLook(
-    const VolumeTextures& volume, const SceneSurface& look, const PassTarget& target)
-{
-    const glm::dvec3 voxel = 1.0 / glm::dvec3(volume.size());
-    const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
-    glm::dmat4 worldToTexture = worldToIndex;
-    worldToTexture[3] += glm::dvec4(glm::dvec3(0.5), 0.0);
-    for (int column = 0; column < 4; ++column)
-        worldToTexture[column] *= glm::dvec4(voxel, 1.0);
-    setMarkColours(m_program, look.colours);
-    m_program.set("style", int(look.style))
-        .set("wireHalf", std::max(0.5f * wireWidth / target.pixelScale, 0.35f))
-        .set("worldToTexture", glm::mat4(worldToTexture))
-        .set("window", glm::vec2(greyOfTexel(volume.encoding(), look.window)));
 }
 
 } // namespace gpu

@@ -8,6 +8,9 @@
 #include "gpu/gl/Texture2D.h"
 #include "gpu/render/PassTarget.h"
 
+#include <array>
+#include <cstddef>
+
 namespace gpu {
 
 class SurfaceBuffers;
@@ -30,21 +33,22 @@ struct SurfacePicture {
 /// hides. Marks win where most of a place has them.
 class SurfacePass {
 public:
-    /// Throws ShaderError.
+    /// @param library outlives the pass
     explicit SurfacePass(const ShaderLibrary& library);
 
     /// Draws a whole picture; once for each, before its first tile. Cost: linear in the surface.
+    /// Throws ShaderError.
     /// @param scene has a surface
     void draw(SurfacePicture& picture, const SurfaceBuffers& surface, VolumeTextures& volume,
         const VolumeScene& scene, const PassTarget& target);
 
 private:
-    void setCamera(const SurfaceBuffers& surface, const SurfacePicture& picture,
-        const VolumeScene& scene, const PassTarget& target);
-    void setClip(const VolumeTextures& volume, const VolumeScene& scene);
-    void setLook(const VolumeTextures& volume, const SceneSurface& look, const PassTarget& target);
+    static constexpr std::size_t styles = 3;
+    /// @param hides something of it is hidden by a plane
+    [[nodiscard]] Program& programFor(SurfaceStyle style, bool hides);
 
-    Program m_program;
+    const ShaderLibrary& m_library;
+    std::array<Program, 2 * styles> m_programs; ///< each when it is first needed
 };
 
 } // namespace gpu

@@ -1,4 +1,6 @@
-// The surface that is being refined: its colour, and where the ray of the pixel meets it.
+// The surface that is being refined: its colour, and where the ray of the pixel meets it. WIRES: edges
+// alone; GREYS: values of the volume; HIDES: there are planes that hide parts of it. What discards
+// nothing is tested for its depth before it is computed.
 #include "render/light.glsl"
 #include "render/surfaceColour.glsl"
 
@@ -9,10 +11,11 @@ layout(binding = 0) uniform sampler3D intensity; // code / 65535
 uniform vec3 viewForward;  // world, unit
 uniform vec3 viewTarget;   // world
 uniform float eyeDistance; // mm before the target; 0: orthographic
-uniform int style;         // 0 shaded, 1 wireframe, 2 grey values
 uniform float wireHalf;    // drawn pixels
+#if HIDES
 uniform vec4 hiddenBeyond[10]; // world: hidden where dot(xyz, place) > w
-uniform int hiddenCount;
+uniform int hiddenCount;       // six of a box, three planes, and its own
+#endif
 uniform mat4 worldToTexture;
 uniform vec2 window; // grey = code / 65535 · x + y
 
@@ -31,16 +34,22 @@ const float greyLight = 0.35; // grey values are to be read: they are shaded les
 void main()
 {
     const vec3 place = fromTarget + viewTarget;
-    // Distance from the nearest rim of the face, in pixels.
-    const float toRim = placeMarks.w / max(length(vec2(dFdx(placeMarks.w), dFdy(placeMarks.w))), 1e-6);
     float cover = 1.0;
-    if (style == 1)
-        cover = clamp(wireHalf + 0.5 - toRim, 0.0, 1.0);
-    bool hidden = cover < 0.02;
+#if WIRES
+    // Distance from the nearest rim of the face, in pixels.
+    const float toRim
+        = placeMarks.w / max(length(vec2(dFdx(placeMarks.w), dFdy(placeMarks.w))), 1e-6);
+    cover = clamp(wireHalf + 0.5 - toRim, 0.0, 1.0);
+    if (cover < 0.02)
+        discard;
+#endif
+#if HIDES
+    bool hidden = false;
     for (int i = 0; i < hiddenCount; ++i)
         hidden = hidden || dot(hiddenBeyond[i].xyz, place) > hiddenBeyond[i].w;
     if (hidden)
         discard;
+#endif
 
     const vec3 fromEye = fromTarget + viewForward * eyeDistance;
     const bool isOrthographic = eyeDistance == 0.0;
@@ -56,11 +65,11 @@ void main()
 
     vec4 light = lightOn(normal, toViewer, 1.0, isInside ? 0.0 : 0.15);
     vec3 own = ownColour;
-    if (style == 2) {
-        const vec3 at = (worldToTexture * vec4(place, 1.0)).xyz;
-        own = vec3(clamp(texture(intensity, at).r * window.x + window.y, 0.0, 1.0));
-        light = vec4(mix(vec3(1.0), light.rgb, greyLight), 0.0);
-    }
+#if GREYS
+    const vec3 at = (worldToTexture * vec4(place, 1.0)).xyz;
+    own = vec3(clamp(texture(intensity, at).r * window.x + window.y, 0.0, 1.0));
+    light = vec4(mix(vec3(1.0), light.rgb, greyLight), 0.0);
+#endif
     const vec3 albedo = marked(own, markOf(placeMarks.xyz));
     colour = vec4(lit(albedo, light) * (isInside ? insideShade : 1.0), cover);
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 
 using namespace gpu;
 
@@ -107,14 +108,15 @@ int mostApart(const Frame& one, const Frame& other)
     return most;
 }
 
-/// The brain of the demonstration head.
+/// What fills the skull of the demonstration head.
 core::BoxMask brainOf(const core::DemoStudy& study)
 {
     std::vector<std::uint8_t> labels;
     labels.reserve(study.parts.size());
     for (const std::uint8_t part : study.parts) {
         const bool inside = part >= std::uint8_t(core::HeadPart::GreyMatter)
-            && part <= std::uint8_t(core::HeadPart::BrainStem);
+            && part <= std::uint8_t(core::HeadPart::Vessels)
+            && part != std::uint8_t(core::HeadPart::Membranes);
         labels.push_back(inside ? 1 : 0);
     }
     return core::BoxMask::of(labels, 1, study.geometry.size);
@@ -206,24 +208,25 @@ class SurfacePassGlTest : public test::FrameTest {
         look.window = {40.0, 120.0};
         return look;
     }
+    /// Processor time until a full picture is there, whatever else the machine does.
     double millisecondsOfFull(const VolumeScene& view, const glm::ivec2& frameSize)
     {
-        std::optional<double> milliseconds;
+        bool done = false;
         FrameScheduler& scheduler = m_fixture->scheduler;
-        scheduler.setListener([&](const Frame& frame) {
-            if (frame.quality != Frame::Quality::Coarse && !milliseconds)
-                milliseconds = frame.renderMilliseconds;
-        });
+        scheduler.setListener(
+            [&](const Frame& frame) { done = frame.quality != Frame::Quality::Coarse; });
+        const std::clock_t start = std::clock();
         scheduler.request({.view = 7,
             .sizePixels = frameSize,
             .scene = view,
             .segments = {},
             .interacting = false});
-        while (!milliseconds && scheduler.work(false)) { }
+        while (!done && scheduler.work(false)) { }
+        const double milliseconds = 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC;
         scheduler.setListener({});
         scheduler.forget(7);
         (void)scheduler.work(false);
-        return milliseconds.value_or(1e9);
+        return milliseconds;
     }
     static void addModes()
     {
@@ -761,8 +764,8 @@ private Q_SLOTS:
                 double& known = least[std::size_t(i % 2)];
                 known = std::min(known, millisecondsOfFull(view, {820, 580}));
             }
-            qInfo("mode %d: %.0f ms without the surface, %.0f ms with: %.2f", mode, least[0],
-                least[1], least[1] / least[0]);
+            qInfo("mode %d: %.0f ms of processor time without the surface, %.0f ms with: %.2f",
+                mode, least[0], least[1], least[1] / least[0]);
         }
     }
 
