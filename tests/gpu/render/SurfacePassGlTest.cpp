@@ -450,8 +450,12 @@ private Q_SLOTS:
             if (std::abs(z - 6.0) < mm)
                 continue;
             for (int x = 0; x < size.x; ++x) {
+                // At its rim the inside may be seen beside the outside, which a whole one never
+                // shows.
+                if (std::abs(gapToSphere(view, x, y, glm::dvec3(0.0), radiusMm)) < mm)
+                    continue;
                 const glm::ivec3 expected = z > 6.0 ? glm::ivec3(0) : test::pixel(whole, x, y);
-                QVERIFY(test::pixel(below, x, y) == expected);
+                QVERIFY(apart(test::pixel(below, x, y), expected) <= 1);
                 hidden += z > 6.0 && isLit(whole, x, y) ? 1 : 0;
             }
         }
