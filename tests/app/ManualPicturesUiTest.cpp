@@ -7,6 +7,7 @@
 #include "tests/support/SharedData.h"
 #include "ui/MainWindow.h"
 #include "ui/PanelSection.h"
+#include "ui/Refinement.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/OpenStudyDialog.h"
@@ -15,6 +16,8 @@
 #include "ui/panels/KeyframePopup.h"
 #include "ui/panels/Panel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/tools/RefineTool.h"
+#include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
 
@@ -265,6 +268,52 @@ private Q_SLOTS:
         file->setText(QStringLiteral("/home/jane/masks/head-seg.dcm"));
         QTest::qWait(300);
         save(dialog.grab(), "export-verdict.png");
+    }
+
+    void repairedSurface()
+    {
+        start();
+        m_application->openDemonstration();
+        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(waitUntilDrawn());
+        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Surface")});
+        ui::Workspace& workspace = m_application->workspace();
+        // A lesion that a network found, but for a lobe, and with a leak.
+        apply(core::AddSegment{.name = QStringLiteral("Tumour"), .rgb = 0xE07A5F});
+        workspace.setActiveSegment(1);
+        core::PaintStroke lesion{.segment = 1};
+        lesion.path = {.radiusMm = 20.0, .pointsLps = {{24, -18, 40}, {10, 4, 46}}};
+        apply(lesion);
+        lesion.path = {.radiusMm = 7.0, .pointsLps = {{36, -30, 42}, {50, -44, 44}}};
+        apply(lesion);
+        apply(core::LaySurface{.segment = 1, .vertices = 9000});
+        apply(core::MarkSurface{.mark = core::SurfaceMark::Green,
+            .path = {.radiusMm = 26.0, .pointsLps = {{6, 14, 50}}}});
+        apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
+            .path = {.radiusMm = 11.0, .pointsLps = {{42, -36, 43}, {50, -44, 44}}}});
+        apply(core::MarkSurface{
+            .mark = core::SurfaceMark::Red, .path = {.radiusMm = 8.0, .pointsLps = {{4, -6, 25}}}});
+        apply(
+            core::SpherePush{.path = {.radiusMm = 11.0, .pointsLps = {{4, -2, 34}, {2, -4, 27}}}});
+        // Seen through a hole in the head.
+        core::DrillStroke hole = drill({0.0, 0.0}, {0.001, 0.0}, 34.0, 52.0);
+        const glm::dvec3 middle(26, -20, 42);
+        hole.view.eyeLps += middle - hole.view.targetLps;
+        hole.view.targetLps = middle;
+        apply(hole);
+        workspace.setCrosshairLps({24, -18, 42});
+        workspace.refinement().setSettings(
+            {.mode = ui::Refinement::Mode::Sphere, .radiusMm = 11.0});
+        for (QObject* child : window().children()) {
+            if (auto* tool = qobject_cast<ui::RefineTool*>(child))
+                workspace.setActiveTool(tool);
+        }
+        QVERIFY(waitUntilDrawn());
+        ui::ImageView& slice = window().views().axial();
+        const QPointF at = slice.context().toPixel({36, -38, 42});
+        QTest::mouseMove(&slice, at.toPoint());
+        QVERIFY(waitUntilDrawn());
+        keep("refining.png");
     }
 
     void historyWithBranchesAndTimeline()
