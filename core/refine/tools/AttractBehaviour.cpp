@@ -40,8 +40,8 @@ public:
         return reached;
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& /*homeLps*/,
-        const glm::dvec3& placeLps) override
+    std::optional<Grip> gripOf(
+        const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
     {
         if (point.vertex >= m_isTouched.size() || m_isTouched[point.vertex] == 0)
             return std::nullopt;

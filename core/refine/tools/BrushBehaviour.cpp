@@ -19,7 +19,7 @@ public:
     {
         return {};
     }
-    std::optional<Grip> gripOf(const SurfacePoint& /*point*/, const glm::dvec3& /*homeLps*/,
+    std::optional<Grip> gripOf(const SurfacePoint& /*point*/, const Past& /*past*/,
         const glm::dvec3& /*placeLps*/) override
     {
         return std::nullopt;

@@ -54,8 +54,8 @@ public:
         m_parts[m_dragged] = {.start = m_from, .last = mesh.position(m_dragged), .weight = 1.0};
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& /*homeLps*/,
-        const glm::dvec3& /*placeLps*/) override
+    std::optional<Grip> gripOf(
+        const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& /*placeLps*/) override
     {
         if (point.vertex >= m_parts.size())
             return std::nullopt;

@@ -42,10 +42,9 @@ public:
     }
 
     std::optional<Grip> gripOf(
-        const SurfacePoint& point, const glm::dvec3& homeLps, const glm::dvec3& placeLps) override
+        const SurfacePoint& point, const Past& past, const glm::dvec3& placeLps) override
     {
-        if (!isReached(point.positionLps)
-            && !(isReached(homeLps) && isJustBelow(point.positionLps)))
+        if (!isReached(point.positionLps) && !isDrawnBelow(point.positionLps, past))
             return std::nullopt;
         const double height = glm::dot(point.positionLps - m_centre, m_normal);
         const double leftMm = std::abs(height);
@@ -66,11 +65,14 @@ public:
     }
 
 private:
-    /// Where the surface before the tool may have been drawn with what the tool took down.
-    [[nodiscard]] bool isJustBelow(const glm::dvec3& positionLps) const
+    /// Whether forces, or a change of structure, took it past the plane with what is on it.
+    [[nodiscard]] bool isDrawnBelow(const glm::dvec3& positionLps, const Past& past) const
     {
-        const double height = glm::dot(positionLps - m_centre, m_normal);
-        return height < -skinMm && height > -m_scale.edgeMm;
+        const glm::dvec3 from = positionLps - m_centre;
+        const double height = glm::dot(from, m_normal);
+        const double deepest = (isReached(past.homeLps) ? 1.0 : 0.1) * m_scale.edgeMm;
+        return height < -skinMm && height > -deepest && (past.isMade || isReached(past.homeLps))
+            && glm::dot(from, from) - height * height <= m_radiusMm * m_radiusMm;
     }
     [[nodiscard]] bool isReached(const glm::dvec3& positionLps) const
     {

@@ -31,8 +31,8 @@ public:
         return reached;
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& /*homeLps*/,
-        const glm::dvec3& placeLps) override
+    std::optional<Grip> gripOf(
+        const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
     {
         const double weight = weightAt(point.positionLps);
         if (weight <= 0.0)

@@ -56,8 +56,8 @@ public:
         return reached;
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& /*homeLps*/,
-        const glm::dvec3& placeLps) override
+    std::optional<Grip> gripOf(
+        const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
     {
         const glm::dvec3 from = point.positionLps - m_centre;
         if (!isWithin(from))

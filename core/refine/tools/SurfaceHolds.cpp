@@ -35,7 +35,10 @@ bool SurfaceHolds::isSame(const SimplexMesh& mesh, VertexId id) const
 SurfaceHolds::Hold SurfaceHolds::held(const SimplexMesh& mesh, VertexId id) const
 {
     const glm::dvec3 place = mesh.position(id);
-    Hold hold{.home = place, .last = place, .isKnown = true};
+    Hold hold{.home = place,
+        .last = place,
+        .isKnown = true,
+        .isMade = id >= m_slotsAtFirst || m_holds[id].isKnown};
     glm::dvec3 normals(0.0);
     glm::dvec3 homewards(0.0);
     double offMm = 0.0;
@@ -55,7 +58,7 @@ SurfaceHolds::Hold SurfaceHolds::held(const SimplexMesh& mesh, VertexId id) cons
     if (touched < 2 || length < 0.9 * double(touched)) {
         // Where it would have been, had its neighbours not been moved; but one that was there
         // before is at home where it is.
-        if (id >= m_slotsAtFirst || m_holds[id].isKnown)
+        if (hold.isMade)
             hold.home = place + homewards / 3.0;
         return hold;
     }
@@ -75,8 +78,9 @@ void SurfaceHolds::guide(const SurfacePoint& point, glm::dvec3& forceMm, glm::dv
 {
     Hold& hold = m_holds[point.vertex];
     const bool isFree = m_isYellowFree && follows(point.mark);
-    const auto grip =
-        isFree ? std::optional<ToolBehaviour::Grip>() : m_tool.gripOf(point, hold.home, placeLps);
+    const auto grip = isFree
+        ? std::optional<ToolBehaviour::Grip>()
+        : m_tool.gripOf(point, {.homeLps = hold.home, .isMade = hold.isMade}, placeLps);
     if (grip) {
         placeLps = grip->placeLps;
         forceMm = placeLps - point.positionLps;

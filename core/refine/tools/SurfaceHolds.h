@@ -43,6 +43,7 @@ private:
         double leftMm = 0.0;
         std::uint32_t gripped = 0; ///< in which step it was last
         bool isKnown = false;
+        bool isMade = false; ///< by restructuring
     };
     [[nodiscard]] bool follows(SurfaceMark mark) const
     {

@@ -41,20 +41,32 @@ public:
         return m_shape->region();
     }
 
-    std::optional<Grip> gripOf(const SurfacePoint& point, const glm::dvec3& /*homeLps*/,
-        const glm::dvec3& placeLps) override
+    /// All go the same share of their ways: those that had the shorter one would stand around a pit
+    /// in which the others lag.
+    void beginStep(const SimplexMesh& mesh) override
+    {
+        double mostMm = 0.0;
+        for (VertexId id = 0; id < m_parts.size() && m_shape && !m_shape->isBody(); ++id) {
+            if (m_parts[id].isRegion && mesh.hasVertex(id))
+                mostMm = std::max(mostMm, glm::distance(m_parts[id].target, mesh.position(id)));
+        }
+        const double strideMm = 0.35 * m_scale.edgeMm;
+        m_share = mostMm > strideMm ? strideMm / mostMm : 1.0;
+    }
+
+    std::optional<Grip> gripOf(
+        const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
     {
         if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isRegion)
             return std::nullopt;
         const glm::dvec3 way = m_shape->isBody() ? m_shape->wayMm(point.positionLps)
                                                  : m_parts[point.vertex].target - point.positionLps;
         const double leftMm = glm::length(way);
-        const double strideMm = m_scale.strideMm(point);
         if (m_shape->isBody())
-            return towardsBody(point, placeLps, way, leftMm, strideMm);
-        if (leftMm <= strideMm)
+            return towardsBody(point, placeLps, way, leftMm, m_scale.strideMm(point));
+        if (m_share >= 1.0)
             return Grip{.placeLps = m_parts[point.vertex].target, .leftMm = leftMm};
-        return Grip{.placeLps = point.positionLps + strideMm / leftMm * way, .leftMm = leftMm};
+        return Grip{.placeLps = point.positionLps + m_share * way, .leftMm = leftMm};
     }
 
     void adopt(const SimplexMesh& mesh, VertexId id) override
@@ -120,6 +132,7 @@ private:
 
     std::optional<TemplateShape> m_shape;
     std::vector<Part> m_parts; ///< by vertex
+    double m_share = 1.0; ///< of its way, that each vertex goes in this step
     bool m_isBegun = false;
 };
 

@@ -20,7 +20,7 @@ using Column = Eigen::VectorXd;
 /// What is left over may be this share of the greatest value.
 constexpr double mostError = 1e-9;
 /// Less is as good as none: points in a line, or twice.
-constexpr double leastCondition = 1e-14;
+constexpr double leastPivot = 1e-14;
 
 /// U(r) of r².
 double thinPlate(double squared)
@@ -69,7 +69,8 @@ std::vector<double> weightsThrough(
         greatest = std::max(greatest, std::abs(values[std::size_t(i)]));
     }
     const Eigen::PartialPivLU<Matrix> solver(matrix);
-    if (!(solver.rcond() > leastCondition))
+    const Column pivots = solver.matrixLU().diagonal().cwiseAbs();
+    if (!(pivots.minCoeff() > leastPivot * pivots.maxCoeff()))
         return {};
     Column weights = solver.solve(wanted);
     // Once more for what rounding left.

@@ -50,6 +50,10 @@ public:
     /// The pen is up.
     virtual void lift() { }
 
+    struct Past {
+        glm::dvec3 homeLps{0.0}; ///< where the vertex was before the tool came, or since it left
+        bool isMade = false; ///< by restructuring, in this stroke
+    };
     struct Grip {
         glm::dvec3 placeLps{0.0}; ///< where the vertex goes in this step
         double leftMm = 0.0; ///< and how far it is to go yet, before the step
@@ -59,10 +63,9 @@ public:
     };
     /// None: the tool does not hold it. Called by several threads at once, but once a step for a
     /// vertex.
-    /// @param homeLps where it was before the tool came, or left it
     /// @param placeLps where forces would take it
     [[nodiscard]] virtual std::optional<Grip> gripOf(
-        const SurfacePoint& point, const glm::dvec3& homeLps, const glm::dvec3& placeLps) = 0;
+        const SurfacePoint& point, const Past& past, const glm::dvec3& placeLps) = 0;
     /// The one vertex that it moves itself; noId: there is none.
     [[nodiscard]] virtual VertexId dragged() const { return noId; }
     /// A vertex that is new.
