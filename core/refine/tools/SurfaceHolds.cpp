@@ -84,6 +84,10 @@ void SurfaceHolds::guide(const SurfacePoint& point, glm::dvec3& forceMm, glm::dv
     if (grip) {
         placeLps = grip->placeLps;
         forceMm = placeLps - point.positionLps;
+        // One that goes slowly because others have farther to go is not at rest.
+        const double movedMm = glm::length(forceMm);
+        if (movedMm > 0.0 && grip->leftMm > movedMm)
+            forceMm *= grip->leftMm / movedMm;
         hold.home = placeLps;
         hold.normal = grip->normalLps;
         hold.leftMm = grip->leftMm;

@@ -209,7 +209,8 @@ void SurfaceStrokeTest::aScrapedWayIsLevel()
     int on = 0;
     for (const core::VertexId id : mesh.vertexIds()) {
         const glm::dvec3 at = mesh.position(id);
-        if (std::abs(at.y) < 4.0) {
+        // What lies beside the way may be drawn into it by less than an edge.
+        if (std::abs(at.y) < 4.0 - 0.5 * edge) {
             QVERIFY2(at.z <= 16.0 + 1e-9, qPrintable(QString::number(at.z - 16.0)));
             if (std::abs(at.y) < 4.0 - edge && at.z > 0.0 && std::abs(at.x) < 12.0 - 1.5 * edge) {
                 QVERIFY2(std::abs(at.z - 16.0) <= 1e-9, qPrintable(QString::number(at.z - 16.0)));
