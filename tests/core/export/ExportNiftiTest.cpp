@@ -14,6 +14,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <QTest>
 
 #include <random>
