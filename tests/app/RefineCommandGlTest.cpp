@@ -65,8 +65,8 @@ private Q_SLOTS:
         QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
         // What it recorded is a recipe that comes to the same state.
         QCOMPARE(run(recipeOf("a.burin", "again.json"), "b.burin").status, 0);
-        QCOMPARE(history("b.burin")[key("commands")].toArray().last().toObject()[key("hash")],
-            history("a.burin")[key("commands")].toArray().last().toObject()[key("hash")]);
+        QVERIFY(!lastHash("a.burin").isEmpty());
+        QCOMPARE(lastHash("b.burin"), lastHash("a.burin"));
     }
 
     void withoutASurfaceItIsRefused()

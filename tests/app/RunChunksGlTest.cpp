@@ -48,11 +48,8 @@ private Q_SLOTS:
         const Outcome again =
             run(recipe("again.json", QJsonDocument::fromJson(written.output).object()), "b.burin");
         QVERIFY2(again.status == 0, qPrintable(again.complaint));
-        const auto hash = [this](const char* session) {
-            return history(session)[key("commands")].toArray().last().toObject()[key("hashAfter")];
-        };
-        QVERIFY(!hash("a.burin").toString().isEmpty());
-        QCOMPARE(hash("b.burin"), hash("a.burin"));
+        QVERIFY(!lastHash("a.burin").isEmpty());
+        QCOMPARE(lastHash("b.burin"), lastHash("a.burin"));
     }
 
     void aClickWithoutADivisionIsRefused()

@@ -90,4 +90,10 @@ QJsonObject CommandFixture::history(const char* session) const
     return QJsonDocument::fromJson(outcome.output).object();
 }
 
+QString CommandFixture::lastHash(const char* session) const
+{
+    const QJsonArray commands = history(session).value(key("commands")).toArray();
+    return commands.last().toObject().value(key("hashAfter")).toString();
+}
+
 } // namespace test

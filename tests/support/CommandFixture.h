@@ -42,6 +42,8 @@ protected:
     [[nodiscard]] QString recipeOf(const char* session, const char* name) const;
     /// `burin history --json`
     [[nodiscard]] QJsonObject history(const char* session) const;
+    /// The state hash of a session's last row, hex.
+    [[nodiscard]] QString lastHash(const char* session) const;
 
 private:
     QTemporaryDir m_studies;
