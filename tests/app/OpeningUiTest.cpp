@@ -14,6 +14,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 /// A study that is loaded is put into the engine beside the GUI thread, which goes on meanwhile.
 class OpeningUiTest : public QObject {
     Q_OBJECT
@@ -76,6 +79,11 @@ private Q_SLOTS:
         test::SyntheticSeries series;
         series.studyUid = QStringLiteral("2.25.500");
         series.seriesUid = QStringLiteral("2.25.501");
+        // Only what says how it is to be looked at shows early.
+        series.adjust = [](DcmDataset& set, int) {
+            set.putAndInsertString(DCM_WindowCenter, "40");
+            set.putAndInsertString(DCM_WindowWidth, "400");
+        };
         test::writeSeries(series, path("other"));
         bool early = false;
         whenTold(&ui::StudyOpener::loaded, [&] {

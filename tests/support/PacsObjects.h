@@ -61,7 +61,10 @@ template <class Node> void compareSearch(const Node& node, const TwoStudies& stu
     VERIFY_DONE(byId);
     QCOMPARE(byId->hits.size(), std::size_t(1));
     QCOMPARE(byId->hits.front().patientName, QStringLiteral("Müller^Jörg"));
-    for (const char* dates : {"20210101-", "20210101-20211231"}) {
+    for (const char* dates : {"20210101-20211231", "20210101-"}) {
+        // What else it holds may be of a later year.
+        if (!alone && QLatin1String(dates).endsWith(QLatin1Char('-')))
+            continue;
         const auto byDate = found({.studyDate = QLatin1String(dates)});
         VERIFY_DONE(byDate);
         QCOMPARE(byDate->hits.size(), std::size_t(1));
