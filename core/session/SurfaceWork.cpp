@@ -165,6 +165,8 @@ void SurfaceWork::begin()
     m_stroke =
         std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,
             SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(), .reddens = true});
+    if (std::holds_alternative<TemplateTool>(*chosen))
+        m_stroke->add({}); // it has no way of the pen, but begins with a sample as all do
 }
 
 void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
