@@ -48,7 +48,11 @@ private:
 
 void tabAsLaidOut(QWidget& dialog)
 {
+    // Where the chain begins is the dialog, which Qt lets be a part of an order only so.
+    const Qt::FocusPolicy policy = dialog.focusPolicy();
+    dialog.setFocusPolicy(Qt::TabFocus);
     Chain().add(&dialog);
+    dialog.setFocusPolicy(policy);
 }
 
 } // namespace ui

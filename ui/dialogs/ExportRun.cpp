@@ -118,7 +118,7 @@ void ExportRun::resizeEvent(QResizeEvent* event)
 void ExportRun::fitReport()
 {
     constexpr int mostHeight = 240;
-    m_scroll->setFixedHeight(std::min(mostHeight, m_report->heightForWidth(width())));
+    m_scroll->setFixedHeight(std::clamp(m_report->heightForWidth(width()), 0, mostHeight));
 }
 
 /// A verdict is seen whole without anybody drawing the dialog larger; no more than the screen has.
