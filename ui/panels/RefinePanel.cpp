@@ -27,7 +27,6 @@ namespace ui {
 namespace {
 
 constexpr int mostRows = 4;
-constexpr int rowPixels = 22;
 
 QLabel* smallLabel(const QString& text, QWidget* parent)
 {
@@ -104,13 +103,13 @@ QWidget* RefinePanel::buildRefining()
     m_state = smallLabel({}, page);
     m_state->setObjectName(QStringLiteral("surfaceState"));
     layout->addWidget(m_state);
-    auto* buttons = new QHBoxLayout;
+    // Side by side they would not fit into the column.
+    auto* buttons = new QGridLayout;
     buttons->setSpacing(theme::smallPadding);
-    const auto button = [page, buttons](const QString& text, const char* name, const QString& tip) {
+    const auto button = [page](const QString& text, const char* name, const QString& tip) {
         auto* made = new QPushButton(text, page);
         made->setObjectName(QLatin1String(name));
         made->setToolTip(tip);
-        buttons->addWidget(made);
         return made;
     };
     m_write = button(tr("Write back"), "writeBack",
@@ -118,6 +117,9 @@ QWidget* RefinePanel::buildRefining()
     m_follow = button(tr("Follow mask"), "followMask",
         tr("What is yellow goes to the boundary of what the segment holds now"));
     m_drop = button(tr("Remove"), "dropSurface", tr("Do without the surface; undo brings it back"));
+    buttons->addWidget(m_write, 0, 0, 1, 2);
+    buttons->addWidget(m_follow, 1, 0);
+    buttons->addWidget(m_drop, 1, 1);
     layout->addLayout(buttons);
 
     auto* grid = new QGridLayout;
@@ -251,7 +253,9 @@ void RefinePanel::showErrors()
         m_errors->addItem(tr("Error %1 · %2").arg(i + 1).arg(areaText(errors[i].areaMm2)));
     m_errors->setCurrentRow(std::min(current, m_errors->count() - 1));
     m_errors->setVisible(!errors.empty());
-    m_errors->setFixedHeight(rowPixels * std::clamp(m_errors->count(), 1, mostRows) + 4);
+    const int rowHeight = std::max(m_errors->sizeHintForRow(0), theme::controlHeight);
+    m_errors->setFixedHeight(
+        rowHeight * std::clamp(m_errors->count(), 1, mostRows) + 2 * m_errors->frameWidth());
 }
 
 void RefinePanel::takeLook()
