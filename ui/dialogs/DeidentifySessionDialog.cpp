@@ -46,7 +46,7 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     , m_run(new ExportRun(QStringLiteral("deidentified"), this))
 {
     setWindowTitle(tr("Save de-identified session"));
-    resize(640, 420); // with room for the verdict
+    resize(640, 280); // it grows with the verdict
     auto* what = new QLabel(
         tr("A copy of this session for others: the same steps, without the study's images, place, "
            "UIDs and description, without authors, pictures and how the window looked. Names that "

@@ -118,6 +118,7 @@ void ExportRun::resizeEvent(QResizeEvent* event)
 void ExportRun::fitReport()
 {
     constexpr int mostHeight = 240;
+    m_report->ensurePolished(); // or it would be measured in another font before it is first shown
     m_scroll->setFixedHeight(std::clamp(m_report->heightForWidth(width()), 0, mostHeight));
 }
 
@@ -128,6 +129,10 @@ void ExportRun::growDialog()
     QWidget* dialog = window();
     if (!dialog->layout())
         return;
+    // What it needs is known to the dialog's layout only when events have gone up from here.
+    layout()->activate();
+    for (QWidget* part = this; part != dialog; part = part->parentWidget())
+        part->updateGeometry();
     dialog->layout()->activate();
     const int frame = dialog->frameGeometry().height() - dialog->height();
     const int most = dialog->screen()->availableGeometry().height() - frame;

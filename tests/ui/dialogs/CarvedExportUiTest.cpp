@@ -63,6 +63,9 @@ private Q_SLOTS:
         QVERIFY(QFileInfo::exists(folder.filePath(QStringLiteral("coverage.nii.gz"))));
         QVERIFY(report->isVisible() && report->text().contains(QStringLiteral("Sculpt 1")));
         QVERIFY(report->text().contains(QStringLiteral("SHA-256")));
+        // The dialog has grown: all of it is seen.
+        QTRY_VERIFY(report->visibleRegion().boundingRect().height()
+            >= report->heightForWidth(report->width()));
         const QString pictures = qEnvironmentVariable("BURIN_SCREENSHOTS");
         if (!pictures.isEmpty())
             QVERIFY(
