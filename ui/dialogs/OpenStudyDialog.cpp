@@ -147,7 +147,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
         addRow(*entry);
         files += entry->files.value(entry->files.size() / 2);
     }
-    const int widths[ColumnCount] = {pictureSize + 18, 180, 100, 80, 230, 180, 0};
+    const int widths[ColumnCount] = {pictureSize + 18, 170, 100, 76, 226, 194, 0};
     for (int column = 0; column < Problems; ++column)
         m_list->setColumnWidth(column, widths[column]);
     m_list->header()->setStretchLastSection(true);
