@@ -46,9 +46,11 @@ SimplexMeshEdit::~SimplexMeshEdit()
         rollback();
 }
 
+// Who picked a vertex may name it still when it has been merged with another: where there is none
+// nothing is written, or what lies in a free place would not come back on redo.
 void SimplexMeshEdit::move(VertexId id, const glm::dvec3& positionLps)
 {
-    if (m_mesh.mark(id) == SurfaceMark::Green)
+    if (!m_mesh.hasVertex(id) || m_mesh.mark(id) == SurfaceMark::Green)
         return;
     touchVertex(id);
     m_mesh.m_positions[id] = positionLps;
@@ -56,7 +58,7 @@ void SimplexMeshEdit::move(VertexId id, const glm::dvec3& positionLps)
 
 void SimplexMeshEdit::setMark(VertexId id, SurfaceMark mark)
 {
-    if (m_mesh.mark(id) == mark)
+    if (!m_mesh.hasVertex(id) || m_mesh.mark(id) == mark)
         return;
     touchVertex(id);
     m_mesh.m_marks[id] = mark;

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -41,10 +42,29 @@ private Q_SLOTS:
     void stormsKeepTheSurfaceWhole();
     void deltasLeadBackAndForth();
     void anEditThatIsLeftIsRolledBack();
+    void whatIsGoneIsNotWritten();
     void whatWasWritten();
     void idsStayAndAreUsedAgain();
     void greenStays();
 };
+
+/// Who picked a vertex may still name it when it has been merged with another.
+void SimplexMeshTest::whatIsGoneIsNotWritten()
+{
+    core::SimplexMesh mesh = test::simplexSphere(10.0, 2);
+    core::SimplexMeshEdit edit(mesh);
+    const core::VertexId picked = 7;
+    for (const core::VertexId near : std::array(mesh.neighbours(picked))) {
+        if (mesh.hasVertex(picked) && mesh.slotOf(picked, near) < 3)
+            core::mergeFaces(edit, picked, near);
+    }
+    QVERIFY(!mesh.hasVertex(picked));
+    const core::SimplexMesh before = mesh;
+    edit.move(picked, {1.0, 2.0, 3.0});
+    edit.setMark(picked, core::SurfaceMark::Green);
+    edit.setMark(1'000'000, core::SurfaceMark::Red);
+    QVERIFY(core::identical(mesh, before));
+}
 
 void SimplexMeshTest::dualsAreClosed()
 {
