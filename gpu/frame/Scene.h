@@ -60,6 +60,18 @@ struct SceneContour {
     bool operator==(const SceneContour&) const = default;
 };
 
+/// Chunks of a box of the volume (core/chunks), drawn translucent: in slices as areas with a line
+/// where two of them touch, in the 3D view as bodies.
+struct SceneChunks {
+    core::VoxelBox box;
+    /// By voxel of the box, x fastest: one more than its chunk of the finest division
+    /// (core::ChunkTree::leafAt()), 0 where there is none. Another list is another pointer.
+    std::shared_ptr<const std::vector<std::uint16_t>> leaves;
+    /// By chunk of the finest division; 0xAARRGGBB, AA: how much of `opacity`, 0: not drawn.
+    std::vector<std::uint32_t> argb;
+    float opacity = 0.3f;
+};
+
 /// One plane through the volume, seen orthographically.
 struct SliceScene {
     glm::dvec3 centreLps{0.0}; ///< at the middle of the frame
@@ -69,10 +81,32 @@ struct SliceScene {
     core::WindowLevel window;
     bool inverted = false; ///< dark is high
     bool interpolated = true; ///< false: nearest voxel
+    /// Interpolated by cubics through the voxels' values (Catmull-Rom) once nothing moves.
+    bool cubic = false;
     bool showCarved = true; ///< carved voxels as a tinted outline
     bool carvedAsHole = false; ///< carved voxels black; with or without the outline
     std::optional<SceneContour> contour{}; ///< none: not drawn
+    /// Under the segments; null: none. Others are another pointer.
+    std::shared_ptr<const SceneChunks> chunks;
     bool operator==(const SliceScene&) const = default;
+};
+
+/// The cutting plane (seed B §4.1, §5.1) in the 3D view: a rectangle that shows what a slice would
+/// show there, segments tinted as in slices, among the matter. Cubic once nothing moves.
+struct ScenePlane {
+    glm::dvec3 centreLps{0.0};
+    glm::dvec3 rightLps{1.0, 0.0, 0.0}; ///< unit
+    glm::dvec3 downLps{0.0, 1.0, 0.0}; ///< unit, at right angles to it
+    glm::dvec2 halfSizeMm{100.0}; ///< along right and down
+    core::WindowLevel window;
+    bool inverted = false; ///< dark is high
+    float opacity = 1.0f; ///< 0: hidden but for the contour
+    /// Of what hides it, in surface and volume rendering, it shines through so much.
+    float behindOpacity = 0.0f;
+    std::uint32_t rimRgb = 0x5AA9E6; ///< 0xRRGGBB
+    float rimWidthPixels = 1.5f; ///< 0: none
+    std::optional<SceneContour> contour{}; ///< none: not drawn
+    bool operator==(const ScenePlane&) const = default;
 };
 
 /// Mip: the greatest visible value along a ray. Xray: the mean of the visible values along it.
@@ -163,6 +197,12 @@ struct VolumeScene {
     /// Those to be drawn, in any order; null or empty: none. Another list is another pointer.
     std::shared_ptr<const std::vector<SceneSeed>> seeds;
     std::optional<SceneSurface> surface{}; ///< none: not drawn
+    std::optional<ScenePlane> plane{}; ///< none: not drawn
+    /// Null: none. Others are another pointer.
+    std::shared_ptr<const SceneChunks> chunks;
+    /// Of one eye of two (stereo): it lies so far to the right of eyeLps, millimetres, and looks
+    /// straight ahead; the target's plane is where both pictures agree.
+    double eyeShiftMm = 0.0;
     bool operator==(const VolumeScene&) const = default;
 };
 
