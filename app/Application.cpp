@@ -21,6 +21,7 @@
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
 #include "ui/panels/ClippingPanel.h"
+#include "ui/panels/ComparePanel.h"
 #include "ui/panels/GrowthActions.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/panels/HistoryPanel.h"
@@ -39,6 +40,7 @@
 #include "ui/tools/PaintTool.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/PieceTool.h"
+#include "ui/tools/PlaneTool.h"
 #include "ui/tools/RefineTool.h"
 #include "ui/tools/RulerTool.h"
 #include "ui/tools/ScissorsTool.h"
@@ -97,6 +99,7 @@ void Application::makeWindow()
     auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* barrier = new ui::BarrierTool(*m_workspace, &window);
     auto* refine = new ui::RefineTool(*m_workspace, &window);
+    auto* plane = new ui::PlaneTool(*m_workspace, &window);
     auto* ruler = new ui::RulerTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
@@ -119,6 +122,7 @@ void Application::makeWindow()
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
     window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
+    window.addTool(*plane, window.refineMenu(), QKeySequence(QStringLiteral("P")));
     window.addToolGroup();
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
@@ -135,6 +139,7 @@ void Application::makeWindow()
     window.refineMenu().addSeparator();
     window.actionTable().fill(
         window.refineMenu(), ui::addRefineActions(window.actionTable(), *m_workspace));
+    window.addPanel(new ui::ComparePanel(*m_workspace));
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::LayersPanel(*m_workspace));
     window.addPanel(new ui::PiecesPanel(*m_workspace, window.views().volume()));
@@ -145,7 +150,7 @@ void Application::makeWindow()
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     const std::vector<ui::Tool*> tools{drill, laser, peel, scissors, carve, clip, piece, seed,
-        shrink, paint, barrier, refine, ruler, undoHere};
+        shrink, paint, barrier, refine, plane, ruler, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

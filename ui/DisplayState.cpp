@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/DisplayState.h"
 
+#include "ui/CuttingPlane.h"
 #include "ui/DisplayJson.h"
 #include "ui/LayerLooks.h"
 #include "ui/Pieces.h"
@@ -155,6 +156,40 @@ void read(const QJsonValue& json, const core::ClipRegion& whole, core::ClipRegio
         read(planes[qsizetype(i)], clip.planes[i]);
 }
 
+QJsonObject toJson(const CuttingPlane& plane)
+{
+    return {{QStringLiteral("centreLps"), toJson(plane.pose().centreLps)},
+        {QStringLiteral("rightLps"), toJson(plane.pose().rightLps)},
+        {QStringLiteral("downLps"), toJson(plane.pose().downLps)},
+        {QStringLiteral("shown"), plane.look().shown},
+        {QStringLiteral("opacity"), plane.look().opacity},
+        {QStringLiteral("clipsAbove"), plane.look().clipsAbove}};
+}
+
+bool atRightAngles(const glm::dvec3& a, const glm::dvec3& b)
+{
+    constexpr double tolerance = 1e-6;
+    return std::abs(glm::length(a) - 1.0) < tolerance && std::abs(glm::length(b) - 1.0) < tolerance
+        && std::abs(glm::dot(a, b)) < tolerance;
+}
+
+void apply(const QJsonValue& json, CuttingPlane& plane)
+{
+    CuttingPlane::Pose pose = plane.pose();
+    read(json[QLatin1String("centreLps")], pose.centreLps);
+    read(json[QLatin1String("rightLps")], pose.rightLps);
+    read(json[QLatin1String("downLps")], pose.downLps);
+    if (atRightAngles(pose.rightLps, pose.downLps))
+        plane.setPose(pose);
+    CuttingPlane::Look look = plane.look();
+    double opacity = look.opacity;
+    read(json[QLatin1String("shown")], look.shown);
+    read(json[QLatin1String("opacity")], opacity);
+    read(json[QLatin1String("clipsAbove")], look.clipsAbove);
+    look.opacity = float(std::clamp(opacity, 0.0, 1.0));
+    plane.setLook(look);
+}
+
 QJsonArray toJson(const std::map<int, PieceLook>& looks)
 {
     QJsonArray list;
@@ -243,14 +278,6 @@ QJsonObject toJson(const VolumeView& view)
     return object;
 }
 
-bool isUpright(const Camera& camera)
-{
-    constexpr double tolerance = 1e-6;
-    return std::abs(glm::length(camera.towardsViewer) - 1.0) < tolerance
-        && std::abs(glm::length(camera.up) - 1.0) < tolerance
-        && std::abs(glm::dot(camera.up, camera.towardsViewer)) < tolerance;
-}
-
 void apply(const QJsonValue& json, VolumeView& view)
 {
     if (!json.isObject())
@@ -258,7 +285,7 @@ void apply(const QJsonValue& json, VolumeView& view)
     Camera camera = view.camera();
     read(json[QLatin1String("towardsViewer")], camera.towardsViewer);
     read(json[QLatin1String("up")], camera.up);
-    if (!isUpright(camera))
+    if (!atRightAngles(camera.up, camera.towardsViewer))
         return;
     if (json[QLatin1String("heightMm")].toDouble() <= 0.0)
         return view.fitCamera(camera);
@@ -272,10 +299,10 @@ struct NamedView {
     ImageView* view;
 };
 
-std::array<NamedView, 4> namedViews(const ViewGrid& views)
+std::array<NamedView, 5> namedViews(const ViewGrid& views)
 {
     return {{{"axial", &views.axial()}, {"sagittal", &views.sagittal()},
-        {"coronal", &views.coronal()}, {"volume", &views.volume()}}};
+        {"coronal", &views.coronal()}, {"volume", &views.volume()}, {"plane", &views.plane()}}};
 }
 
 } // namespace
@@ -334,6 +361,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("showBarriers"), options.showBarriers},
         {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
         {QStringLiteral("clip"), toJson(m_workspace.clip())},
+        {QStringLiteral("plane"), toJson(m_workspace.plane())},
         {QStringLiteral("pieces"), toJson(m_workspace.pieces().looks())},
         {QStringLiteral("layers"), toJson(m_workspace.layerLooks().looks())},
         {QStringLiteral("views"), composedViews()},
@@ -349,6 +377,8 @@ QJsonObject DisplayState::composed() const
 QJsonObject DisplayState::composedViews() const
 {
     QJsonObject object{{QStringLiteral("volume"), toJson(m_views.volume())}};
+    if (m_views.arrangement() == ViewGrid::Layout::PenAndStage)
+        object[QStringLiteral("layout")] = QStringLiteral("penAndStage");
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
             object[QStringLiteral("alone")] = QLatin1String(name);
@@ -385,6 +415,7 @@ void DisplayState::apply(const QJsonObject& state)
     core::ClipRegion clip = m_workspace.clip();
     read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
     m_workspace.setClip(clip);
+    ui::apply(state[QLatin1String("plane")], m_workspace.plane());
     ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
     ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
     applyTools(state);
@@ -417,6 +448,11 @@ void DisplayState::applyViews(const QJsonObject& state)
             alone = view;
     }
     ui::apply(state[QLatin1String("volume")], m_views.volume());
+    const bool penAndStage =
+        state[QLatin1String("layout")].toString() == QLatin1String("penAndStage");
+    const auto layout = penAndStage ? ViewGrid::Layout::PenAndStage : ViewGrid::Layout::Four;
+    if (layout != m_views.arrangement())
+        m_views.arrange(layout);
     if (alone != m_views.maximised())
         m_views.maximise(alone);
 }

@@ -10,9 +10,11 @@
 #include "ui/OptionBar.h"
 #include "ui/PanelColumn.h"
 #include "ui/PanelSection.h"
+#include "ui/PlaneActions.h"
 #include "ui/ReadOnlyMark.h"
 #include "ui/RecentStudies.h"
 #include "ui/SessionSaver.h"
+#include "ui/StageActions.h"
 #include "ui/StartPage.h"
 #include "ui/StatusLine.h"
 #include "ui/StudyTexts.h"
@@ -127,6 +129,8 @@ void MainWindow::buildMenus()
             list += QLatin1String(name);
         return list;
     };
+    const QStringList plane = addPlaneActions(*this);
+    const QStringList stage = addStageActions(*this);
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     m_actions.fill(*m_fileMenu,
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.fromPacs",
@@ -138,8 +142,9 @@ void MainWindow::buildMenus()
 
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
     m_actions.fill(*view,
-        ids({"view.four", "view.volume", "view.axial", "view.sagittal", "view.coronal", "",
-            "view.reset", "view.resetAll", "", "view.bookmark"}));
+        ids({"view.four", "view.penAndStage", "view.volume", "view.axial", "view.sagittal",
+            "view.coronal", "view.plane", "view.penApart", "", "view.reset", "view.resetAll", "",
+            "view.bookmark"}));
     m_bookmarks->fill(*view->addMenu(QStringLiteral("Bookmarks")));
     view->addSeparator();
     QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
@@ -152,6 +157,8 @@ void MainWindow::buildMenus()
         ids({"view.surface", "view.dvr", "view.mip", "view.xray", "", "view.fromFront",
             "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
             "view.fromBelow"}));
+    m_actions.fill(*view->addMenu(QStringLiteral("Stage")), stage);
+    m_actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);
     view->addSeparator();
     m_actions.fill(*view,
         ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole",

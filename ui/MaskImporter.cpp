@@ -16,15 +16,11 @@
 
 namespace ui {
 
-namespace {
-
 QString maskFilter()
 {
     return QStringLiteral("Masks (%1);;All files (*)")
         .arg(core::maskNamePatterns().join(QLatin1Char(' ')));
 }
-
-} // namespace
 
 MaskImporter::MaskImporter(Workspace& workspace, QWidget* window)
     : QObject(window)

@@ -20,6 +20,9 @@ namespace ui {
 
 class Workspace;
 
+/// Of dialogs that ask for a mask's file.
+[[nodiscard]] QString maskFilter();
+
 /// Brings segments in from a mask's file: it is read beside the window's work, what it holds
 /// becomes one step. One file at a time.
 class MaskImporter : public QObject {

@@ -13,6 +13,10 @@ Refinement::Refinement(Workspace& workspace)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &Refinement::follow);
+    connect(&workspace, &Workspace::sessionClosing, this, [this] {
+        m_contours.clear();
+        Q_EMIT contoursChanged();
+    });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Surface
@@ -108,6 +112,75 @@ void Refinement::apply(const core::Edit& edit)
         m_workspace.fail(applied.error());
 }
 
+QString Refinement::caution() const
+{
+    const auto known = surface();
+    const core::Segment* segment =
+        known ? m_workspace.session()->document().segment(known->segment) : nullptr;
+    if (!segment || !known->differs)
+        return {};
+    return tr("surface of %1 not written back").arg(segment->name);
+}
+
+void Refinement::addContour(std::vector<glm::dvec3> pointsLps)
+{
+    dropPreview();
+    m_contours.push_back(std::move(pointsLps));
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::removeContour()
+{
+    dropPreview();
+    if (m_contours.empty())
+        return;
+    m_contours.pop_back();
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::clearContours()
+{
+    dropPreview();
+    if (m_contours.empty())
+        return;
+    m_contours.clear();
+    Q_EMIT contoursChanged();
+}
+
+bool Refinement::isPreviewing() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session && session->templateOpen();
+}
+
+void Refinement::previewTemplate()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_contours.empty() || isPreviewing())
+        return;
+    const auto begun = session->begin(core::ApplyTemplate{.contoursLps = m_contours});
+    if (!begun)
+        return m_workspace.fail(begun.error());
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::takeTemplate()
+{
+    if (!isPreviewing())
+        return;
+    m_contours.clear();
+    m_workspace.session()->end(core::Ending::Commit);
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::dropPreview()
+{
+    if (!isPreviewing())
+        return;
+    m_workspace.session()->end(core::Ending::Rollback);
+    Q_EMIT contoursChanged();
+}
+
 void Refinement::lay(int vertices)
 {
     const core::EditSession* session = m_workspace.session();
@@ -137,6 +210,15 @@ void Refinement::changeMarks(core::ChangeMarks::Way way)
     const bool isYellow = m_settings.mark == core::SurfaceMark::Yellow;
     apply(
         core::ChangeMarks{.mark = isYellow ? core::SurfaceMark::Red : m_settings.mark, .way = way});
+}
+
+void Refinement::signOff(int place)
+{
+    if (place < 0 || place >= int(m_errors.size()))
+        return;
+    apply(core::ChangeMarks{.mark = core::SurfaceMark::Red,
+        .way = core::ChangeMarks::Way::Accept,
+        .nearLps = m_mirror.vertex(m_errors[std::size_t(place)].first).positionLps});
 }
 
 void Refinement::goToError(int by)

@@ -28,7 +28,7 @@ public:
         bool contours = true; ///< where it meets slices
         bool operator==(const Look&) const = default;
     };
-    enum class Mode { Mark, Sphere, Scrape, Drag, Smooth };
+    enum class Mode { Mark, Sphere, Scrape, Drag, Smooth, Attract, Template };
     /// Of the tool.
     struct Settings {
         Mode mode = Mode::Mark;
@@ -55,6 +55,26 @@ public:
     [[nodiscard]] std::optional<gpu::SceneSurface> scene() const;
     [[nodiscard]] std::optional<gpu::SceneContour> contour() const;
 
+    /// Contours of a template that have been drawn but not taken (seed B §4.4), LPS.
+    [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& contours() const
+    {
+        return m_contours;
+    }
+    /// One more. One whose ends meet is closed: it describes a body. What is previewed is taken
+    /// back.
+    void addContour(std::vector<glm::dvec3> pointsLps);
+    void removeContour(); ///< the last one
+    void clearContours();
+    /// The surface shows what the contours make of it; takeTemplate() makes an edit of that,
+    /// dropPreview() takes it back and keeps the contours.
+    void previewTemplate();
+    [[nodiscard]] bool isPreviewing() const;
+    void takeTemplate();
+    void dropPreview();
+
+    /// What views say while the segment does not hold what the surface encloses; empty: it does.
+    [[nodiscard]] QString caution() const;
+
     /// Around the active segment.
     void lay(int vertices);
     void writeBack();
@@ -65,11 +85,14 @@ public:
     void goToError(int by);
     /// @param place in errors()
     void showError(int place);
+    /// It turns green. @param place in errors()
+    void signOff(int place);
 
 Q_SIGNALS:
     void changed(); ///< it, or what is marked on it
     void lookChanged();
     void settingsChanged();
+    void contoursChanged(); ///< or whether what they make of the surface is looked at
     /// An error is to be looked at. @param normalLps outwards; 0: from wherever
     void shown(const glm::dvec3& placeLps, const glm::dvec3& normalLps);
 
@@ -85,6 +108,7 @@ private:
     int m_error = -1; ///< the one that was gone to
     Look m_look;
     Settings m_settings;
+    std::vector<std::vector<glm::dvec3>> m_contours;
 };
 
 } // namespace ui

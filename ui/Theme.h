@@ -27,6 +27,7 @@ inline constexpr QColor axial{0xe0, 0x52, 0x4a};
 inline constexpr QColor sagittal{0xe6, 0xc8, 0x4a};
 inline constexpr QColor coronal{0x5b, 0xbf, 0x6a};
 inline constexpr QColor volume{0xd7, 0xb1, 0x3f};
+inline constexpr QColor plane{0x5a, 0xa9, 0xe6}; ///< the cutting plane; gpu::ScenePlane's rim
 
 // Logical pixels, on a grid of 4.
 inline constexpr int smallPadding = 8;

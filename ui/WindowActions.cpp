@@ -267,7 +267,15 @@ void addMode(
 void addViewActions(MainWindow& window)
 {
     Actions& actions = window.actionTable();
-    addLayout(window, "view.four", "Four views", "Ctrl+1", [] { return nullptr; });
+    actions.add({.id = QStringLiteral("view.four"),
+        .text = QStringLiteral("Four views"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+1"))},
+        .run = [&window] { window.views().arrange(ViewGrid::Layout::Four); },
+        .checked =
+            [&window] {
+                return window.views().arrangement() == ViewGrid::Layout::Four
+                    && !window.views().maximised();
+            }});
     addLayout(window, "view.volume", "3D alone", "Ctrl+2",
         [&window] { return &window.views().volume(); });
     addLayout(window, "view.axial", "Axial alone", "Ctrl+3",

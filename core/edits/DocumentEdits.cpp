@@ -15,6 +15,8 @@ constexpr int lastLabel = 255;
 constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
+template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
+
 Result<bool> apply(const AddSegment& edit, Document& document)
 {
     const int label = document.lastLabelGiven() + 1;
@@ -353,6 +355,13 @@ Result<bool> changeSurface(Document& document, bool deforms)
     return true;
 }
 
+template <class E>
+requires isOneOf<E, FollowMask, SpherePush, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface>
+    Result<bool> apply(const E&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
 Result<bool> apply(const LaySurface& edit, Document& document)
 {
     if (!document.segment(edit.segment))
@@ -368,11 +377,6 @@ Result<bool> apply(const DropSurface&, Document& document)
     return known;
 }
 
-Result<bool> apply(const FollowMask&, Document& document)
-{
-    return changeSurface(document, true);
-}
-
 Result<bool> apply(const MarkSurface&, Document& document)
 {
     return changeSurface(document, false);
@@ -383,12 +387,14 @@ Result<bool> apply(const ChangeMarks& edit, Document& document)
     if (edit.mark == SurfaceMark::Yellow)
         return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
             QStringLiteral("yellow is what is not marked"));
+    using Way = ChangeMarks::Way;
+    if (edit.way == Way::Accept && edit.mark != SurfaceMark::Red)
+        return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
+            QStringLiteral("only what is red can be accepted"));
+    if (edit.nearLps && edit.way != Way::Clear && edit.way != Way::Accept)
+        return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.nearLps"),
+            QStringLiteral("goes with clear and accept"));
     return changeSurface(document, false);
-}
-
-Result<bool> apply(const SpherePush&, Document& document)
-{
-    return changeSurface(document, true);
 }
 
 Result<bool> apply(const PlaneScrape& edit, Document& document)
@@ -396,26 +402,6 @@ Result<bool> apply(const PlaneScrape& edit, Document& document)
     if (edit.normalLps == glm::dvec3(0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("planeScrape.normalLps"),
             QStringLiteral("has no direction"));
-    return changeSurface(document, true);
-}
-
-Result<bool> apply(const PointDrag&, Document& document)
-{
-    return changeSurface(document, true);
-}
-
-Result<bool> apply(const ApplyTemplate&, Document& document)
-{
-    return changeSurface(document, true);
-}
-
-Result<bool> apply(const SmoothSurface&, Document& document)
-{
-    return changeSurface(document, true);
-}
-
-Result<bool> apply(const AttractSurface&, Document& document)
-{
     return changeSurface(document, true);
 }
 
@@ -440,85 +426,15 @@ Result<bool> apply(const Chunks& edit, Document& document)
     return true;
 }
 
-// What changes voxels only, or by the history.
-Result<bool> apply(const ChunkToggle&, Document&)
+/// What changes voxels only, or by the history.
+template <class E>
+requires isOneOf<E, ChunkToggle, SeedStroke, GrowSteps, ShrinkSteps, ChangeInterval, ResumeGrowth,
+    ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, DrillStroke, LaserStroke, RevertRows,
+    ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, SegmentToLayer>
+    Result<bool> apply(const E&, Document&)
 {
     return false;
 }
-Result<bool> apply(const SeedStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const GrowSteps&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const ShrinkSteps&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const ChangeInterval&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const ResumeGrowth&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const ShrinkAt&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const PlugLeak&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const BarrierStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const GrowFromSeeds&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const DrillStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const LaserStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const RevertRows&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const ReviseStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const PaintStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const BrushStroke&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const PeelCut&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const ScissorsCut&, Document&)
-{
-    return false;
-}
-Result<bool> apply(const SegmentToLayer&, Document&)
-{
-    return false;
-}
-
-template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 } // namespace
 

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -36,16 +37,19 @@ struct MarkSurface {
     SurfacePath path{};
 };
 
-/// Change all that is marked so at once.
+/// Change all that is marked so at once, or one region of it.
 struct ChangeMarks {
     enum class Way {
         Grow, ///< by the vertices beside it
         Shrink,
         Invert, ///< what is marked so turns yellow, all that is yellow is marked so
         Clear, ///< what is marked so turns yellow
+        Accept, ///< what is marked red turns green: it is signed off
     };
     SurfaceMark mark = SurfaceMark::Red; ///< not yellow
     Way way = Way::Grow;
+    /// Of Clear and Accept: only the region that hangs together and lies nearest to it; none: all.
+    std::optional<glm::dvec3> nearLps{};
 };
 
 /// A ball pushes the surface out from inside of it, and in from outside.

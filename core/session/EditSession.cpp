@@ -184,7 +184,9 @@ Result<void> EditSession::begin(const Edit& edit)
         || std::holds_alternative<ResumeGrowth>(rounded)
         || std::holds_alternative<ChangeInterval>(rounded)
         || std::holds_alternative<ShrinkSteps>(rounded);
-    const bool isSurface = surfacePathOf(rounded) != nullptr;
+    // A template is begun to be looked at before it is taken.
+    const bool isSurface =
+        surfacePathOf(rounded) != nullptr || std::holds_alternative<ApplyTemplate>(rounded);
     if (!isStroke && !isGrowth && !isSurface)
         return failure(ErrorCode::InvalidField, editName(rounded),
             QStringLiteral("it is carried out whole, there is nothing to begin"));
@@ -266,6 +268,12 @@ void EditSession::cancelPreview()
 bool EditSession::transactionOpen() const
 {
     return m_queue->interactive() != nullptr;
+}
+
+bool EditSession::templateOpen() const
+{
+    const auto* open = dynamic_cast<const SurfaceOperation*>(m_queue->interactive());
+    return open && open->isTemplate();
 }
 
 bool EditSession::previewOpen() const

@@ -90,7 +90,8 @@ public:
     /// A stroke under the pen or a growth that runs: begin, then extend…, then end.
     /// DrillStroke or LaserStroke without samples; PaintStroke, BarrierStroke, BrushStroke or what
     /// has a SurfacePath, with the first point; PeelCut, GrowSteps, ResumeGrowth, ChangeInterval or
-    /// ShrinkSteps; or GrowFromSeeds, which shows what comes of it until end() decides.
+    /// ShrinkSteps; or GrowFromSeeds or ApplyTemplate, which shows what comes of it until end()
+    /// decides.
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
     /// Of a PaintStroke, BarrierStroke or BrushStroke, or of what has a SurfacePath. @param lifted
@@ -112,6 +113,8 @@ public:
     [[nodiscard]] bool transactionOpen() const;
     /// What is open is a preview (GrowFromSeeds).
     [[nodiscard]] bool previewOpen() const;
+    /// What is open is a template that is looked at (ApplyTemplate).
+    [[nodiscard]] bool templateOpen() const;
     /// A growth that runs is committed at its generation, an open peel at its depth, a preview is
     /// taken back; a stroke is left alone. All that follows does it by itself.
     void closeGrowth();

@@ -25,6 +25,7 @@ QString markWord(SurfaceMark mark)
 QString marksName(const ChangeMarks& change)
 {
     const QString word = markWord(change.mark);
+    const QString what = change.nearLps ? QStringLiteral("region") : QStringLiteral("marks");
     switch (change.way) {
     case ChangeMarks::Way::Grow:
         return QStringLiteral("Grow %1 marks").arg(word);
@@ -32,10 +33,12 @@ QString marksName(const ChangeMarks& change)
         return QStringLiteral("Shrink %1 marks").arg(word);
     case ChangeMarks::Way::Invert:
         return QStringLiteral("Invert %1 marks").arg(word);
+    case ChangeMarks::Way::Accept:
+        return QStringLiteral("Sign off %1 %2").arg(word, what);
     case ChangeMarks::Way::Clear:
         break;
     }
-    return QStringLiteral("Clear %1 marks").arg(word);
+    return QStringLiteral("Clear %1 %2").arg(word, what);
 }
 
 /// What it does, without the figures at its end.

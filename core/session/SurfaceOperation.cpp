@@ -82,11 +82,16 @@ void SurfaceOperation::work(SessionState& state)
     m_work =
         std::make_shared<SurfaceWork>(state.surface, m_edit, state.document, std::move(m_read));
     const SurfacePath* path = surfacePathOf(m_edit);
-    state.side->post([work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
-        work->begin();
-        work->add(points);
-        return SideThread::Sequel();
-    });
+    state.side->post(
+        [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
+            const Result<void> begun = work->begin();
+            work->add(points);
+            if (begun)
+                return SideThread::Sequel();
+            // It is told at once: whoever looks at what he began waits for something to be seen.
+            return SideThread::Sequel(
+                [this, why = begun.error()](SessionState& known) { tell(known, why); });
+        });
     if (m_ending)
         end(state, *m_ending);
 }
@@ -142,8 +147,15 @@ void SurfaceOperation::write(SessionState& state, RelabelListed&& edit)
 void SurfaceOperation::giveUp(SessionState& state, const Error& error)
 {
     if (!m_done)
-        state.fail(error);
+        tell(state, error);
     m_done = true;
+}
+
+void SurfaceOperation::tell(SessionState& state, const Error& error)
+{
+    if (!m_told)
+        state.fail(error);
+    m_told = true;
 }
 
 ShowSurface::ShowSurface(SurfaceState::Listener listener)

@@ -28,7 +28,9 @@ public:
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document& document) const override;
 
+    [[nodiscard]] bool isTemplate() const { return std::holds_alternative<ApplyTemplate>(m_edit); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
+    [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
     void extendPath(
         SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
     void end(SessionState& state, Ending ending) override;
@@ -39,6 +41,7 @@ private:
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
     void write(SessionState& state, RelabelListed&& edit);
     void giveUp(SessionState& state, const Error& error);
+    void tell(SessionState& state, const Error& error);
 
     Edit m_edit;
     Kind m_kind;
@@ -49,6 +52,7 @@ private:
     std::shared_ptr<SurfaceWork> m_work; ///< from when it goes on on the side thread
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes back
+    bool m_told = false; ///< why nothing comes of it
     bool m_done = false;
 };
 

@@ -146,27 +146,39 @@ std::optional<SurfaceTool> SurfaceWork::tool() const
     return std::nullopt;
 }
 
-void SurfaceWork::begin()
+Result<void> SurfaceWork::begin()
 {
     if (!m_read.codes.empty())
         m_grey = std::make_unique<const GreyBox>(m_surface.geometry(), m_read.greyBox.minimum,
             m_read.greyBox.maximum - m_read.greyBox.minimum, std::move(m_read.codes));
     const std::optional<SurfaceTool> chosen = tool();
     if (!chosen)
-        return;
+        return {};
     if (const auto* shape = std::get_if<TemplateTool>(&*chosen)) {
         const Result<TemplateShape> made =
             TemplateShape::make(m_surface.mesh, shape->contours, m_surface.target->faceAreaMm2());
         if (!made) {
             m_error = made.error();
-            return;
+            return tl::unexpected(*m_error);
         }
     }
     m_stroke =
         std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,
             SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(), .reddens = true});
-    if (std::holds_alternative<TemplateTool>(*chosen))
+    if (std::holds_alternative<TemplateTool>(*chosen)) {
         m_stroke->add({}); // it has no way of the pen, but begins with a sample as all do
+        settle();
+    }
+    return {};
+}
+
+void SurfaceWork::settle()
+{
+    if (!m_settled) {
+        m_stroke->settle();
+        m_surface.show(updateOf(m_surface.mesh, m_stroke->takeWritten()));
+    }
+    m_settled = true;
 }
 
 void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
@@ -197,8 +209,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
         m_surface.showAll(true);
         return Outcome();
     }
-    m_stroke->settle();
-    m_surface.show(updateOf(m_surface.mesh, m_stroke->takeWritten()));
+    settle();
     SimplexMeshDelta delta = m_stroke->commit();
     if (delta.empty())
         return Outcome();
@@ -256,6 +267,22 @@ Result<SurfaceWork::Outcome> SurfaceWork::follow()
     return stepOf(edit.commit(), std::move(target));
 }
 
+std::vector<VertexId> SurfaceWork::markedVertices(const ChangeMarks& edit) const
+{
+    const SimplexMesh& mesh = m_surface.mesh;
+    const auto isMarked = [&](VertexId id) { return mesh.mark(id) == edit.mark; };
+    if (edit.nearLps) {
+        const VertexId nearest = nearestVertex(mesh, *edit.nearLps, isMarked);
+        return nearest == noId ? std::vector<VertexId>() : markedAround(mesh, nearest);
+    }
+    std::vector<VertexId> marked;
+    for (const VertexId id : mesh.vertexIds()) {
+        if (isMarked(id))
+            marked.push_back(id);
+    }
+    return marked;
+}
+
 Result<SurfaceWork::Outcome> SurfaceWork::changeMarks(const ChangeMarks& edit)
 {
     SimplexMeshEdit writing(m_surface.mesh);
@@ -270,10 +297,12 @@ Result<SurfaceWork::Outcome> SurfaceWork::changeMarks(const ChangeMarks& edit)
         exchangeMarks(writing, edit.mark, SurfaceMark::Yellow);
         break;
     case ChangeMarks::Way::Clear:
-        for (const VertexId id : m_surface.mesh.vertexIds()) {
-            if (m_surface.mesh.mark(id) == edit.mark)
-                writing.setMark(id, SurfaceMark::Yellow);
-        }
+        for (const VertexId id : markedVertices(edit))
+            writing.setMark(id, SurfaceMark::Yellow);
+        break;
+    case ChangeMarks::Way::Accept:
+        for (const VertexId id : markedVertices(edit))
+            writing.setMark(id, SurfaceMark::Green);
         break;
     }
     m_surface.show(updateOf(m_surface.mesh, writing.takeWritten()));

@@ -31,15 +31,19 @@ public:
     SurfaceWork(SurfaceState& surface, Edit edit, const Document& document, Read read);
     ~SurfaceWork();
 
-    void begin();
+    /// Of a template all that it does is done and shown then; the end takes it or takes it back.
+    /// Errors: nothing can come of it.
+    Result<void> begin();
     void add(const std::vector<glm::dvec3>& pointsLps);
     [[nodiscard]] Result<Outcome> end(Ending ending);
 
 private:
     [[nodiscard]] std::optional<SurfaceTool> tool() const;
+    void settle();
     [[nodiscard]] Result<Outcome> lay(const LaySurface& edit);
     [[nodiscard]] Result<Outcome> follow();
     [[nodiscard]] Result<Outcome> changeMarks(const ChangeMarks& edit);
+    [[nodiscard]] std::vector<VertexId> markedVertices(const ChangeMarks& edit) const;
     [[nodiscard]] Result<Outcome> writeBack();
     [[nodiscard]] Outcome stepOf(
         SimplexMeshDelta delta, std::optional<SurfaceStep::TargetChange> target = {});
@@ -52,6 +56,7 @@ private:
     std::unique_ptr<const GreyBox> m_grey;
     std::optional<Error> m_error; ///< why nothing can come of it
     std::unique_ptr<SurfaceStroke> m_stroke; ///< after m_grey, which it reads
+    bool m_settled = false; ///< the stroke, and that is shown
 };
 
 /// Whether an edit of the surface reads the labels of its segment's plane.

@@ -77,6 +77,17 @@ std::vector<StrokeCase> surfaceCases()
         core::ChangeMarks{.mark = core::SurfaceMark::Red, .way = core::ChangeMarks::Way::Grow});
     add("invert marks", {ball, lay, green},
         core::ChangeMarks{.mark = core::SurfaceMark::Green, .way = core::ChangeMarks::Way::Invert});
+    const core::ChangeMarks accept{
+        .mark = core::SurfaceMark::Red, .way = core::ChangeMarks::Way::Accept};
+    core::ChangeMarks acceptOne = accept;
+    acceptOne.nearLps = at({9, 0, 0});
+    const core::Edit redToo = core::MarkSurface{.mark = core::SurfaceMark::Red,
+        .path = {.radiusMm = 4.0 * voxelMm, .pointsLps = {at({-9, 0, 0})}}};
+    core::ChangeMarks clearOne = acceptOne;
+    clearOne.way = core::ChangeMarks::Way::Clear;
+    add("sign off all errors", {ball, lay, red, redToo}, accept);
+    add("sign off one error", {ball, lay, red, redToo}, acceptOne);
+    add("clear one region", {ball, lay, red, redToo}, clearOne);
     add("push with a sphere", {ball, lay, red}, push);
     add("push yellow", {ball, lay}, push);
     add("scrape", {ball, lay, red}, scrape);

@@ -163,6 +163,9 @@ QWidget* RefinePanel::buildRefining()
     m_errors->setObjectName(QStringLiteral("surfaceErrors"));
     m_errors->setAccessibleName(tr("Errors"));
     layout->addWidget(m_errors);
+    m_signOff = button(tr("Sign off"), "signOffError",
+        tr("The chosen error is right as it is now: it turns green, and nothing moves it"));
+    layout->addWidget(m_signOff, 0, Qt::AlignRight);
 
     Refinement& refinement = m_workspace.refinement();
     connect(m_write, &QPushButton::clicked, &refinement, &Refinement::writeBack);
@@ -172,6 +175,10 @@ QWidget* RefinePanel::buildRefining()
     connect(m_opacity, &QSlider::valueChanged, this, &RefinePanel::takeLook);
     connect(m_marks, &QCheckBox::toggled, this, &RefinePanel::takeLook);
     connect(m_contours, &QCheckBox::toggled, this, &RefinePanel::takeLook);
+    connect(m_signOff, &QPushButton::clicked, this,
+        [this] { m_workspace.refinement().signOff(m_errors->currentRow()); });
+    connect(m_errors, &QListWidget::currentRowChanged, this,
+        [this](int row) { m_signOff->setEnabled(row >= 0); });
     connect(m_errors, &QListWidget::itemActivated, this,
         [this](QListWidgetItem* item) { m_workspace.refinement().showError(m_errors->row(item)); });
     connect(m_errors, &QListWidget::itemClicked, this,
@@ -253,6 +260,8 @@ void RefinePanel::showErrors()
         m_errors->addItem(tr("Error %1 · %2").arg(i + 1).arg(areaText(errors[i].areaMm2)));
     m_errors->setCurrentRow(std::min(current, m_errors->count() - 1));
     m_errors->setVisible(!errors.empty());
+    m_signOff->setVisible(!errors.empty());
+    m_signOff->setEnabled(m_errors->currentRow() >= 0);
     const int rowHeight = std::max(m_errors->sizeHintForRow(0), theme::controlHeight);
     m_errors->setFixedHeight(
         rowHeight * std::clamp(m_errors->count(), 1, mostRows) + 2 * m_errors->frameWidth());

@@ -51,6 +51,7 @@ private:
     QCheckBox* m_contours = nullptr;
     QLabel* m_counts = nullptr;
     QListWidget* m_errors = nullptr;
+    QPushButton* m_signOff = nullptr;
 };
 
 } // namespace ui

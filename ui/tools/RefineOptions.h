@@ -8,6 +8,8 @@
 class QButtonGroup;
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
 
 namespace ui {
 
@@ -21,11 +23,19 @@ public:
 private:
     void showSettings();
     void takeSettings();
+    void showContours();
+    QWidget* buildTemplate();
 
     Workspace& m_workspace;
     QButtonGroup* m_modes = nullptr;
     QComboBox* m_mark = nullptr;
+    QLabel* m_radiusLabel = nullptr;
     QDoubleSpinBox* m_radius = nullptr;
+    QWidget* m_template = nullptr; ///< of Mode::Template
+    QLabel* m_contours = nullptr;
+    QToolButton* m_preview = nullptr;
+    QToolButton* m_take = nullptr;
+    QToolButton* m_remove = nullptr;
 };
 
 } // namespace ui

@@ -16,6 +16,8 @@ namespace {
 
 /// From where rays of the 3D view are cast: before all that there is.
 constexpr double farMm = 5000.0;
+constexpr double leastContourPixels = 6.0;
+constexpr double closingPixels = 12.0;
 
 glm::dvec3 forwardOf(const ViewContext& view)
 {
@@ -32,7 +34,11 @@ RefineTool::RefineTool(Workspace& workspace, QObject* parent)
     connect(&workspace.refinement(), &Refinement::settingsChanged, this, &Tool::overlayChanged);
     connect(&workspace.refinement(), &Refinement::changed, this, &Tool::overlayChanged);
     // A stroke ends with the session it was begun in.
-    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_stroke.reset(); });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_stroke.reset();
+        m_contour.reset();
+    });
+    connect(&workspace.refinement(), &Refinement::contoursChanged, this, &Tool::overlayChanged);
 }
 
 QString RefineTool::name() const
@@ -66,6 +72,10 @@ QString RefineTool::target() const
         return tr("scrapes %1").arg(name);
     case Refinement::Mode::Drag:
         return tr("drags a point of %1").arg(name);
+    case Refinement::Mode::Attract:
+        return tr("draws %1 to edges").arg(name);
+    case Refinement::Mode::Template:
+        return tr("draws how %1 ought to run").arg(name);
     case Refinement::Mode::Smooth:
         break;
     }
@@ -86,6 +96,11 @@ bool RefineTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
     return !scene || scene->orthographic;
+}
+
+bool RefineTool::takes(const PointerSample&, const ViewContext& view) const
+{
+    return view.isSlice() || m_workspace.refinement().settings().mode != Refinement::Mode::Template;
 }
 
 std::optional<core::MeshHit> RefineTool::hitAt(
@@ -139,7 +154,10 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
     }
     case Refinement::Mode::Drag:
         return core::PointDrag{.path = path};
+    case Refinement::Mode::Attract:
+        return core::AttractSurface{.path = path};
     case Refinement::Mode::Smooth:
+    case Refinement::Mode::Template: // no stroke of it is an edit
         break;
     }
     return core::SmoothSurface{.path = path};
@@ -148,12 +166,17 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
 void RefineTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || !worksIn(view) || m_stroke)
+    if (!session || !worksIn(view) || m_stroke || m_contour)
         return;
     Refinement& refinement = m_workspace.refinement();
     if (!refinement.surface() || refinement.mirror().empty())
         return m_workspace.say(
             tr("There is no surface yet: lay one around a segment in the panel Surface"));
+    if (refinement.settings().mode == Refinement::Mode::Template) {
+        m_contour = Contour{.view = view, .pointsLps = {view.toLps(sample.position)}};
+        return hover(sample, view);
+    }
+    refinement.dropPreview();
     m_stroke = Stroke{.view = view,
         .surface = refinement.mirror(),
         .settings = refinement.settings(),
@@ -173,6 +196,10 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
 
 void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
 {
+    if (m_contour && view.view == m_contour->view.view) {
+        m_contour->pointsLps.push_back(m_contour->view.toLps(sample.position));
+        return hover(sample, view);
+    }
     if (!m_stroke || view.view != m_stroke->view.view)
         return;
     const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
@@ -185,6 +212,10 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
 
 void RefineTool::release(const PointerSample& sample, const ViewContext& view)
 {
+    if (m_contour) {
+        endContour();
+        return hover(sample, view);
+    }
     if (!m_stroke)
         return;
     m_stroke.reset();
@@ -192,8 +223,41 @@ void RefineTool::release(const PointerSample& sample, const ViewContext& view)
     hover(sample, view);
 }
 
+void RefineTool::endContour()
+{
+    std::vector<glm::dvec3> points = std::move(m_contour->pointsLps);
+    const double pixelMm = m_contour->view.mmPerPixel();
+    m_contour.reset();
+    double lengthMm = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        lengthMm += glm::distance(points[i - 1], points[i]);
+    if (points.size() < 2 || lengthMm < leastContourPixels * pixelMm)
+        return;
+    // A contour has three points at least; a flick of the pen may have two.
+    if (points.size() == 2)
+        points.insert(points.begin() + 1, 0.5 * (points.front() + points.back()));
+    // Whoever comes back to where he began means a closed line.
+    if (lengthMm > 4.0 * closingPixels * pixelMm
+        && glm::distance(points.front(), points.back()) < closingPixels * pixelMm)
+        points.back() = points.front();
+    m_workspace.refinement().addContour(std::move(points));
+}
+
+void RefineTool::putAway()
+{
+    cancel();
+    m_workspace.refinement().dropPreview();
+}
+
 void RefineTool::cancel()
 {
+    if (m_contour) {
+        m_contour.reset();
+        return Q_EMIT overlayChanged();
+    }
+    // Esc once more: what is only looked at goes first, then what was drawn.
+    if (!m_stroke && m_workspace.refinement().isPreviewing())
+        return m_workspace.refinement().dropPreview();
     if (!m_stroke)
         return;
     m_stroke.reset();
@@ -237,8 +301,42 @@ QColor RefineTool::colour() const
     return QColor(QRgb(colours.markRgb[std::size_t(mark)]));
 }
 
+void RefineTool::paintContours(QPainter& painter, const ViewContext& view) const
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    const auto* slice = std::get_if<gpu::SliceScene>(&view.scene);
+    const auto draw = [&](const std::vector<glm::dvec3>& points) {
+        QPolygonF line;
+        double apartMm = 0.0;
+        for (const glm::dvec3& point : points) {
+            line << view.toPixel(point);
+            if (slice)
+                apartMm = std::max(apartMm,
+                    std::abs(glm::dot(
+                        point - slice->centreLps, glm::cross(slice->rightLps, slice->downLps))));
+        }
+        // Those of other planes are seen through the slice, faintly.
+        const int alpha = apartMm < 0.5 ? 255 : 90;
+        painter.setPen(QPen(QColor(0, 0, 0, alpha / 2), 3.4));
+        painter.drawPolyline(line);
+        QColor colour = toolColour();
+        colour.setAlpha(alpha);
+        painter.setPen(QPen(colour, 1.6));
+        painter.drawPolyline(line);
+    };
+    for (const auto& contour : m_workspace.refinement().contours())
+        draw(contour);
+    if (m_contour)
+        draw(m_contour->pointsLps);
+}
+
 void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
+    if (m_workspace.session())
+        paintContours(painter, view);
+    if (m_workspace.refinement().settings().mode == Refinement::Mode::Template)
+        return;
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
         return;
     const double radiusMm = m_workspace.refinement().settings().radiusMm;

@@ -10,8 +10,10 @@
 namespace ui {
 
 /// Works on the surface that is being refined, with mouse or pen, in slices and in the 3D view:
-/// marks what is thought of it, pushes, scrapes, drags and smooths it (Refinement::Settings). One
-/// edit a stroke, which is seen while the pen is down; cancel() takes it back.
+/// marks what is thought of it, pushes, scrapes, drags, smooths it and draws it to edges
+/// (Refinement::Settings). One edit a stroke, which is seen while the pen is down; cancel() takes
+/// it back. For a template it draws contours on slices of any orientation, which make an edit when
+/// they are taken.
 ///
 /// On a slice the pen is where the tool is. In the 3D view the tool follows the surface as it was
 /// at pen-down; the sphere's middle lies half its radius outside of it and pushes inwards, with
@@ -33,10 +35,13 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] bool worksIn(const ViewContext& view) const override;
 
+    [[nodiscard]] bool takes(const PointerSample& sample, const ViewContext& view) const override;
+
     void press(const PointerSample& sample, const ViewContext& view) override;
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
+    void putAway() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
     void changeRadius(int steps) override;
@@ -58,9 +63,17 @@ private:
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;
     [[nodiscard]] QColor colour() const;
+    void endContour();
+    void paintContours(QPainter& painter, const ViewContext& view) const;
 
     Workspace& m_workspace;
     std::optional<Stroke> m_stroke;
+    /// The contour under the pen, LPS, and the view it is drawn in.
+    struct Contour {
+        ViewContext view;
+        std::vector<glm::dvec3> pointsLps;
+    };
+    std::optional<Contour> m_contour;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     bool m_inverted = false;

@@ -100,20 +100,27 @@ std::optional<gpu::Frame::Quality> ImageView::quality() const
     return m_pictureQuality;
 }
 
-void ImageView::takeFrame(const gpu::Frame& frame)
+QImage ImageView::imageOf(const gpu::Frame& frame)
 {
     const qsizetype bytes = qsizetype(frame.sizePixels.x) * frame.sizePixels.y * 4;
-    if (!m_workspace.volume() || !frame.rgba || qsizetype(frame.rgba->size()) != bytes)
-        return;
-    // The bytes live as long as the picture that shows them.
+    if (!frame.rgba || qsizetype(frame.rgba->size()) != bytes)
+        return {};
     auto* keep = new std::shared_ptr<const std::vector<std::uint8_t>>(frame.rgba);
-    m_picture = QImage(
+    return QImage(
         frame.rgba->data(), frame.sizePixels.x, frame.sizePixels.y, frame.sizePixels.x * 4,
         QImage::Format_RGBX8888,
         [](void* kept) {
             delete static_cast<std::shared_ptr<const std::vector<std::uint8_t>>*>(kept);
         },
         keep);
+}
+
+void ImageView::takeFrame(const gpu::Frame& frame)
+{
+    const QImage picture = imageOf(frame);
+    if (!m_workspace.volume() || picture.isNull())
+        return;
+    m_picture = picture;
     m_pictureScene = frame.scene;
     m_pictureQuality = frame.quality;
     update();
@@ -177,6 +184,7 @@ void ImageView::requestFrame(bool interacting)
     m_request = request;
     m_requested = true;
     m_workspace.frames().request(std::move(request));
+    requested(m_request);
     Q_EMIT qualityChanged();
 }
 
@@ -450,10 +458,10 @@ void ImageView::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), theme::picture);
     if (!m_picture.isNull() && shownVolume()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(QRectF(rect()), m_picture);
+        painter.drawImage(QRectF(rect()), onScreen(m_picture));
     }
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-    if (const core::Volume* volume = m_workspace.volume()) {
+    if (const core::Volume* volume = m_workspace.volume(); volume && takesOverlays()) {
         const ViewContext shown = shownContext();
         paintAnnotations(painter, shown);
         // Over them: what is said at the cursor is never hidden.

@@ -46,7 +46,9 @@ public:
     /// None until there is a picture of what is asked for.
     [[nodiscard]] std::optional<gpu::Frame::Quality> quality() const;
 
-    void takeFrame(const gpu::Frame& frame);
+    /// Whether frames of that name are this view's.
+    [[nodiscard]] virtual bool takes(gpu::ViewId view) const { return view == m_view; }
+    virtual void takeFrame(const gpu::Frame& frame);
     /// Null: no study is on its way, or nothing of it is there yet.
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     /// Zoom, pan and camera back to the whole volume.
@@ -83,6 +85,14 @@ protected:
     }
     /// What early() says has changed.
     virtual void earlySliceChanged() { resetView(); }
+
+    /// What has just been asked for, in device pixels.
+    virtual void requested(const gpu::FrameRequest&) { }
+    /// The picture as it comes onto the screen, and whether what lies over it can be laid there.
+    [[nodiscard]] virtual QImage onScreen(const QImage& picture) const { return picture; }
+    [[nodiscard]] virtual bool takesOverlays() const { return true; }
+    /// Its bytes live as long as the image.
+    [[nodiscard]] static QImage imageOf(const gpu::Frame& frame);
 
     /// Ask for a frame of scene() if it is not what was asked for last.
     void requestFrame(bool interacting = false);

@@ -39,10 +39,10 @@ glm::dvec3 SliceStack::movedTo(const glm::dvec3& lps, int number) const
     return lps + (target - glm::dot(lps, normalLps)) * normalLps;
 }
 
-SliceStack sliceStack(const core::VolumeGeometry& geometry, SliceOrientation orientation)
+SliceStack sliceStack(const core::VolumeGeometry& geometry, const glm::dvec3& normalLps)
 {
     SliceStack stack;
-    stack.normalLps = sliceAxes(orientation).normalLps;
+    stack.normalLps = normalLps;
 
     double nearest = -1.0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -33,7 +33,8 @@ struct SliceStack {
     /// The point moved along the normal into slice @p number (kept inside the stack).
     [[nodiscard]] glm::dvec3 movedTo(const glm::dvec3& lps, int number) const;
 };
+/// @param normalLps unit
 [[nodiscard]] SliceStack sliceStack(
-    const core::VolumeGeometry& geometry, SliceOrientation orientation);
+    const core::VolumeGeometry& geometry, const glm::dvec3& normalLps);
 
 } // namespace ui

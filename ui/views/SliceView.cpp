@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/SliceView.h"
 
+#include "ui/CuttingPlane.h"
 #include "ui/InitialDisplay.h"
 #include "ui/Refinement.h"
 #include "ui/StudyTexts.h"
@@ -11,6 +12,7 @@
 #include "ui/views/EarlyPicture.h"
 #include "ui/views/MeasurementLines.h"
 #include "ui/views/OrientationLetters.h"
+#include "ui/views/PlaneOutline.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -39,25 +41,9 @@ QColor colourOf(SliceOrientation orientation)
     return theme::coronal;
 }
 
-} // namespace
-
-SliceView::SliceView(
-    Workspace& workspace, gpu::ViewId view, SliceOrientation orientation, QWidget* parent)
-    : ImageView(workspace, view, parent)
-    , m_orientation(orientation)
-    , m_axes(sliceAxes(orientation))
+QString titleOf(SliceOrientation orientation)
 {
-    connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
-    connect(&workspace, &Workspace::clipChanged, this, qOverload<>(&SliceView::update));
-    connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
-    connect(&workspace.refinement(), &Refinement::lookChanged, this, [this] { requestFrame(); });
-    connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
-    openVolume();
-}
-
-QString SliceView::title() const
-{
-    switch (m_orientation) {
+    switch (orientation) {
     case SliceOrientation::Axial:
         return QStringLiteral("AXIAL");
     case SliceOrientation::Sagittal:
@@ -68,16 +54,52 @@ QString SliceView::title() const
     return QStringLiteral("CORONAL");
 }
 
-QColor SliceView::barColour() const
+/// The standard plane that lies across a direction, in its colour.
+QColor colourAcross(const glm::dvec3& directionLps)
 {
-    return colourOf(m_orientation);
+    const glm::dvec3 along = glm::abs(directionLps);
+    return along.z > along.x && along.z > along.y ? theme::axial
+        : along.x > along.y                       ? theme::sagittal
+                                                  : theme::coronal;
+}
+
+} // namespace
+
+SliceView::SliceView(
+    Workspace& workspace, gpu::ViewId view, SliceOrientation orientation, QWidget* parent)
+    : SliceView(workspace, view, sliceAxes(orientation), titleOf(orientation),
+        colourOf(orientation), parent)
+{
+}
+
+SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& axes,
+    const QString& title, const QColor& colour, QWidget* parent)
+    : ImageView(workspace, view, parent)
+    , m_axes(axes)
+    , m_title(title)
+    , m_colour(colour)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
+    connect(&workspace, &Workspace::clipChanged, this, qOverload<>(&SliceView::update));
+    connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
+    connect(&workspace.refinement(), &Refinement::lookChanged, this, [this] { requestFrame(); });
+    connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
+    connect(&workspace.plane(), &CuttingPlane::changed, this, qOverload<>(&SliceView::update));
+    openVolume();
 }
 
 void SliceView::openVolume()
 {
     if (const core::Volume* volume = shownVolume())
-        m_stack = sliceStack(volume->geometry, m_orientation);
+        m_stack = sliceStack(volume->geometry, m_axes.normalLps);
     resetView();
+}
+
+void SliceView::setAxes(const SliceAxes& axes)
+{
+    m_axes = axes;
+    if (const core::Volume* volume = shownVolume())
+        m_stack = sliceStack(volume->geometry, m_axes.normalLps);
 }
 
 void SliceView::resetView()
@@ -121,9 +143,14 @@ double SliceView::fittingMmPerPixel() const
     return std::max(2.0 * half.x / across, 2.0 * half.y / along);
 }
 
-glm::dvec3 SliceView::crosshairLps() const
+glm::dvec3 SliceView::throughLps() const
 {
     return early() ? initialCrosshairLps(early()->volume.geometry) : workspace().crosshairLps();
+}
+
+void SliceView::passThrough(const glm::dvec3& placeLps)
+{
+    workspace().setCrosshairLps(placeLps);
 }
 
 core::WindowLevel SliceView::windowLevel() const
@@ -147,7 +174,7 @@ QImage SliceView::earlyPictureOf(const gpu::Scene& scene, const QSize& pixels) c
 
 int SliceView::sliceNumber() const
 {
-    return m_stack.numberAt(crosshairLps());
+    return m_stack.numberAt(throughLps());
 }
 
 int SliceView::sliceCount() const
@@ -158,14 +185,14 @@ int SliceView::sliceCount() const
 void SliceView::goToSlice(int number)
 {
     if (!early())
-        workspace().setCrosshairLps(m_stack.movedTo(workspace().crosshairLps(), number));
+        passThrough(m_stack.movedTo(throughLps(), number));
 }
 
 gpu::Scene SliceView::scene() const
 {
     gpu::SliceScene scene;
-    // The pan decides where in the plane, the crosshair which plane.
-    const double depth = glm::dot(crosshairLps() - m_centreLps, m_axes.normalLps);
+    // The pan decides where in the plane, the place that it passes through which plane.
+    const double depth = glm::dot(throughLps() - m_centreLps, m_axes.normalLps);
     scene.centreLps = m_centreLps + depth * m_axes.normalLps;
     scene.rightLps = m_axes.rightLps;
     scene.downLps = m_axes.downLps;
@@ -295,6 +322,13 @@ QString SliceView::windowText() const
     return text;
 }
 
+void SliceView::paintCross(QPainter& painter, const ViewContext& shown)
+{
+    // Each line is another standard plane, seen from its edge: it lies across the other line.
+    paintCrosshair(painter, rect(), shown.toPixel(throughLps()), colourAcross(m_axes.downLps),
+        colourAcross(m_axes.rightLps));
+}
+
 void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
 {
     const core::Volume& volume = *shownVolume();
@@ -306,13 +340,10 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
             paintBoxSection(painter, shown, *box, volume.geometry, theme::good);
         paintMeasurements(painter, shown, workspace());
+        paintPlaneLine(painter, shown, workspace().plane());
     }
-    if (options.showCrosshair) {
-        const bool axial = m_orientation == SliceOrientation::Axial;
-        const bool sagittal = m_orientation == SliceOrientation::Sagittal;
-        paintCrosshair(painter, rect(), shown.toPixel(crosshairLps()),
-            axial ? theme::coronal : theme::axial, sagittal ? theme::coronal : theme::sagittal);
-    }
+    if (options.showCrosshair)
+        paintCross(painter, shown);
     paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
 
     const double position = glm::dot(slice.centreLps, m_axes.normalLps);
@@ -329,6 +360,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.topLeft = patientLines(volume.identity);
     texts.topRight = {studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = {QStringLiteral("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
+    if (const QString caution = workspace().refinement().caution(); !early() && !caution.isEmpty())
+        texts.bottomLeft.append(caution);
     texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
                              .arg(number + 1)
                              .arg(m_stack.count)

@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// A standard plane of the patient through the crosshair.
+/// A plane of the patient: a standard one through the crosshair, or what who derives from it says.
 class SliceView : public ImageView {
     Q_OBJECT
 
@@ -14,12 +14,11 @@ public:
     SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
         QWidget* parent = nullptr);
 
-    [[nodiscard]] SliceOrientation orientation() const { return m_orientation; }
     /// Whether this view would show an early slice.
     [[nodiscard]] bool looksAt(const core::EarlySlice& early) const;
-    [[nodiscard]] QString title() const override;
-    [[nodiscard]] QColor barColour() const override;
-    /// The slice the crosshair is in, 0 … count − 1, and how many there are.
+    [[nodiscard]] QString title() const override { return m_title; }
+    [[nodiscard]] QColor barColour() const override { return m_colour; }
+    /// The slice it shows, 0 … count − 1, and how many there are.
     [[nodiscard]] int sliceNumber() const;
     [[nodiscard]] int sliceCount() const;
     void goToSlice(int number);
@@ -35,6 +34,20 @@ public:
     void setPlace(const Place& place);
 
 protected:
+    /// @param colour of the bar that names the view
+    SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& axes, const QString& title,
+        const QColor& colour, QWidget* parent);
+
+    /// Turns it; its middle and its scale stay.
+    void setAxes(const SliceAxes& axes);
+    [[nodiscard]] const SliceAxes& axes() const { return m_axes; }
+    /// A place that the plane passes through.
+    [[nodiscard]] virtual glm::dvec3 throughLps() const;
+    /// The plane is to pass through there; it does not turn.
+    virtual void passThrough(const glm::dvec3& placeLps);
+    virtual void paintCross(QPainter& painter, const ViewContext& shown);
+    [[nodiscard]] const SliceStack& stack() const { return m_stack; }
+
     [[nodiscard]] gpu::Scene scene() const override;
     [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
@@ -51,14 +64,13 @@ protected:
 private:
     void openVolume();
     void zoomBy(double factor, const QPointF& at);
-    /// The plane, the grey scale: of the window, or of the early slice.
-    [[nodiscard]] glm::dvec3 crosshairLps() const;
-    [[nodiscard]] core::WindowLevel windowLevel() const;
+    [[nodiscard]] core::WindowLevel windowLevel() const; ///< of the window, or of the early slice
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
 
-    SliceOrientation m_orientation;
     SliceAxes m_axes;
+    QString m_title;
+    QColor m_colour;
     SliceStack m_stack;
     glm::dvec3 m_centreLps{0.0}; ///< its part along the normal does not count
     double m_mmPerPixel = 1.0;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/ViewGrid.h"
 
+#include "ui/CuttingPlane.h"
+
 #include <QApplication>
+#include <QEvent>
 #include <QGridLayout>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -10,11 +14,13 @@ namespace ui {
 
 ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
+    , m_workspace(workspace)
     , m_inbox(workspace.frames())
     , m_axial(new SliceView(workspace, 1, SliceOrientation::Axial, this))
     , m_volume(new VolumeView(workspace, 2, this))
     , m_sagittal(new SliceView(workspace, 3, SliceOrientation::Sagittal, this))
     , m_coronal(new SliceView(workspace, 4, SliceOrientation::Coronal, this))
+    , m_plane(new PlaneView(workspace, 5, this))
     , m_current(m_axial)
 {
     auto* layout = new QGridLayout(this);
@@ -24,11 +30,14 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_volume, 0, 1);
     layout->addWidget(m_sagittal, 1, 0);
     layout->addWidget(m_coronal, 1, 1);
+    layout->addWidget(m_plane, 0, 0); // where the axial view is, which it stands in for
+    m_plane->hide();
 
     m_axial->setObjectName(QStringLiteral("axialView"));
     m_volume->setObjectName(QStringLiteral("volumeView"));
     m_sagittal->setObjectName(QStringLiteral("sagittalView"));
     m_coronal->setObjectName(QStringLiteral("coronalView"));
+    m_plane->setObjectName(QStringLiteral("planeView"));
     for (ImageView* view : views()) {
         connect(view, &ImageView::maximiseToggled, this,
             [this, view] { maximise(m_maximised ? nullptr : view); });
@@ -36,20 +45,21 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
     }
     connect(&m_inbox, &FrameInbox::arrived, this, &ViewGrid::give);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-        if (auto* view = qobject_cast<ImageView*>(now); view && isAncestorOf(view))
+        if (auto* view = qobject_cast<ImageView*>(now);
+            view && (isAncestorOf(view) || view == m_plane))
             m_current = view;
     });
 }
 
-std::array<ImageView*, 4> ViewGrid::views() const
+std::array<ImageView*, 5> ViewGrid::views() const
 {
-    return {m_axial, m_volume, m_sagittal, m_coronal};
+    return {m_axial, m_volume, m_sagittal, m_coronal, m_plane};
 }
 
 void ViewGrid::give(const gpu::Frame& frame)
 {
     for (ImageView* view : views()) {
-        if (view->viewId() == frame.view)
+        if (view->takes(frame.view))
             view->takeFrame(frame);
     }
     Q_EMIT frameTimed(frame.renderMilliseconds);
@@ -57,23 +67,80 @@ void ViewGrid::give(const gpu::Frame& frame)
 
 void ViewGrid::maximise(ImageView* view)
 {
-    m_maximised = view;
-    // Equal rows and columns for four; nothing for what is hidden.
-    for (ImageView* each : views())
-        each->setVisible(!view || each == view);
-    auto* grid = static_cast<QGridLayout*>(layout());
-    for (int part = 0; part < 2; ++part) {
-        const auto shown = [&](ImageView* a, ImageView* b) {
-            return !view || a == view || b == view;
-        };
-        grid->setColumnStretch(
-            part, part == 0 ? shown(m_axial, m_sagittal) : shown(m_volume, m_coronal));
-        grid->setRowStretch(
-            part, part == 0 ? shown(m_axial, m_volume) : shown(m_sagittal, m_coronal));
+    // What has a window of its own is as large as that.
+    m_maximised = view == m_plane && isPenApart() ? nullptr : view;
+    place();
+    if (m_maximised)
+        m_maximised->setFocus();
+}
+
+void ViewGrid::arrange(Layout layout)
+{
+    m_layout = layout;
+    m_maximised = nullptr;
+    if (layout == Layout::PenAndStage)
+        m_workspace.plane().show();
+    place();
+}
+
+void ViewGrid::place()
+{
+    const bool four = m_layout == Layout::Four;
+    const auto isShown = [&](const ImageView* view) {
+        if (view == m_plane && isPenApart())
+            return false;
+        if (m_maximised)
+            return view == m_maximised;
+        return view == m_volume || (four ? view != m_plane : view == m_plane);
+    };
+    for (ImageView* view : views()) {
+        if (view != m_plane || !isPenApart())
+            view->setVisible(isShown(view));
     }
-    if (view)
-        view->setFocus();
+    // Equal rows and columns for those that are shown; nothing for what is hidden.
+    auto* grid = static_cast<QGridLayout*>(layout());
+    grid->setColumnStretch(0, isShown(m_axial) || isShown(m_sagittal) || isShown(m_plane));
+    grid->setColumnStretch(1, isShown(m_volume) || isShown(m_coronal));
+    grid->setRowStretch(0, isShown(m_axial) || isShown(m_volume) || isShown(m_plane));
+    grid->setRowStretch(1, isShown(m_sagittal) || isShown(m_coronal));
     Q_EMIT layoutChanged();
+}
+
+void ViewGrid::setPenApart(bool apart)
+{
+    if (apart == isPenApart())
+        return;
+    if (apart) {
+        if (m_maximised == m_plane)
+            m_maximised = nullptr;
+        // A tool window: the keys of the main window work in it.
+        m_penWindow = new QWidget(window(), Qt::Tool | Qt::WindowMaximizeButtonHint);
+        m_penWindow->setWindowTitle(tr("Cutting plane"));
+        m_penWindow->setObjectName(QStringLiteral("penWindow"));
+        m_penWindow->resize(size() / 2);
+        auto* box = new QVBoxLayout(m_penWindow);
+        box->setContentsMargins(0, 0, 0, 0);
+        box->addWidget(m_plane);
+        m_penWindow->installEventFilter(this);
+        m_plane->show();
+        m_penWindow->show();
+        m_workspace.plane().show();
+    } else {
+        static_cast<QGridLayout*>(layout())->addWidget(m_plane, 0, 0);
+        m_penWindow->removeEventFilter(this);
+        m_penWindow->deleteLater();
+        m_penWindow = nullptr;
+    }
+    place();
+}
+
+bool ViewGrid::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_penWindow && event->type() == QEvent::Close) {
+        setPenApart(false);
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ViewGrid::resetViews()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/views/FrameInbox.h"
+#include "ui/views/PlaneView.h"
 #include "ui/views/SliceView.h"
 #include "ui/views/VolumeView.h"
 
@@ -10,11 +11,11 @@
 #include <array>
 #include <memory>
 
-class QGridLayout;
-
 namespace ui {
 
-/// The four linked views: axial and 3D above, sagittal and coronal below; or one of them alone.
+/// The linked views. Four: axial and 3D above, sagittal and coronal below. Pen and stage (seed B
+/// §3): the cutting plane beside the 3D view. Or one of them alone. The pen view can stand in a
+/// window of its own, on another screen, whatever the others do.
 class ViewGrid : public QWidget {
     Q_OBJECT
 
@@ -25,13 +26,21 @@ public:
     [[nodiscard]] SliceView& sagittal() const { return *m_sagittal; }
     [[nodiscard]] SliceView& coronal() const { return *m_coronal; }
     [[nodiscard]] VolumeView& volume() const { return *m_volume; }
-    [[nodiscard]] std::array<ImageView*, 4> views() const;
+    [[nodiscard]] PlaneView& plane() const { return *m_plane; }
+    [[nodiscard]] std::array<ImageView*, 5> views() const;
     /// The view that has the keyboard, or had it last.
     [[nodiscard]] ImageView& current() const { return *m_current; }
 
-    /// One view alone; null: all four.
+    enum class Layout { Four, PenAndStage };
+    [[nodiscard]] Layout arrangement() const { return m_layout; }
+    /// Those of a layout, none alone. Pen and stage show the cutting plane.
+    void arrange(Layout layout);
+    /// One view alone; null: those of the layout.
     void maximise(ImageView* view);
     [[nodiscard]] ImageView* maximised() const { return m_maximised; }
+    /// The pen view in a window of its own, or back among the others.
+    void setPenApart(bool apart);
+    [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
     void resetViews();
     /// A slice of a study that is on its way, until one is open; null: none. @return whether one of
     /// the views looks at it: others have nothing to show yet
@@ -45,8 +54,14 @@ Q_SIGNALS:
     void pictureChanged(); ///< some view's quality changed
     void frameTimed(double milliseconds);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void give(const gpu::Frame& frame);
+    void place();
+
+    Workspace& m_workspace;
 
     FrameInbox m_inbox;
     std::shared_ptr<const core::EarlySlice> m_early;
@@ -54,8 +69,11 @@ private:
     VolumeView* m_volume;
     SliceView* m_sagittal;
     SliceView* m_coronal;
+    PlaneView* m_plane;
+    QWidget* m_penWindow = nullptr; ///< that the pen view is in; null: the grid
     ImageView* m_current;
     ImageView* m_maximised = nullptr;
+    Layout m_layout = Layout::Four;
 };
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/VolumeView.h"
 
+#include "ui/CuttingPlane.h"
 #include "ui/LayerLooks.h"
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
@@ -24,6 +25,12 @@ namespace ui {
 namespace {
 
 constexpr double degreesPerPixel = 0.4;
+
+/// The name under which the right eye's frames are asked for.
+gpu::ViewId otherEye(gpu::ViewId view)
+{
+    return view + 1000;
+}
 
 /// The camera that a picture was drawn with.
 Camera cameraOf(const gpu::VolumeScene& scene)
@@ -51,6 +58,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
         &workspace.refinement(), &Refinement::lookChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
     connect(&workspace.refinement(), &Refinement::shown, this, &VolumeView::flyTo);
+    connect(&workspace.plane(), &CuttingPlane::changed, this, &VolumeView::requestMovingFrame);
     connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
@@ -61,7 +69,8 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
                 requestMovingFrame();
         });
     connect(&workspace, &Workspace::windowLevelChanged, this, [this] {
-        if (std::get<gpu::VolumeScene>(scene()).faceWindow == this->workspace().windowLevel())
+        const auto now = std::get<gpu::VolumeScene>(scene());
+        if (now.faceWindow == this->workspace().windowLevel() || now.plane)
             requestMovingFrame();
     });
     openVolume();
@@ -132,10 +141,22 @@ void VolumeView::lookFrom(const glm::dvec3& sideLps)
 gpu::Scene VolumeView::scene() const
 {
     gpu::VolumeScene scene = volumeScene(m_camera, workspace().volumeDisplay());
+    if (m_stereo.mode != Stereo::Mode::Off)
+        scene.eyeShiftMm = -eyeShiftMm();
     scene.clip = workspace().clip();
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
     scene.surface = workspace().refinement().scene();
+    scene.plane = workspace().plane().scene();
+    if (const std::optional<core::ClipPlane> above = workspace().plane().clip()) {
+        // Where the user has three planes of his own, only the surface is cut.
+        const auto unused = std::find_if(scene.clip.planes.begin(), scene.clip.planes.end(),
+            [](const core::ClipPlane& plane) { return !plane.on; });
+        if (unused != scene.clip.planes.end())
+            *unused = *above;
+        if (scene.surface)
+            scene.surface->clip = *above;
+    }
     const std::vector<gpu::ScenePiece> partlyHidden = workspace().layerLooks().scene();
     scene.pieces.insert(scene.pieces.end(), partlyHidden.begin(), partlyHidden.end());
     // Only where it shows: another grey scale of the slices is no other picture else.
@@ -146,12 +167,81 @@ gpu::Scene VolumeView::scene() const
     return scene;
 }
 
+double VolumeView::eyeShiftMm() const
+{
+    const double awayMm = glm::distance(m_camera.eyeLps(), m_camera.targetLps);
+    const double shift = awayMm * std::tan(0.5 * glm::radians(m_stereo.eyesDegrees));
+    return m_stereo.swapped ? -shift : shift;
+}
+
+void VolumeView::setStereo(const Stereo& stereo)
+{
+    if (stereo == m_stereo)
+        return;
+    m_stereo = stereo;
+    if (m_stereo.mode == Stereo::Mode::Off) {
+        workspace().frames().forget(otherEye(viewId()));
+        m_otherEye = {};
+    }
+    requestMovingFrame();
+    Q_EMIT stereoChanged();
+}
+
+void VolumeView::turn(double rightwards, double downwards)
+{
+    m_camera.orbit(rightwards, downwards);
+    requestMovingFrame();
+}
+
+bool VolumeView::takes(gpu::ViewId view) const
+{
+    return ImageView::takes(view) || view == otherEye(viewId());
+}
+
+void VolumeView::takeFrame(const gpu::Frame& frame)
+{
+    if (frame.view != otherEye(viewId()))
+        return ImageView::takeFrame(frame);
+    if (m_stereo.mode == Stereo::Mode::Off)
+        return;
+    m_otherEye = imageOf(frame);
+    update();
+}
+
+void VolumeView::requested(const gpu::FrameRequest& request)
+{
+    if (m_stereo.mode == Stereo::Mode::Off)
+        return;
+    gpu::FrameRequest right = request;
+    right.view = otherEye(viewId());
+    auto& scene = std::get<gpu::VolumeScene>(right.scene);
+    scene.eyeShiftMm = -scene.eyeShiftMm;
+    workspace().frames().request(std::move(right));
+}
+
+QImage VolumeView::onScreen(const QImage& picture) const
+{
+    return m_otherEye.isNull() ? picture : composed(m_stereo.mode, picture, m_otherEye);
+}
+
+bool VolumeView::takesOverlays() const
+{
+    return m_stereo.mode != Stereo::Mode::SideBySide;
+}
+
+void VolumeView::hideEvent(QHideEvent* event)
+{
+    ImageView::hideEvent(event);
+    workspace().frames().forget(otherEye(viewId()));
+    m_otherEye = {};
+}
+
 ImageView::Gesture VolumeView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
 {
     const bool grey = Workspace::greyWindow(workspace().volumeDisplay().mode) != nullptr;
     switch (button) {
     case Qt::LeftButton:
-        return toolWorksHere ? Gesture::Tool : Gesture::Rotate;
+        return toolWorksHere && takesOverlays() ? Gesture::Tool : Gesture::Rotate;
     case Qt::MiddleButton:
         return Gesture::Pan;
     case Qt::RightButton:
@@ -297,6 +387,8 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     texts.topRight = {
         qualityText(), studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = {modeText()};
+    if (const QString caution = workspace().refinement().caution(); !caution.isEmpty())
+        texts.bottomLeft.append(caution);
     paintCorners(painter, rect(), texts);
     cube(camera).paint(painter);
 }

@@ -5,6 +5,7 @@
 #include "ui/views/ImageView.h"
 #include "ui/views/OrientationCube.h"
 #include "ui/views/SeenReadout.h"
+#include "ui/views/Stereo.h"
 
 namespace ui {
 
@@ -29,6 +30,16 @@ public:
     void flyTo(const glm::dvec3& placeLps, const glm::dvec3& fromLps);
     void resetView() override;
 
+    [[nodiscard]] const Stereo& stereo() const { return m_stereo; }
+    void setStereo(const Stereo& stereo);
+    /// As by a drag: what is seen goes to the right and downwards. Degrees.
+    void turn(double rightwards, double downwards);
+    [[nodiscard]] bool takes(gpu::ViewId view) const override;
+    void takeFrame(const gpu::Frame& frame) override;
+
+Q_SIGNALS:
+    void stereoChanged();
+
 protected:
     [[nodiscard]] gpu::Scene scene() const override;
     [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
@@ -37,7 +48,12 @@ protected:
     void hovered(const PointerSample& sample) override;
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
+    void requested(const gpu::FrameRequest& request) override;
+    [[nodiscard]] QImage onScreen(const QImage& picture) const override;
+    /// Side by side there is no one place for them; tools rest, too.
+    [[nodiscard]] bool takesOverlays() const override;
     void resizeEvent(QResizeEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
@@ -48,7 +64,12 @@ private:
     [[nodiscard]] QString modeText() const;
     [[nodiscard]] QString qualityText() const;
 
+    /// So far both eyes are from the middle, millimetres.
+    [[nodiscard]] double eyeShiftMm() const;
+
     SeenReadout m_readout;
+    Stereo m_stereo;
+    QImage m_otherEye; ///< the right one's picture
     Camera m_camera;
     bool m_fitted = true;
 };

@@ -60,8 +60,12 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeMarks& edit)
     visit.field("mark", Presence::Required, edit.mark,
         editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}}, "which; not yellow");
     visit.field("way", Presence::Required, edit.way,
-        editFields::Choice<ChangeMarks::Way, 4>{{"grow", "shrink", "invert", "clear"}},
-        "they grow or shrink by one ring of vertices, change places with yellow, or turn yellow");
+        editFields::Choice<ChangeMarks::Way, 5>{{"grow", "shrink", "invert", "clear", "accept"}},
+        "they grow or shrink by one ring of vertices, change places with yellow, turn yellow, or, "
+        "of red ones, turn green");
+    visit.maybe("nearLps", edit.nearLps, positionLps,
+        "of clear and accept: only the region nearest to it, patient coordinates (LPS)",
+        "all of them");
 }
 
 template <> inline constexpr const char* editName<SpherePush> = "spherePush";

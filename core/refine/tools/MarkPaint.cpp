@@ -24,6 +24,23 @@ std::vector<VertexId> reachedWithin(
     return reached;
 }
 
+std::vector<VertexId> markedAround(const SimplexMesh& mesh, VertexId first)
+{
+    std::vector<VertexId> found{first};
+    std::vector<bool> seen(mesh.vertexSlots(), false);
+    seen[first] = true;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        for (const VertexId near : mesh.neighbours(found[i])) {
+            if (seen[near] || mesh.mark(near) != mesh.mark(first))
+                continue;
+            seen[near] = true;
+            found.push_back(near);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 std::vector<VertexId> paintMarks(
     SimplexMeshEdit& edit, const glm::dvec3& placeLps, double radiusMm, SurfaceMark mark)
 {

@@ -33,6 +33,9 @@ template <typename IsWanted>
 [[nodiscard]] std::vector<VertexId> reachedWithin(
     const SimplexMesh& mesh, VertexId from, const glm::dvec3& centreLps, double radiusMm);
 
+/// Those that hang together with a vertex and bear its mark, itself included; ascending.
+[[nodiscard]] std::vector<VertexId> markedAround(const SimplexMesh& mesh, VertexId first);
+
 /// What a dab of MarkBrush does; the nearest vertex is painted however small the ball. Gives those
 /// that got the mark, ascending.
 std::vector<VertexId> paintMarks(

@@ -119,7 +119,7 @@ private:
                 if (nearest == noId)
                     return false;
                 if (regionOf[nearest] == noId) {
-                    const auto all = redAround(nearest);
+                    const auto all = markedAround(m_mesh, nearest);
                     for (const VertexId id : all)
                         regionOf[id] = all.front();
                 }
@@ -130,27 +130,10 @@ private:
             return false;
         const auto chosen = std::max_element(votes.begin(), votes.end(),
             [](const auto& a, const auto& b) { return a.second < b.second; });
-        m_shape.m_region = redAround(chosen->first);
+        m_shape.m_region = markedAround(m_mesh, chosen->first);
         for (const VertexId id : m_shape.m_region)
             m_isRegion[id] = true;
         return true;
-    }
-
-    [[nodiscard]] std::vector<VertexId> redAround(VertexId first) const
-    {
-        std::vector<VertexId> found{first};
-        std::vector<bool> seen(m_mesh.vertexSlots(), false);
-        seen[first] = true;
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            for (const VertexId near : m_mesh.neighbours(found[i])) {
-                if (seen[near] || m_mesh.mark(near) != SurfaceMark::Red)
-                    continue;
-                seen[near] = true;
-                found.push_back(near);
-            }
-        }
-        std::sort(found.begin(), found.end());
-        return found;
     }
 
     void findBorder()

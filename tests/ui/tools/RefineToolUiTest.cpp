@@ -69,6 +69,51 @@ public:
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
 
+    /// While an edit stands open.
+    void settleOpen()
+    {
+        QTest::qWait(20);
+        for (int i = 0; i < 200 && refinement().isPreviewing() && apartFrom({15, 0, 0}) > 1.5; ++i)
+            QTest::qWait(20);
+    }
+    void markTheLeft()
+    {
+        apply(core::MarkSurface{.mark = SurfaceMark::Red,
+            .path = {.radiusMm = 7.0, .pointsLps = {glm::dvec3(radius, 0.0, 0.0)}}});
+    }
+    /// How a lobe on the patient's left ought to run, on two slices that cross.
+    void drawLobe()
+    {
+        set(Mode::Template, 5.0);
+        const auto lobe = [](const glm::dvec3& side) {
+            std::vector<glm::dvec3> line;
+            for (int i = -8; i <= 8; ++i) {
+                const double y = 0.75 * i;
+                line.push_back(glm::dvec3(radius + 5.0 - 0.14 * y * y, 0.0, 0.0) + y * side);
+            }
+            return line;
+        };
+        const auto drawOn = [&](ui::SliceView& where, const glm::dvec3& side) {
+            std::vector<QPointF> way;
+            for (const glm::dvec3& place : lobe(side))
+                way.push_back(at(where, place));
+            test::Pen pen(where);
+            quint64 time = 90000;
+            pen.press(way.front(), 1.0, time);
+            for (const QPointF& point : way)
+                pen.move(point, 1.0, time += 12);
+            pen.release(way.back(), time + 12);
+        };
+        drawOn(slice, {0.0, 1.0, 0.0});
+        drawOn(window.views().coronal(), {0.0, 0.0, 1.0});
+    }
+    /// Of the nearest vertex as it is shown, mm.
+    [[nodiscard]] double apartFrom(const glm::dvec3& placeLps)
+    {
+        const core::SurfaceMirror& mirror = refinement().mirror();
+        return glm::distance(mirror.vertex(mirror.nearestVertex(placeLps)).positionLps, placeLps);
+    }
+
     /// Where a place is in a view, logical pixels.
     template <class View> [[nodiscard]] static QPointF at(View& where, const glm::dvec3& lps)
     {
@@ -178,6 +223,32 @@ private Q_SLOTS:
         QCOMPARE(errors->count(), 0);
     }
 
+    void errorsAreSignedOffOneByOne()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        fixture.apply(core::MarkSurface{.mark = SurfaceMark::Red,
+            .path = {.radiusMm = 4.0, .pointsLps = {glm::dvec3(-radius, 0.0, 0.0)}}});
+        auto* errors = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceErrors"));
+        auto* signOff = fixture.panel.findChild<QPushButton*>(QStringLiteral("signOffError"));
+        QCOMPARE(errors->count(), 2);
+        QVERIFY(!signOff->isEnabled());
+        const std::size_t larger = fixture.refinement().errors().front().vertices;
+        const std::size_t smaller = fixture.refinement().errors().back().vertices;
+        errors->setCurrentRow(0);
+        QVERIFY(signOff->isEnabled());
+        signOff->click();
+        fixture.settle();
+        QCOMPARE(errors->count(), 1);
+        QCOMPARE(fixture.marked(SurfaceMark::Green), larger);
+        QCOMPARE(fixture.marked(SurfaceMark::Red), smaller);
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Sign off red region, ")));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(errors->count(), 2);
+    }
+
     void inTheThirdDimensionTheToolIsOnTheSurface()
     {
         RefineFixture fixture;
@@ -237,6 +308,118 @@ private Q_SLOTS:
         const core::SurfaceMirror& mirror = fixture.refinement().mirror();
         for (const core::VertexId id : mesh.vertexIds())
             QCOMPARE(mirror.vertex(id).positionLps, mesh.position(id));
+    }
+
+    void contoursOnTwoPlanesMakeATemplate()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        const QByteArray before = fixture.session().stateHash();
+        const core::RowId rowBefore = fixture.session().history().position();
+        fixture.drawLobe();
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        // Drawing changes nothing yet, and is no step.
+        QCOMPARE(fixture.session().stateHash(), before);
+        const std::vector<std::vector<glm::dvec3>> contours = fixture.refinement().contours();
+
+        fixture.refinement().previewTemplate();
+        QVERIFY(fixture.refinement().isPreviewing());
+        fixture.settleOpen();
+        const glm::dvec3 top(radius + 5.0, 0.0, 0.0);
+        QVERIFY(fixture.refinement().isPreviewing());
+        QVERIFY2(fixture.apartFrom(top) < 1.5, qPrintable(QString::number(fixture.apartFrom(top))));
+        QCOMPARE(fixture.session().history().position(), rowBefore);
+
+        fixture.refinement().dropPreview();
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        QVERIFY(fixture.apartFrom(top) > 3.0);
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+
+        fixture.refinement().previewTemplate();
+        fixture.refinement().takeTemplate();
+        fixture.settle();
+        QVERIFY(fixture.refinement().contours().empty());
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QVERIFY(fixture.apartFrom(top) < 1.5);
+        const core::Edit taken = fixture.lastRow().edit;
+        QCOMPARE(canonical(taken), canonical(core::ApplyTemplate{.contoursLps = contours}));
+        // As a recipe does it at once, to the bit.
+        const QByteArray after = fixture.session().stateHash();
+        QVERIFY(after != before);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        fixture.apply(taken);
+        QCOMPARE(fixture.session().stateHash(), after);
+    }
+
+    void aPreviewGivesWay()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        fixture.drawLobe();
+        const QByteArray before = fixture.session().stateHash();
+        // To Esc, and the contours stay.
+        fixture.refinement().previewTemplate();
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
+        fixture.settle();
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.session().stateHash(), before);
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        // To any other edit.
+        fixture.refinement().previewTemplate();
+        QVERIFY(fixture.refinement().isPreviewing());
+        fixture.refinement().changeMarks(core::ChangeMarks::Way::Grow);
+        fixture.settle();
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QVERIFY(std::holds_alternative<core::ChangeMarks>(fixture.lastRow().edit));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        // To undo.
+        fixture.refinement().previewTemplate();
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
+        // To another contour.
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.refinement().previewTemplate();
+        draw(fixture, fixture.slice,
+            {fixture.at(fixture.slice, {radius, -4.0, 0.0}),
+                fixture.at(fixture.slice, {radius, 4.0, 0.0})});
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(3));
+        fixture.refinement().removeContour();
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        QCOMPARE(fixture.session().stateHash(), before);
+    }
+
+    void aTemplateWithoutARedRegionIsRefusedOnce()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.drawLobe();
+        const QByteArray before = fixture.session().stateHash();
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        fixture.refinement().previewTemplate();
+        QTRY_VERIFY((fixture.session().poll(), failed.size() == 1));
+        QVERIFY(failed.first()
+                    .first()
+                    .value<core::Error>()
+                    .arguments.join(QLatin1Char(' '))
+                    .contains(QStringLiteral("red region")));
+        fixture.refinement().dropPreview();
+        // The refusal was told of once, and waits for whoever settles.
+        QVERIFY(!fixture.session().settle());
+        QVERIFY(fixture.session().idle());
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.session().stateHash(), before);
     }
 
     void withoutASurfaceItSaysSo()

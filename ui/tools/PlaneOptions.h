@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QSlider;
+class QToolButton;
+
+namespace ui {
+
+class PlaneTool;
+class Workspace;
+
+/// What the cutting plane is told in the option bar; always in step with it.
+class PlaneOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    PlaneOptions(Workspace& workspace, PlaneTool& tool, QWidget* parent = nullptr);
+
+private:
+    void showPlane();
+    void showAim();
+    void takeLook();
+
+    Workspace& m_workspace;
+    PlaneTool& m_tool;
+    QToolButton* m_threePoints = nullptr;
+    QToolButton* m_across = nullptr;
+    QCheckBox* m_clips = nullptr;
+    QSlider* m_opacity = nullptr;
+};
+
+} // namespace ui
