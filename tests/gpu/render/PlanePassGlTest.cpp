@@ -225,7 +225,8 @@ private Q_SLOTS:
     {
         openNoise();
         ScenePlane shown = plane();
-        shown.halfSizeMm = {13.0, 13.0}; // beyond the volume somewhere
+        shown.centreLps = {14.0, 0.3, -0.4}; // beyond the volume somewhere
+        shown.halfSizeMm = {13.0, 13.0};
         shown.rimRgb = 0xFF8000;
         shown.rimWidthPixels = 3.0f;
         VolumeScene view = facing(shown);
