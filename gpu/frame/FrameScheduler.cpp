@@ -55,15 +55,13 @@ FrameScheduler::FrameScheduler(const Options& options)
     : m_volume(options.volume)
     , m_edits(options.edits)
     , m_wake(options.wake)
-    , m_shaders(options.shaders)
-    , m_raycast(options.shaders)
-    , m_slice(options.shaders)
-    , m_noVertices("no vertices")
+    , m_painter(options.volume, options.shaders)
     , m_resolve(options.shaders)
     , m_cellKernel(options.shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
 {
     // Guesses of a software renderer; the first tiles correct them.
-    m_cost = {60.0, 500.0, 800.0, 800.0, 1500.0};
+    m_cost[0] = {60.0, 500.0, 800.0, 800.0, 1500.0};
+    m_cost[1] = {300.0, 800.0, 1100.0, 1100.0, 1800.0};
 }
 
 FrameScheduler::~FrameScheduler() = default;
@@ -195,29 +193,20 @@ void FrameScheduler::takeChanges()
     }
     if (!m_volume.isDrawable())
         return;
-    const core::VoxelBox labels = m_volume.takeDirty(VolumeField::Labels);
-    const core::VoxelBox radiation = m_volume.takeDirty(VolumeField::Radiation);
-    const core::VoxelBox segmentation = m_volume.takeDirty(VolumeField::Segmentation);
-    const core::VoxelBox pieces = m_volume.takeDirty(VolumeField::Pieces);
-    const core::VoxelBox barriers = m_volume.takeDirty(VolumeField::Barriers);
-    const core::VoxelBox barrierBricks = m_volume.takeDirty(VolumeField::BarrierBricks);
-    const core::VoxelBox foreseen = m_volume.takeDirty(VolumeField::Foreseen);
-    if (labels.empty() && radiation.empty() && segmentation.empty() && pieces.empty()
-        && barriers.empty() && barrierBricks.empty() && foreseen.empty())
+    const DirtyVoxels dirty{.labels = m_volume.takeDirty(VolumeField::Labels),
+        .radiation = m_volume.takeDirty(VolumeField::Radiation),
+        .segmentation = m_volume.takeDirty(VolumeField::Segmentation),
+        .pieces = m_volume.takeDirty(VolumeField::Pieces),
+        .barriers = m_volume.takeDirty(VolumeField::Barriers),
+        .barrierBricks = m_volume.takeDirty(VolumeField::BarrierBricks),
+        .foreseen = m_volume.takeDirty(VolumeField::Foreseen)};
+    if (dirty.empty())
         return;
     m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
-        radiation.united(segmentation));
+        dirty.radiation.united(dirty.segmentation));
     for (auto& [id, view] : m_views) {
-        const auto* slice = std::get_if<SliceScene>(&view.request.scene);
-        core::VoxelBox seen = slice != nullptr
-            ? labels.united(radiation).united(barriers)
-            : radiation.united(segmentation).united(barrierBricks);
-        if (slice == nullptr && !std::get<VolumeScene>(view.request.scene).pieces.empty())
-            seen = seen.united(pieces);
-        seen = seen.united(foreseen);
-        if (seen.empty() || (slice != nullptr && !meetsPlane(*slice, m_volume.geometry(), seen)))
-            continue;
-        changed(view);
+        if (showsChange(view.request.scene, m_volume.geometry(), dirty))
+            changed(view);
     }
 }
 
@@ -226,9 +215,9 @@ void FrameScheduler::takeSurface()
     const std::optional<core::SurfaceUpdate> update = m_surfaceInbox.take();
     if (!update)
         return;
-    m_surface.apply(*update);
-    m_surface.upload();
-    const WorldBox reach = m_surface.takeChanged();
+    m_painter.surface().apply(*update);
+    m_painter.surface().upload();
+    const WorldBox reach = m_painter.surface().takeChanged();
     for (auto& [id, view] : m_views) {
         if (showsSurface(view.request.scene, reach))
             changed(view);
@@ -299,70 +288,24 @@ FrameScheduler::View* FrameScheduler::next(bool editing)
     return best;
 }
 
-double& FrameScheduler::costOf(const Scene& scene)
+double& FrameScheduler::costOf(const View& view)
 {
+    const Scene& scene = view.request.scene;
+    auto& cost = m_cost[view.stage == Stage::Refine && wantsCubics(scene) ? 1 : 0];
     if (const auto* volume = std::get_if<VolumeScene>(&scene))
-        return m_cost[1 + std::size_t(volume->mode)];
-    return m_cost[0];
+        return cost[1 + std::size_t(volume->mode)];
+    return cost[0];
 }
 
 int FrameScheduler::coarseFactor(const View& view, bool editing)
 {
     const glm::dvec2 size(view.request.sizePixels);
-    const double expected = costOf(view.request.scene) * size.x * size.y * 1e-6;
+    const double expected = costOf(view) * size.x * size.y * 1e-6;
     const double wanted = editing ? editingMilliseconds : coarseMilliseconds;
     const bool patient = !view.request.interacting && !editing;
     if (expected <= (patient ? directMilliseconds : wanted))
         return 1;
     return std::clamp(int(std::ceil(std::sqrt(expected / wanted))), 1, coarsest);
-}
-
-bool FrameScheduler::drawSurface(View& view, const PassTarget& target)
-{
-    view.surface.blocks = {};
-    view.contour.reach = {};
-    if (m_surface.empty()) {
-        view.surface = {};
-        view.contour = {};
-        return false;
-    }
-    if (const auto* volume = std::get_if<VolumeScene>(&view.request.scene)) {
-        if (!volume->surface) {
-            view.surface = {};
-            return false;
-        }
-        if (!m_surfacePass)
-            m_surfacePass.emplace(m_shaders);
-        m_surfacePass->draw(view.surface, m_surface, m_volume, *volume, target);
-        return !view.surface.isEmpty();
-    }
-    const auto& slice = std::get<SliceScene>(view.request.scene);
-    if (!slice.contour) {
-        view.contour = {};
-        return false;
-    }
-    if (!m_contourPass)
-        m_contourPass.emplace(m_shaders);
-    m_contourPass->draw(view.contour, m_surface, slice, target);
-    return !view.contour.isEmpty();
-}
-
-void FrameScheduler::drawPass(View& view, const PassTarget& target, const Tile& tile)
-{
-    m_palette.set(view.request.segments);
-    if (const auto* volume = std::get_if<VolumeScene>(&view.request.scene)) {
-        m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices,
-            view.surface.isEmpty() ? nullptr : &view.surface);
-        return;
-    }
-    const auto& slice = std::get<SliceScene>(view.request.scene);
-    m_slice.prepare(m_volume, slice, view.request.segments, m_palette, target);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
-    m_noVertices.drawFullScreenTriangle();
-    glDisable(GL_SCISSOR_TEST);
-    if (!view.contour.isEmpty())
-        m_contourPass->lay(view.contour, *slice.contour, tile, m_noVertices);
 }
 
 void FrameScheduler::drawSlice(View& view, bool editing)
@@ -382,7 +325,7 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         view.tiles.emplace((view.request.sizePixels + (factor - 1)) / factor);
         view.milliseconds = 0.0;
     }
-    double& cost = costOf(view.request.scene);
+    double& cost = costOf(view);
     // While edits run one tile is under way, not two.
     const double budget = !editing ? sliceMilliseconds
         : view.request.interacting ? editingMilliseconds
@@ -393,17 +336,11 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         .pixelScale = float(view.request.sizePixels.x) / float(view.tiles->size().x),
         .pixelJitter = pixelJitter(view.sample),
         .sample = view.sample,
+        .cubic = view.stage == Stage::Refine,
     };
-    const bool surface = begins && drawSurface(view, target);
-    view.targets.sumFrame.bind();
-    if (view.stage == Stage::Accumulate) {
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
-    } else {
-        glDisable(GL_BLEND);
-    }
-    drawPass(view, target, tile);
-    glDisable(GL_BLEND);
+    const bool surface = begins && m_painter.begin(view.pictures, view.request.scene, target);
+    m_painter.draw(
+        view.pictures, view.request, target, tile, view.targets.sumFrame, view.sample > 0);
     Flying drawn{.view = view.request.view,
         .fence = Fence::insert(),
         .queued = start,
@@ -448,11 +385,12 @@ void FrameScheduler::finishPicture(View& view)
     const glm::ivec2 drawn = view.tiles->size();
     view.tiles.reset();
     const bool flat = std::holds_alternative<SliceScene>(view.request.scene);
-    if (view.stage == Stage::Accumulate && view.sample + 1 < accumulated) {
+    const bool cubics = wantsCubics(view.request.scene);
+    if (view.stage == Stage::Refine && !flat && view.sample + 1 < accumulated) {
         ++view.sample;
         return;
     }
-    m_resolve.draw(view.targets, view.sample + 1, drawn, m_noVertices);
+    m_resolve.draw(view.targets, view.sample + 1, drawn, m_painter.noVertices());
     // What could be drawn whole at once needs no second time.
     if (view.stage == Stage::Coarse && drawn == view.targets.size)
         view.stage = Stage::Full;
@@ -463,11 +401,12 @@ void FrameScheduler::finishPicture(View& view)
         view.stage = Stage::Full;
         break;
     case Stage::Full:
-        quality = flat ? Frame::Quality::Refined : Frame::Quality::Full;
-        view.stage = flat ? Stage::Done : Stage::Accumulate;
-        view.sample = flat ? 0 : 1;
+        quality = flat && !cubics ? Frame::Quality::Refined : Frame::Quality::Full;
+        view.stage = flat && !cubics ? Stage::Done : Stage::Refine;
+        // With cubics the first of the pictures is another one, too.
+        view.sample = cubics || flat ? 0 : 1;
         break;
-    case Stage::Accumulate:
+    case Stage::Refine:
     case Stage::Done:
         quality = Frame::Quality::Refined;
         view.stage = Stage::Done;
@@ -486,10 +425,9 @@ void FrameScheduler::warmUp(View& view)
     const auto* scene = std::get_if<VolumeScene>(&view.request.scene);
     if (scene == nullptr || !m_volume.isDrawable())
         return;
-    const PassTarget target{.frameSize = view.request.sizePixels};
     // One pixel of the sum, which the next picture begins anew.
     view.targets.sumFrame.bind();
-    m_raycast.warmUp(m_volume, *scene, m_palette, target, m_noVertices);
+    m_painter.warmUp(*scene, view.request.sizePixels);
     m_edits.warmUp();
 }
 

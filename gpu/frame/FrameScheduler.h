@@ -6,14 +6,8 @@
 #include "gpu/frame/FrameTargets.h"
 #include "gpu/frame/SurfaceInbox.h"
 #include "gpu/frame/TilePlan.h"
+#include "gpu/frame/ViewPainter.h"
 #include "gpu/gl/Fence.h"
-#include "gpu/gl/VertexArray.h"
-#include "gpu/render/Palette.h"
-#include "gpu/render/RaycastPass.h"
-#include "gpu/render/SlicePass.h"
-#include "gpu/render/SurfaceBuffers.h"
-#include "gpu/render/SurfaceContour.h"
-#include "gpu/render/SurfacePass.h"
 
 #include <array>
 #include <bitset>
@@ -31,8 +25,9 @@ class VolumeTextures;
 
 /// Draws what views ask for, in slices between which the engine thread serves edits and newer
 /// requests. Per view: a coarse picture where a full one would take too long, a full one tile by
-/// tile, then (3D only) more with the pixels' sampling points moved, averaged; then nothing until
-/// the request or the voxels change.
+/// tile, then a finer one: in 3D more with the pixels' sampling points moved, averaged; what scenes
+/// want interpolated by cubics is so only there. Then nothing until the request or the voxels
+/// change.
 ///
 /// request(), forget(), setListener(), updateSurface(): any thread. All else: the engine thread.
 /// The listener must not wait for a thread that may be in forget().
@@ -66,22 +61,21 @@ public:
     /// What was sent of the surface that is being refined.
     [[nodiscard]] const SurfaceBuffers::Counters& surfaceCounters() const
     {
-        return m_surface.counters();
+        return m_painter.surface().counters();
     }
 
 private:
-    enum class Stage { Coarse, Full, Accumulate, Done };
+    enum class Stage { Coarse, Full, Refine, Done };
     struct View {
         FrameRequest request;
         Stage stage = Stage::Done;
-        int sample = 0; ///< of Accumulate
+        int sample = 0; ///< of Refine
         std::optional<TilePlan> tiles; ///< of the picture being drawn; none: about to begin
         bool stale = false; ///< changed while its coarse picture was drawn
         double milliseconds = 0.0;
         std::uint64_t turn = 0;
         FrameTargets targets;
-        SurfacePicture surface; ///< of the picture being drawn, of a 3D view
-        ContourPicture contour; ///< likewise, of a slice
+        ViewPictures pictures; ///< of the picture being drawn
     };
     struct Incoming {
         FrameRequest request;
@@ -113,36 +107,26 @@ private:
     [[nodiscard]] bool isOverdue(const View& view) const;
     void drawSlice(View& view, bool editing);
     void land(); ///< waits for the flying tile
-    /// Draws what a picture takes from the surface, whole. @return whether there is any
-    bool drawSurface(View& view, const PassTarget& target);
-    void drawPass(View& view, const PassTarget& target, const Tile& tile);
     void finishPicture(View& view);
     void warmUp(View& view);
     void readBack(View& view, Frame::Quality quality);
     bool deliver();
-    [[nodiscard]] double& costOf(const Scene& scene);
+    [[nodiscard]] double& costOf(const View& view);
     [[nodiscard]] int coarseFactor(const View& view, bool editing);
 
     VolumeTextures& m_volume;
     EditWorker& m_edits;
     std::function<void()> m_wake;
-    const ShaderLibrary& m_shaders;
-    RaycastPass m_raycast;
-    SlicePass m_slice;
-    Palette m_palette;
-    VertexArray m_noVertices;
+    ViewPainter m_painter;
     Resolve m_resolve;
     Program m_cellKernel;
-    SurfaceBuffers m_surface;
-    std::optional<SurfacePass> m_surfacePass; ///< made with the first surface, like the next
-    std::optional<ContourPass> m_contourPass;
     std::bitset<256> m_shown;
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::map<ViewId, View> m_views;
     std::map<ViewId, Delivery> m_deliveries;
-    /// Milliseconds per megapixel: of slices, then by render mode.
-    std::array<double, 1 + renderModes> m_cost;
+    /// Milliseconds per megapixel: of slices, then by render mode; without cubics and with.
+    std::array<std::array<double, 1 + renderModes>, 2> m_cost;
     std::optional<Flying> m_flying;
     std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
     std::uint64_t m_turn = 0;

@@ -77,21 +77,19 @@ class Projection {
 public:
     Projection(const VolumeScene& scene, const PassTarget& target)
         : m_view(ViewFrame::of(scene, target.frameSize))
-        , m_eye(scene.eyeLps)
-        , m_target(scene.targetLps)
-        , m_middle(glm::dvec2(target.frameSize) * 0.5)
+        , m_ahead((m_view.ahead - m_view.middle) * m_view.mmPerPixel)
+        , m_drawnOut(glm::length(m_view.across))
         , m_perFramePixel(1.0 / target.pixelScale)
-        , m_orthographic(scene.orthographic)
     {
     }
     /// Marks what a ball may be seen through.
     void addBall(Marks& marks, const glm::dvec3& centre, double radius) const
     {
-        const glm::dvec3 from = centre - m_target;
-        glm::dvec2 place(glm::dot(from, m_view.right), glm::dot(from, m_view.down));
-        double reach = radius;
-        if (!m_orthographic) {
-            const double depth = glm::dot(centre - m_eye, m_view.forward);
+        const glm::dvec3 from = centre - m_view.targetLps;
+        glm::dvec2 place = m_view.placeOf(from);
+        double reach = radius * m_drawnOut;
+        if (!m_view.orthographic) {
+            const double depth = m_view.depthOf(from) * m_view.distanceMm;
             if (depth < -radius)
                 return;
             // Beside the eye a ball may be seen anywhere.
@@ -100,11 +98,12 @@ public:
             const double scale = m_view.distanceMm / depth;
             place *= scale;
             // Towards the border of a perspective picture a ball is drawn out.
+            const glm::dvec2 aside = place - m_ahead;
             const double slant =
-                1.0 + glm::dot(place, place) / (m_view.distanceMm * m_view.distanceMm);
+                1.0 + glm::dot(aside, aside) / (m_view.distanceMm * m_view.distanceMm);
             reach *= scale * slant * depth / (depth - radius);
         }
-        const glm::dvec2 pixel = m_middle + place / m_view.mmPerPixel;
+        const glm::dvec2 pixel = m_view.middle + place / m_view.mmPerPixel;
         const double pixels = reach / m_view.mmPerPixel + 1.0;
         marks.add(
             (pixel - pixels) * m_perFramePixel - 1.0, (pixel + pixels) * m_perFramePixel + 1.0);
@@ -112,11 +111,9 @@ public:
 
 private:
     ViewFrame m_view;
-    glm::dvec3 m_eye;
-    glm::dvec3 m_target;
-    glm::dvec2 m_middle;
+    glm::dvec2 m_ahead; // of the eye, mm in the target's plane
+    double m_drawnOut; // sheared to the right
     double m_perFramePixel;
-    bool m_orthographic;
 };
 
 double halfDiagonalMm(const core::VolumeGeometry& geometry, const glm::dvec3& voxels)
@@ -222,23 +219,17 @@ Tile blocksAround(const glm::vec3& low, const glm::vec3& high, const glm::dmat4&
     const VolumeScene& scene, const PassTarget& target)
 {
     const ViewFrame view = ViewFrame::of(scene, target.frameSize);
-    const glm::dvec3 eye = scene.targetLps - view.forward * view.distanceMm;
     glm::dvec2 least(1e9);
     glm::dvec2 greatest(-1e9);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::bvec3 upper(corner & 1, corner & 2, corner & 4);
         const glm::dvec3 index(glm::mix(low, high, upper));
         const glm::dvec3 lps(indexToWorld * glm::dvec4(index, 1.0));
-        double mmPerPixel = view.mmPerPixel;
-        if (!scene.orthographic) {
-            const double depth = glm::dot(lps - eye, view.forward) / view.distanceMm;
-            if (depth < 1e-3)
-                return {glm::ivec2(0), target.frameSize}; // about the eye
-            mmPerPixel *= depth;
-        }
-        const glm::dvec3 from = lps - scene.targetLps;
-        const glm::dvec2 at(glm::dot(from, view.right), glm::dot(from, view.down));
-        const glm::dvec2 pixel = glm::dvec2(target.frameSize) * 0.5 + at / mmPerPixel;
+        const glm::dvec3 from = lps - view.targetLps;
+        const double depth = view.depthOf(from);
+        if (depth < 1e-3)
+            return {glm::ivec2(0), target.frameSize}; // about the eye
+        const glm::dvec2 pixel = view.middle + view.placeOf(from) / (view.mmPerPixel * depth);
         least = glm::min(least, pixel);
         greatest = glm::max(greatest, pixel);
     }

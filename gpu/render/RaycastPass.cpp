@@ -3,6 +3,7 @@
 
 #include "gpu/edit/BarrierBricks.h"
 #include "gpu/edit/BrickField.h"
+#include "gpu/render/PlanePass.h"
 #include "gpu/render/SurfacePass.h"
 #include "gpu/render/ViewFrame.h"
 #include "gpu/render/WindowMapping.h"
@@ -97,8 +98,7 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0},
-                    {"SURFACE", 0}}});
+                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}, {"SHEETS", 0}}});
     }
 }
 
@@ -111,7 +111,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
     std::size_t variant = mode;
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
-             with.barriers, with.warned, with.foreseen, with.surface})
+             with.barriers, with.warned, with.foreseen, with.sheets})
         variant = 2 * variant + std::size_t(part);
     Program& program = m_seldomPrograms[variant];
     if (!program)
@@ -122,7 +122,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
-                    {"FORESEEN", int(with.foreseen)}, {"SURFACE", int(with.surface)}}});
+                    {"FORESEEN", int(with.foreseen)}, {"SHEETS", int(with.sheets)}}});
     return program;
 }
 
@@ -143,9 +143,9 @@ Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene,
             {.pieces = kind == RayBlocks::Kind::Pieces,
                 .warned = with.warned,
                 .foreseen = with.foreseen,
-                .surface = with.surface});
-    if (with.surface)
-        return seldomProgram(scene, {.surface = true, .kind = kind});
+                .sheets = with.sheets});
+    if (with.sheets)
+        return seldomProgram(scene, {.sheets = true, .kind = kind});
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
@@ -168,7 +168,7 @@ const RayBlocks& RaycastPass::blocksOf(
 
 void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
-    const SurfacePicture* surface)
+    const RaySheets& sheets)
 {
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
@@ -182,7 +182,7 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
         .foreseen = foreseen != nullptr,
-        .surface = surface != nullptr};
+        .sheets = sheets.any()};
     Tile over;
     if (seeds)
         over = m_seeds.blocksIn(scene, target);
@@ -194,7 +194,11 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     const bool sculpted = pieces || volume.cells().isSculpted();
     using Parts = std::array<std::vector<Tile>, RayBlocks::kinds>;
     Parts parts;
-    Parts surfaceParts; // where the surface may be seen
+    Parts sheetParts; // where sheets may be seen
+    Tile sheetBlocks = sheets.surface ? sheets.surface->blocks : Tile{};
+    if (sheets.plane)
+        sheetBlocks =
+            sheets.surface ? united(sheetBlocks, sheets.plane->blocks) : sheets.plane->blocks;
     const auto addTo = [&](Parts& into, const Tile& rest) {
         if (!sculpted) {
             into[std::size_t(RayBlocks::Kind::Plain)].push_back(rest);
@@ -205,9 +209,9 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             into[kind].insert(into[kind].end(), split[kind].begin(), split[kind].end());
     };
     for (const Tile& rest : around(tile, overlaid)) {
-        const Tile near = surface ? common(rest, surface->blocks) : Tile{};
+        const Tile near = sheets.any() ? common(rest, sheetBlocks) : Tile{};
         if (near.size.x > 0)
-            addTo(surfaceParts, near);
+            addTo(sheetParts, near);
         for (const Tile& apart : around(rest, near))
             addTo(parts, apart);
     }
@@ -218,12 +222,8 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             words->pageTable().bindUnit(15);
             program.set("warnAfter", palette.warnAfterGeneration());
         }
-        if (surface) {
-            surface->colours.bindUnit(19);
-            surface->ways.bindUnit(20);
-            program.set("surfaceOpacity", scene.surface->opacity)
-                .set("surfaceBehind", scene.surface->behindOpacity);
-        }
+        if (sheets.any())
+            bindSheets(program, scene, sheets);
         if (foreseen) {
             foreseen->pageTable().bindUnit(16);
             foreseen->atlas().bindUnit(17);
@@ -244,9 +244,9 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         }
     };
     glEnable(GL_SCISSOR_TEST);
-    drawKinds(surfaceParts, with);
+    drawKinds(sheetParts, with);
     Seldom apart = with;
-    apart.surface = false;
+    apart.sheets = false;
     drawKinds(parts, apart);
     if (overlaid.size.x > 0) {
         Program& program = seldomProgram(scene, with);
@@ -262,6 +262,24 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         drawParts(program, {overlaid});
     }
     glDisable(GL_SCISSOR_TEST);
+}
+
+void RaycastPass::bindSheets(Program& program, const VolumeScene& scene, const RaySheets& sheets)
+{
+    if (!m_noSheet) {
+        m_noSheet = Texture2D({.label = "no sheet"});
+        m_noSheet.clear();
+    }
+    const auto [surface, plane] = sheets;
+    (surface ? surface->colours : m_noSheet).bindUnit(19);
+    (surface ? surface->ways : m_noSheet).bindUnit(20);
+    (plane ? plane->colours : m_noSheet).bindUnit(21);
+    (plane ? plane->ways : m_noSheet).bindUnit(22);
+    program.set("surfaceThere", surface ? 1 : 0)
+        .set("planeThere", plane ? 1 : 0)
+        .set("surfaceOpacity", surface ? scene.surface->opacity : 0.0f)
+        .set("surfaceBehind", surface ? scene.surface->behindOpacity : 0.0f)
+        .set("planeBehind", plane ? scene.plane->behindOpacity : 0.0f);
 }
 
 void RaycastPass::warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
@@ -308,15 +326,15 @@ void RaycastPass::setRays(Program& program, const VolumeTextures& volume, const 
     const auto toTexture = [&](const glm::dvec3& lps) {
         return (glm::dvec3(worldToIndex * glm::dvec4(lps, 1.0)) + 0.5) * voxel;
     };
-    const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5;
+    const glm::dvec2& middle = view.middle;
     const glm::dvec3 perX = worldToTexture * (view.right * view.mmPerPixel);
     const glm::dvec3 perY = worldToTexture * (view.down * view.mmPerPixel);
     const glm::dvec3 forward = worldToTexture * view.forward;
 
-    glm::dvec3 originBase = toTexture(scene.eyeLps);
+    glm::dvec3 originBase = toTexture(view.eyeLps);
     glm::dvec3 originPerX{0.0};
     glm::dvec3 originPerY{0.0};
-    glm::dvec3 directionBase = forward;
+    glm::dvec3 directionBase = worldToTexture * view.sight;
     glm::dvec3 directionPerX{0.0};
     glm::dvec3 directionPerY{0.0};
     double planePerPixel = 0.0;
@@ -327,11 +345,10 @@ void RaycastPass::setRays(Program& program, const VolumeTextures& volume, const 
         originPerY = perY;
         nearest = -1e6; // the whole volume, wherever the eye is said to be
     } else {
-        const double distance = std::max(view.distanceMm, 1e-6);
-        directionPerX = perX / distance;
-        directionPerY = perY / distance;
-        directionBase = forward - directionPerX * middle.x - directionPerY * middle.y;
-        planePerPixel = view.mmPerPixel / distance;
+        directionPerX = perX / view.distanceMm;
+        directionPerY = perY / view.distanceMm;
+        directionBase = forward - directionPerX * view.ahead.x - directionPerY * view.ahead.y;
+        planePerPixel = view.mmPerPixel / view.distanceMm;
     }
     const glm::dvec3 up = -view.down;
     const glm::dvec3 toLight = glm::normalize(-view.forward * 0.80 + up * 0.48 - view.right * 0.36);
@@ -343,7 +360,7 @@ void RaycastPass::setRays(Program& program, const VolumeTextures& volume, const 
         .set("directionBase", glm::vec3(directionBase))
         .set("directionPerX", glm::vec3(directionPerX))
         .set("directionPerY", glm::vec3(directionPerY))
-        .set("planeCentre", glm::vec2(middle))
+        .set("planeCentre", glm::vec2(view.ahead))
         .set("planePerPixel", float(planePerPixel))
         .set("nearest", float(nearest))
         .set("stepMm", float(stepMm(scene, volume.geometry())))

@@ -3,6 +3,7 @@
 
 #include "gpu/frame/Scene.h"
 #include "gpu/gl/Program.h"
+#include "gpu/gl/Texture2D.h"
 #include "gpu/gl/VertexArray.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/PassTarget.h"
@@ -17,8 +18,16 @@
 namespace gpu {
 
 class VolumeTextures;
+struct PlanePicture;
 struct SurfacePicture;
 struct ViewFrame;
+
+/// Of this picture, what is to be laid among the rest; null: nothing.
+struct RaySheets {
+    const SurfacePicture* surface = nullptr; ///< drawn whole
+    const PlanePicture* plane = nullptr; ///< drawn where the tile is
+    [[nodiscard]] bool any() const { return surface != nullptr || plane != nullptr; }
+};
 
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
 /// intensity or X-ray; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not
@@ -33,10 +42,9 @@ public:
     /// voxels, threshold or transfer function changed (then the skip map is computed anew, linear
     /// in the cells).
     /// @param tile as TilePlan cuts it @param noVertices of the context
-    /// @param surface of this picture, what is to be laid among the rest; null: nothing
     void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
-        const SurfacePicture* surface = nullptr);
+        const RaySheets& sheets = {});
     /// Draws one pixel by each program that the first carving or the first shown segment will need:
     /// drivers compile a program only when it first draws, and that should not be while a pen
     /// waits. Nothing where they have drawn already.
@@ -44,6 +52,7 @@ public:
         const PassTarget& target, const VertexArray& noVertices);
 
 private:
+    void bindSheets(Program& program, const VolumeScene& scene, const RaySheets& sheets);
     void prepare(Program& program, VolumeTextures& volume, const VolumeScene& scene,
         const Palette& palette, const PassTarget& target);
     void setRays(Program& program, const VolumeTextures& volume, const VolumeScene& scene,
@@ -60,7 +69,7 @@ private:
         bool barriers = false;
         bool warned = false; ///< members warn
         bool foreseen = false; ///< some members would go
-        bool surface = false; ///< that is being refined
+        bool sheets = false; ///< the surface that is being refined, or the cutting plane
         RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< of the rest
     };
 
@@ -78,6 +87,7 @@ private:
     std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
     const ShaderLibrary& m_library;
     PieceSet m_pieces;
+    Texture2D m_noSheet; ///< one texel; made with the first sheet
     SeedDots m_seeds;
     std::map<std::size_t, Program> m_seldomPrograms; ///< by all that they are compiled for
     TransferLookup m_transfer;

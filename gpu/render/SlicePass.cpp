@@ -23,12 +23,12 @@ SlicePass::SlicePass(const ShaderLibrary& library)
     : m_library(library)
 {
     for (unsigned variant = 0; variant < seldom; ++variant)
-        static_cast<void>(programFor(variant));
+        static_cast<void>(programFor(Plain, variant));
 }
 
-Program& SlicePass::programFor(unsigned variant)
+Program& SlicePass::programFor(unsigned form, unsigned variant)
 {
-    Program& known = m_programs[variant];
+    Program& known = m_programs[form][variant];
     const auto has = [variant](unsigned part) { return (variant & part) != 0 ? 1 : 0; };
     if (!known)
         known = Program(m_library,
@@ -36,7 +36,9 @@ Program& SlicePass::programFor(unsigned variant)
                 .fragmentPath = "render/slice.frag",
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
-                    {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)}}});
+                    {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)},
+                    {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
+                    {"PLANE", (form & OnPlane) != 0 ? 1 : 0}}});
     return known;
 }
 
@@ -50,7 +52,24 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5;
     const glm::dvec3 base = glm::dvec3(worldToIndex * glm::dvec4(scene.centreLps, 1.0))
         - perX * middle.x - perY * middle.y;
+    const bool cubic = scene.cubic && scene.interpolated && target.cubic;
+    prepareForm(cubic ? Cubic : Plain, volume, scene, segments, palette, target)
+        .set("base", glm::vec3(base))
+        .set("perX", glm::vec3(perX))
+        .set("perY", glm::vec3(perY))
+        .use();
+}
 
+Program& SlicePass::prepareOnPlane(VolumeTextures& volume, const SliceScene& look,
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+{
+    return prepareForm(
+        target.cubic ? CubicOnPlane : OnPlane, volume, look, segments, palette, target);
+}
+
+Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const SliceScene& scene,
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+{
     volume.intensity().bindUnit(0);
     volume.radiation().bindUnit(1);
     volume.labels().bindUnit(3);
@@ -75,14 +94,12 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         marks->pageTable().bindUnit(16);
         marks->atlas().bindUnit(17);
     }
-    Program& program = programFor(variant);
+    Program& program = programFor(form, variant);
     if ((variant & atTolerance) != 0)
         program.set("toleranceLabel", unsigned(segments.atTolerance->label))
             .set("tolerance", unsigned(segments.atTolerance->tolerance));
-    program.set("base", glm::vec3(base))
-        .set("perX", glm::vec3(perX))
-        .set("perY", glm::vec3(perY))
-        .set("pixelScale", target.pixelScale)
+    program.set("pixelScale", target.pixelScale)
+        .set("pixelJitter", target.pixelJitter)
         .set("window", glm::vec2(greyOfTexel(volume.encoding(), scene.window)))
         .set("inverted", scene.inverted)
         .set("interpolated", scene.interpolated)
@@ -91,7 +108,7 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         .set("warnAfter", segments.warnAfterGeneration)
         .set("fillOpacity", segments.fillOpacity)
         .set("outlineWidth", segments.outlineWidthPixels);
-    program.use();
+    return program;
 }
 
 } // namespace gpu

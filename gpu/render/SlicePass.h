@@ -25,15 +25,29 @@ public:
     /// since other work may come between two tiles.
     void prepare(VolumeTextures& volume, const SliceScene& scene, const SegmentDisplay& segments,
         const Palette& palette, const PassTarget& target);
+    /// Likewise what a cutting plane of the 3D view shows (planePixel.glsl).
+    /// @param look of a slice; where it lies is not looked at
+    /// @return to be told where the plane is seen, and used
+    [[nodiscard]] Program& prepareOnPlane(VolumeTextures& volume, const SliceScene& look,
+        const SegmentDisplay& segments, const Palette& palette, const PassTarget& target);
 
 private:
+    static constexpr unsigned variants = 64;
+    /// Where it is drawn and how it is interpolated.
+    enum Form : unsigned { Plain = 0, Cubic = 1, OnPlane = 2, CubicOnPlane = 3 };
+    static constexpr unsigned forms = 4;
+
+    [[nodiscard]] Program& prepareForm(unsigned form, VolumeTextures& volume,
+        const SliceScene& scene, const SegmentDisplay& segments, const Palette& palette,
+        const PassTarget& target);
     /// @param variant labels or none, plus twice carved or not, plus four times barriers or none,
     /// plus eight times members that warn or none, plus sixteen times a segment at a tolerance or
     /// none, plus 32 times what a cut would take or none
-    [[nodiscard]] Program& programFor(unsigned variant);
+    [[nodiscard]] Program& programFor(unsigned form, unsigned variant);
 
     const ShaderLibrary& m_library;
-    std::array<Program, 64> m_programs; ///< from eight on when they are first needed
+    /// By form and variant; all but the first eight when they are first needed.
+    std::array<std::array<Program, variants>, forms> m_programs;
 };
 
 } // namespace gpu

@@ -15,9 +15,11 @@ namespace {
 constexpr float rimPixels = 1.0f; // beside the line
 constexpr double marginPixels = 16.0; // lines so far outside of the frame are left out
 
-/// A corner of a triangle: in frame pixels, and how far before the plane.
+constexpr double nearestDepth = 1e-3; // of the target's distance: nothing nearer is seen
+
+/// A corner of a triangle: in the plane, and how far before it.
 struct Corner {
-    glm::dvec2 pixel{0.0};
+    glm::dvec2 mm{0.0};
     double height = 0.0;
     glm::vec3 marks{0.0f};
 };
@@ -30,44 +32,46 @@ std::array<std::uint8_t, 4> bytesOf(const glm::vec3& marks)
 
 class Plane {
 public:
-    Plane(const SliceScene& scene, const glm::ivec2& frameSize)
-        : m_scene(scene)
-        , m_normal(glm::cross(scene.rightLps, scene.downLps))
-        , m_middle(glm::dvec2(frameSize) * 0.5)
+    explicit Plane(const SeenPlane& seen)
+        : m_seen(seen)
+        , m_normal(glm::cross(seen.rightLps, seen.downLps))
     {
     }
     [[nodiscard]] double heightOf(const glm::dvec3& lps) const
     {
-        return glm::dot(lps - m_scene.centreLps, m_normal);
+        return glm::dot(lps - m_seen.centreLps, m_normal);
     }
-    [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& lps) const
+    [[nodiscard]] glm::dvec2 mmOf(const glm::dvec3& lps) const
     {
-        const glm::dvec3 from = lps - m_scene.centreLps;
-        const glm::dvec2 mm(glm::dot(from, m_scene.rightLps), glm::dot(from, m_scene.downLps));
-        return m_middle + mm / m_scene.mmPerPixel;
+        const glm::dvec3 from = lps - m_seen.centreLps;
+        return {glm::dot(from, m_seen.rightLps), glm::dot(from, m_seen.downLps)};
+    }
+    /// Frame pixels times the depth, and the depth.
+    [[nodiscard]] glm::dvec3 seenAt(const glm::dvec2& mm) const
+    {
+        return m_seen.pixelFromMm * glm::dvec3(mm, 1.0);
     }
 
 private:
-    const SliceScene& m_scene;
+    const SeenPlane& m_seen;
     glm::dvec3 m_normal;
-    glm::dvec2 m_middle;
 };
 
 /// Where an edge of a triangle passes through the plane.
 struct Crossing {
-    glm::dvec2 pixel{0.0};
+    glm::dvec2 mm{0.0};
     glm::vec3 marks{0.0f};
 };
 
 Crossing crossingOf(const Corner& one, const Corner& other)
 {
     const double part = one.height / (one.height - other.height);
-    return {.pixel = glm::mix(one.pixel, other.pixel, part),
+    return {.mm = glm::mix(one.mm, other.mm, part),
         .marks = glm::mix(one.marks, other.marks, float(part))};
 }
 
 /// @return nothing where all of the triangle lies on one side
-std::optional<ContourLine> lineThrough(const std::array<const Corner*, 3>& triangle)
+std::optional<std::array<Crossing, 2>> cut(const std::array<const Corner*, 3>& triangle)
 {
     std::array<Crossing, 2> ends;
     std::size_t count = 0;
@@ -81,7 +85,22 @@ std::optional<ContourLine> lineThrough(const std::array<const Corner*, 3>& trian
     }
     if (count != 2)
         return std::nullopt;
-    return ContourLine{.pixels = {glm::vec2(ends[0].pixel), glm::vec2(ends[1].pixel)},
+    return ends;
+}
+
+/// @return nothing where it lies behind the eye
+std::optional<ContourLine> lineOf(const std::array<Crossing, 2>& ends, const Plane& plane)
+{
+    std::array<glm::dvec3, 2> seen{plane.seenAt(ends[0].mm), plane.seenAt(ends[1].mm)};
+    if (seen[0].z < nearestDepth && seen[1].z < nearestDepth)
+        return std::nullopt;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const glm::dvec3& other = seen[1 - i];
+        if (seen[i].z < nearestDepth)
+            seen[i] = glm::mix(other, seen[i], (other.z - nearestDepth) / (other.z - seen[i].z));
+    }
+    return ContourLine{.pixels = {glm::vec2(glm::dvec2(seen[0]) / seen[0].z),
+                           glm::vec2(glm::dvec2(seen[1]) / seen[1].z)},
         .marks = {bytesOf(ends[0].marks), bytesOf(ends[1].marks)}};
 }
 
@@ -120,9 +139,9 @@ Tile reachOf(const std::vector<ContourLine>& lines, float margin, const PassTarg
 } // namespace
 
 std::vector<ContourLine> contourOf(
-    const SurfaceBuffers& surface, const SliceScene& scene, const glm::ivec2& frameSize)
+    const SurfaceBuffers& surface, const SeenPlane& seen, const glm::ivec2& frameSize)
 {
-    const Plane plane(scene, frameSize);
+    const Plane plane(seen);
     const auto positions = surface.positionsLps();
     const auto middles = surface.middlesLps();
     std::vector<double> heights;
@@ -140,17 +159,16 @@ std::vector<ContourLine> contourOf(
         if (behind == 0 || std::size_t(behind) == ring.size())
             continue;
         corners.clear();
-        Corner middle{
-            .pixel = plane.pixelOf(middles[face]), .height = plane.heightOf(middles[face])};
+        Corner middle{.mm = plane.mmOf(middles[face]), .height = plane.heightOf(middles[face])};
         for (const core::VertexId id : ring) {
-            Corner corner{.pixel = plane.pixelOf(positions[id]), .height = heights[id]};
+            Corner corner{.mm = plane.mmOf(positions[id]), .height = heights[id]};
             corner.marks[int(surface.marks()[id])] = 1.0f;
             middle.marks += corner.marks / float(ring.size());
             corners.push_back(corner);
         }
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const auto line =
-                lineThrough({&corners[i], &corners[(i + 1) % corners.size()], &middle});
+            const auto ends = cut({&corners[i], &corners[(i + 1) % corners.size()], &middle});
+            const auto line = ends ? lineOf(*ends, plane) : std::nullopt;
             if (line && isNear(*line, frameSize))
                 lines.push_back(*line);
         }
@@ -168,10 +186,10 @@ ContourPass::ContourPass(const ShaderLibrary& library)
 }
 
 void ContourPass::draw(ContourPicture& picture, const SurfaceBuffers& surface,
-    const SliceScene& scene, const PassTarget& target)
+    const SeenPlane& plane, const SceneContour& look, const PassTarget& target)
 {
-    const std::vector<ContourLine> lines = contourOf(surface, scene, target.frameSize);
-    const float reach = rimReach(*scene.contour, target);
+    const std::vector<ContourLine> lines = contourOf(surface, plane, target.frameSize);
+    const float reach = rimReach(look, target);
     picture.reach = reachOf(lines, reach, target);
     if (picture.isEmpty())
         return;
@@ -197,7 +215,7 @@ void ContourPass::draw(ContourPicture& picture, const SurfaceBuffers& surface,
 
     m_cover.set("pixelScale", target.pixelScale)
         .set("texels", glm::vec2(picture.cover.size()))
-        .set("halfWidth", 0.5f * scene.contour->widthPixels / target.pixelScale)
+        .set("halfWidth", 0.5f * look.widthPixels / target.pixelScale)
         .set("rim", rimPixels / target.pixelScale)
         .set("reach", reach);
     picture.frame.bind();

@@ -9,6 +9,7 @@
 #include "gpu/gl/Texture2D.h"
 #include "gpu/gl/VertexArray.h"
 #include "gpu/render/PassTarget.h"
+#include "gpu/render/SeenPlane.h"
 
 #include <array>
 #include <cstdint>
@@ -25,13 +26,13 @@ struct ContourLine {
     std::array<std::array<std::uint8_t, 4>, 2> marks{}; ///< yellow, green, red at both ends
 };
 
-/// What of a surface lies in a slice's plane and within the frame, in no order. Exact but for the
-/// rounding to float; what lies in the plane itself counts as just before it, so every contour is
-/// closed. Linear in the surface.
+/// What of a surface lies in a plane and within the frame, in no order. Exact but for the rounding
+/// to float; what lies in the plane itself counts as just before it, so every contour is closed.
+/// Linear in the surface.
 [[nodiscard]] std::vector<ContourLine> contourOf(
-    const SurfaceBuffers& surface, const SliceScene& scene, const glm::ivec2& frameSize);
+    const SurfaceBuffers& surface, const SeenPlane& plane, const glm::ivec2& frameSize);
 
-/// The contour of one picture of a slice.
+/// The contour of one picture.
 struct ContourPicture {
     /// RGBA8: how much of a pixel the line of a mark covers (yellow, green, red), and its rim
     Texture2D cover;
@@ -43,18 +44,18 @@ struct ContourPicture {
     [[nodiscard]] bool isEmpty() const { return reach.size.x <= 0; }
 };
 
-/// The line over a slice where the surface that is being refined meets its plane (seed B §5.2):
-/// each pixel by its distance from what the plane cuts of the triangles, so that it is as sharp in
-/// any magnification. Where lines meet the nearest counts, not their sum.
+/// The line where the surface that is being refined meets a slice's plane, or the cutting plane of
+/// a 3D view (seed B §5.2): each pixel by its distance from what the plane cuts of the triangles,
+/// so that it is as sharp in any magnification. Where lines meet the nearest counts, not their sum.
 class ContourPass {
 public:
     /// Throws ShaderError.
     explicit ContourPass(const ShaderLibrary& library);
 
-    /// For a whole picture, before its first tile. @param scene has a contour
-    void draw(ContourPicture& picture, const SurfaceBuffers& surface, const SliceScene& scene,
-        const PassTarget& target);
-    /// Lays a tile of it over what is in the bound framebuffer.
+    /// For a whole picture, before its first tile.
+    void draw(ContourPicture& picture, const SurfaceBuffers& surface, const SeenPlane& plane,
+        const SceneContour& look, const PassTarget& target);
+    /// Lays a tile of it over what is in the bound framebuffer (slices).
     void lay(const ContourPicture& picture, const SceneContour& look, const Tile& tile,
         const VertexArray& noVertices);
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace gpu {
@@ -54,8 +55,8 @@ void setCamera(Program& program, const WorldBox& bounds, const glm::ivec2& pictu
     const VolumeScene& scene, const PassTarget& target)
 {
     const ViewFrame view = ViewFrame::of(scene, target.frameSize);
-    const double distance = std::max(view.distanceMm, 1e-6);
-    const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5 - glm::dvec2(target.pixelJitter);
+    const double distance = view.distanceMm;
+    const glm::dvec2 middle = view.middle - glm::dvec2(target.pixelJitter);
     const glm::dvec2 texels(pictureSize);
     // Columns: right, down and forward in mm from the target, then 1.
     const glm::dvec2 perMm = 2.0 / (view.mmPerPixel * double(target.pixelScale) * texels);
@@ -64,11 +65,12 @@ void setCamera(Program& program, const WorldBox& bounds, const glm::ivec2& pictu
     clip[0][0] = perMm.x;
     clip[1][1] = perMm.y;
     const glm::dvec3 eye = scene.targetLps - view.forward * distance;
+    const double shear = glm::dot(view.across, view.forward);
     if (scene.orthographic) {
         const auto [near, far] = depthsOf(bounds, scene.targetLps, view.forward);
         const double margin = 0.01 * (far - near) + 1e-3;
         const double range = far - near + 2.0 * margin;
-        clip[2][2] = 2.0 / range;
+        clip[2] = glm::dvec4(perMm.x * shear, 0.0, 2.0 / range, 0.0);
         clip[3] = glm::dvec4(centre, -2.0 * (near - margin) / range - 1.0, 1.0);
     } else {
         auto [near, far] = depthsOf(bounds, eye, view.forward);
@@ -77,6 +79,7 @@ void setCamera(Program& program, const WorldBox& bounds, const glm::ivec2& pictu
         // w is the depth from the eye in distances of the target.
         const double slope = (far + near) / (far - near);
         clip[2] = glm::dvec4(centre / distance, slope / distance, 1.0 / distance);
+        clip[2].x += perMm.x * shear;
         clip[3] = glm::dvec4(centre, slope - 2.0 * far * near / (far - near) / distance, 1.0);
     }
     const glm::dvec3 up = -view.down;
@@ -86,7 +89,10 @@ void setCamera(Program& program, const WorldBox& bounds, const glm::ivec2& pictu
         .set("viewDown", glm::vec3(view.down))
         .set("viewForward", glm::vec3(view.forward))
         .set("viewTarget", glm::vec3(scene.targetLps))
-        .set("eyeDistance", scene.orthographic ? 0.0f : float(distance))
+        .set("sight", glm::vec3(view.sight))
+        .set("eyeToTarget", glm::vec3(view.targetLps - view.eyeLps))
+        .set("orthographic", scene.orthographic)
+        .set("wayPerDepth", float(1.0 / glm::dot(view.sight, view.forward)))
         .set("toLight", glm::vec3(toLight))
         .set("viewUp", glm::vec3(up));
 }
@@ -128,7 +134,8 @@ void setLook(Program& program, const VolumeTextures& volume, const SceneSurface&
 /// Whether an eye may look at the inside of a surface that is closed and whole.
 bool mayBeInside(const WorldBox& bounds, const VolumeScene& scene)
 {
-    const double margin = 1.0 + 0.01 * glm::length(bounds.maximum - bounds.minimum);
+    const double margin =
+        1.0 + std::abs(scene.eyeShiftMm) + 0.01 * glm::length(bounds.maximum - bounds.minimum);
     return !scene.orthographic && glm::all(glm::greaterThan(scene.eyeLps, bounds.minimum - margin))
         && glm::all(glm::lessThan(scene.eyeLps, bounds.maximum + margin));
 }

@@ -52,11 +52,20 @@ Matter matterAt(vec3 at, float n)
     return matter;
 }
 
-#if SURFACE
-/// Number of the sample before which it lies; matter that begins at it is behind it.
-float surfaceSample(float gridZero)
+#if SHEETS
+/// Number of the sample before which the next sheet lies; matter that begins at it is behind it.
+float sheetSample(float gridZero)
 {
-    return (surfaceAt - gridZero) / stepMm - 2.0;
+    return (nextSheetAt - gridZero) / stepMm - 2.0;
+}
+
+/// Meets the sheets before a sample.
+void meetSheetsBefore(float n, float gridZero, inout vec3 seen, inout float through)
+{
+    for (int i = 0; i < 2; ++i) {
+        if (sheetsMet < 2 && n >= sheetSample(gridZero))
+            meetSheet(seen, through);
+    }
 }
 #endif
 
@@ -64,6 +73,10 @@ float surfaceSample(float gridZero)
 vec3 restAlong(Ray ray)
 {
     const vec3 toViewer = -ray.world;
+#if SHEETS
+    // Behind an opaque one nothing is looked for.
+    ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
+#endif
     const Samples samples = samplesOf(ray, cellSide);
     const float enough = 0.02;
 #if CLIPPED
@@ -77,9 +90,6 @@ vec3 restAlong(Ray ray)
     // Where groups end differs from pixel to pixel and from picture to picture: it averages out.
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
-#if SURFACE
-    const float surfaceN = surfaceSample(ray.gridZero);
-#endif
     do {
         // To the first sample that shows something.
         const float start = n;
@@ -102,10 +112,9 @@ vec3 restAlong(Ray ray)
         } while (n < samples.last && !found);
         lastOpacity = n > start ? 0.0 : lastOpacity;
         float groupEnd = min(samples.last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
-#if SURFACE
-        if (!surfaceMet && n >= surfaceN)
-            meetSurface(seen, through);
-        groupEnd = surfaceMet ? groupEnd : min(groupEnd, surfaceN);
+#if SHEETS
+        meetSheetsBefore(n, ray.gridZero, seen, through);
+        groupEnd = min(groupEnd, sheetSample(ray.gridZero));
 #endif
         // Samples are classified one by one but lit together, since lighting costs several samples:
         // matter keeps the light that fell on the surface before it, and a new surface is where
@@ -175,10 +184,9 @@ vec3 restAlong(Ray ray)
         through = segmentSeen ? 0.0 : through;
 #endif
     } while (n < samples.last && through > enough);
-#if SURFACE
+#if SHEETS
     through = through > enough ? through : 0.0;
-    if (!surfaceMet)
-        meetSurface(seen, through);
+    meetSheets(nowhere, seen, through);
 #endif
     return seen;
 }

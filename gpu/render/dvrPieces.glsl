@@ -208,9 +208,9 @@ vec3 seenAlong(Ray ray)
         meet(pieceRay(ray, k), k);
     if (wayCount == 0) {
         vec3 nothing = vec3(0.0);
-#if SURFACE
+#if SHEETS
         float all = 1.0;
-        meetSurface(nothing, all);
+        meetSheets(nowhere, nothing, all);
 #endif
         return nothing;
     }
@@ -228,9 +228,6 @@ vec3 seenAlong(Ray ray)
     float lastOpacity = 0.0;
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
-#if SURFACE
-    const float surfaceN = surfaceSample(ray.gridZero);
-#endif
     // Surfaces of segments and solid pieces are rare and cost much: each ends the inner loop.
     do {
         int solid = -1;
@@ -249,10 +246,9 @@ vec3 seenAlong(Ray ray)
             } while (!found && n < last);
             lastOpacity = n > start ? 0.0 : lastOpacity;
             float groupEnd = min(last, n + (n > start ? firstGroup : samplesPerGroup) - 0.5);
-#if SURFACE
-            if (!surfaceMet && n >= surfaceN)
-                meetSurface(seen, through);
-            groupEnd = surfaceMet ? groupEnd : min(groupEnd, surfaceN);
+#if SHEETS
+            meetSheetsBefore(n, ray.gridZero, seen, through);
+            groupEnd = min(groupEnd, sheetSample(ray.gridZero));
 #endif
             const int owner = joint.owner;
             vec3 glow = vec3(0.0);
@@ -300,10 +296,9 @@ vec3 seenAlong(Ray ray)
         solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
     } while (n < last && through > enough);
-#if SURFACE
+#if SHEETS
     through = through > enough ? through : 0.0;
-    if (!surfaceMet)
-        meetSurface(seen, through);
+    meetSheets(nowhere, seen, through);
 #endif
     return seen;
 }

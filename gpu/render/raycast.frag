@@ -25,12 +25,12 @@
 void main()
 {
     const Ray ray = rayOf(gl_FragCoord.xy);
-#if SURFACE
-    findSurface();
+#if SHEETS
+    findSheets();
 #endif
     vec3 seen = seenAlong(ray);
-#if SURFACE
-    seen = withSurface(seen);
+#if SHEETS
+    seen = withSheets(seen);
 #endif
 #if SEEDS
     seen = withSeeds(ray, seen);

@@ -60,8 +60,8 @@ const float nowhere = 1e30; // no t
 #if SEEDS || BARRIERS
 float solidFrom = nowhere; // t from which on nothing behind is seen
 #endif
-#if SURFACE
-#include "render/meetSurface.glsl"
+#if SHEETS
+#include "render/meetSheets.glsl"
 #endif
 
 struct Ray {

@@ -1,5 +1,6 @@
 // One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN: whether there is anything of
-// the kind to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance.
+// the kind to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance. CUBIC:
+// interpolated by cubics. PLANE: of a cutting plane in the 3D view.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
@@ -15,12 +16,16 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, shown
 #if FORESEEN
 #include "render/foreseen.glsl"
 #endif
+#if CUBIC
+#include "render/cubic.glsl"
+#endif
 
 /* Uniforms */
 uniform vec3 base;   // index: place of pixel (0, 0)
 uniform vec3 perX;   // index per pixel
 uniform vec3 perY;
 uniform float pixelScale;
+uniform vec2 pixelJitter; // frame pixels
 uniform vec2 window; // grey = code / 65535 · x + y
 uniform bool inverted;
 uniform bool interpolated;
@@ -38,11 +43,15 @@ const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
 const float barrierWidth = 1.2; // pixels
 const float foreseenWidth = 1.5; // pixels
 
+#if PLANE
+#include "render/planePixel.glsl"
+#else
 /// Index space at a pixel (centres at + 0.5).
 vec3 indexAt(vec2 pixel)
 {
     return base + perX * pixel.x + perY * pixel.y;
 }
+#endif
 
 ivec3 nearestVoxel(vec3 index)
 {
@@ -74,14 +83,18 @@ vec2 around(int i)
 
 void main()
 {
-    const vec2 pixel = gl_FragCoord.xy * pixelScale;
+    const vec2 pixel = gl_FragCoord.xy * pixelScale + pixelJitter;
     const vec3 index = indexAt(pixel);
     const vec3 size = vec3(textureSize(intensity, 0));
     const bool isInside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
     const ivec3 voxel = nearestVoxel(index);
     const vec3 place = interpolated ? index : vec3(voxel);
-    const float grey
-        = clamp(texture(intensity, (place + 0.5) / size).r * window.x + window.y, 0.0, 1.0);
+#if CUBIC
+    const float value = cubicAt(intensity, place);
+#else
+    const float value = texture(intensity, (place + 0.5) / size).r;
+#endif
+    const float grey = clamp(value * window.x + window.y, 0.0, 1.0);
     vec3 result = vec3(inverted ? 1.0 - grey : grey);
 #if CARVED
     const float covered = texture(radiation, (index + 0.5) / size).r;
@@ -131,5 +144,9 @@ void main()
     const bool stripe = fract((pixel.x + pixel.y) / 8.0) < 0.4;
     result = mix(result, barrierColour, shut ? (rim || stripe ? 0.9 : 0.25) : 0.0);
 #endif
+#if PLANE
+    colour = planeColour(result, isInside, pixel);
+#else
     colour = vec4(isInside ? result : vec3(0.0), 1.0);
+#endif
 }

@@ -226,12 +226,12 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     return lit(albedo, light);
 }
 
-#if SURFACE
-/// Where it and matter are one surface but for a fraction of a voxel it is seen: without this the
-/// two would speckle.
-bool isBefore(float t)
+#if SHEETS
+/// Meets the sheets before a place. Where one and matter are one surface but for a fraction of a
+/// voxel it is seen: without this the two would speckle.
+void meetSheetsBefore(float t, inout vec3 seen, inout float through)
 {
-    return surfaceAt <= t + 2.0 * stepMm;
+    meetSheets(t + 2.0 * stepMm, seen, through);
 }
 #endif
 
@@ -305,9 +305,8 @@ vec3 seenAlong(Ray ray)
             opacity = pieces[piece].low.w;
             hits[next] = nowhere;
         }
-#if SURFACE
-        if (!surfaceMet && isBefore(nearest))
-            meetSurface(seen, through);
+#if SHEETS
+        meetSheetsBefore(nearest, seen, through);
 #endif
         const vec3 look = lookOf(own, piece, hit);
         opacity = nearest < nowhere ? opacity : 0.0;
@@ -321,33 +320,30 @@ vec3 seenAlong(Ray ray)
             nearest = min(nearest, hits[i]);
         }
     } while (nearest < nowhere && through >= 0.02);
-#if SURFACE
-    if (!surfaceMet)
-        meetSurface(seen, through);
+#if SHEETS
+    meetSheets(nowhere, seen, through);
 #endif
     return seen;
 }
 #else
 vec3 seenAlong(Ray ray)
 {
-#if SURFACE
+#if SHEETS
     // Behind an opaque one nothing is looked for.
-    ray.last = surfaceColour.a >= 1.0 ? min(ray.last, surfaceAt + 2.0 * stepMm) : ray.last;
+    ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
 #endif
     const Hit hit = firstHit(ray);
 #if SEEDS || BARRIERS
     solidFrom = hit.t;
 #endif
     const vec3 look = lookOf(ray, restOf, hit);
-#if SURFACE
+#if SHEETS
     vec3 seen = vec3(0.0);
     float through = 1.0;
-    if (isBefore(hit.t))
-        meetSurface(seen, through);
+    meetSheetsBefore(hit.t, seen, through);
     seen += hit.t < nowhere ? through * look : vec3(0.0);
     through = hit.t < nowhere ? 0.0 : through;
-    if (!surfaceMet)
-        meetSurface(seen, through);
+    meetSheets(nowhere, seen, through);
     return seen;
 #else
     return hit.t < nowhere ? look : vec3(0.0);

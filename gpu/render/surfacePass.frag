@@ -8,9 +8,12 @@
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 
 /* Uniforms */
-uniform vec3 viewForward;  // world, unit
-uniform vec3 viewTarget;   // world
-uniform float eyeDistance; // mm before the target; 0: orthographic
+uniform vec3 viewForward; // world, unit
+uniform vec3 viewTarget;  // world
+uniform vec3 sight;       // world, unit: of orthographic rays
+uniform vec3 eyeToTarget; // world
+uniform float wayPerDepth; // of orthographic rays
+uniform bool orthographic;
 uniform float wireHalf;    // drawn pixels
 #if HIDES
 uniform vec4 hiddenBeyond[10]; // world: hidden where dot(xyz, place) > w
@@ -51,10 +54,9 @@ void main()
         discard;
 #endif
 
-    const vec3 fromEye = fromTarget + viewForward * eyeDistance;
-    const bool isOrthographic = eyeDistance == 0.0;
-    way = isOrthographic ? dot(fromTarget, viewForward) : length(fromEye);
-    const vec3 toViewer = isOrthographic ? -viewForward : normalize(-fromEye);
+    const vec3 fromEye = fromTarget + eyeToTarget;
+    way = orthographic ? dot(fromTarget, viewForward) * wayPerDepth : length(fromEye);
+    const vec3 toViewer = orthographic ? -sight : normalize(-fromEye);
 
     // Rows run downwards: what turns to the left seen from outside turns to the right in them.
     const bool isInside = gl_FrontFacing;

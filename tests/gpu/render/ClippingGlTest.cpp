@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
+#include "tests/support/ViewRays.h"
 
 #include <QTest>
 
@@ -7,6 +8,9 @@
 #include <cmath>
 
 using namespace gpu;
+using test::isLit;
+using test::PixelRay;
+using test::rayOf;
 
 namespace {
 
@@ -32,22 +36,6 @@ VolumeScene scene(RenderMode mode)
     return result;
 }
 
-struct PixelRay {
-    glm::dvec3 origin;
-    glm::dvec3 direction;
-};
-
-PixelRay rayOf(const VolumeScene& view, const glm::ivec2& size, double x, double y)
-{
-    const glm::dvec3 forward = glm::normalize(view.targetLps - view.eyeLps);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, view.up));
-    const glm::dvec3 down = glm::cross(forward, right);
-    const double mm = view.heightMm / size.y;
-    const glm::dvec3 onPlane =
-        view.targetLps + right * ((x - size.x / 2.0) * mm) + down * ((y - size.y / 2.0) * mm);
-    return {onPlane, view.orthographic ? forward : glm::normalize(onPlane - view.eyeLps)};
-}
-
 /// Millimetres of the ray that are both in the sphere and not hidden; negative: by how much they
 /// miss each other.
 double visibleMm(
@@ -71,12 +59,6 @@ double visibleMm(
             from = std::max(from, room / approach);
     }
     return to - from;
-}
-
-bool isLit(const Frame& frame, int x, int y)
-{
-    const glm::ivec3 rgb = test::pixel(frame, x, y);
-    return rgb.r + rgb.g + rgb.b > 0;
 }
 
 } // namespace

@@ -155,7 +155,7 @@ private Q_SLOTS:
                 SliceScene scene;
                 scene.centreLps = {0.0, 0.0, z};
                 scene.mmPerPixel = 0.25;
-                const auto lines = contourOf(buffers, scene, {400, 400});
+                const auto lines = contourOf(buffers, SeenPlane::of(scene, {400, 400}), {400, 400});
                 QVERIFY(lines.size() > 4);
                 std::vector<std::pair<float, float>> ends;
                 for (const ContourLine& line : lines)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/demo/DemoStudy.h"
-#include "core/demo/HeadPhantom.h"
-#include "core/refine/InitialFit.h"
 #include "core/refine/SurfaceUpdate.h"
+#include "tests/support/DemoHeadScene.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FrameTest.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/ViewRays.h"
 
 #include <QDir>
 #include <QTest>
@@ -16,6 +15,9 @@
 #include <ctime>
 
 using namespace gpu;
+using test::apart;
+using test::isLit;
+using test::mostApart;
 
 namespace {
 
@@ -63,63 +65,10 @@ core::SimplexMesh sphereAt(const glm::dvec3& centreLps, double radius, int cuts 
     return test::simplexMesh(test::moved(test::icosphere(radius, cuts), centreLps));
 }
 
-bool isLit(const Frame& frame, int x, int y)
-{
-    const glm::ivec3 rgb = test::pixel(frame, x, y);
-    return rgb.r + rgb.g + rgb.b > 0;
-}
-
-struct PixelRay {
-    glm::dvec3 origin;
-    glm::dvec3 direction;
-};
-
-PixelRay rayOf(const VolumeScene& view, const glm::ivec2& frame, double x, double y)
-{
-    const glm::dvec3 forward = glm::normalize(view.targetLps - view.eyeLps);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, view.up));
-    const glm::dvec3 down = glm::cross(forward, right);
-    const double mm = view.heightMm / frame.y;
-    const glm::dvec3 onPlane =
-        view.targetLps + right * ((x - frame.x / 2.0) * mm) + down * ((y - frame.y / 2.0) * mm);
-    return {onPlane, view.orthographic ? forward : glm::normalize(onPlane - view.eyeLps)};
-}
-
 /// By how far the ray of a pixel's centre misses a sphere; negative: it meets it.
 double gapToSphere(const VolumeScene& view, int x, int y, const glm::dvec3& centre, double radius)
 {
-    const PixelRay ray = rayOf(view, size, x + 0.5, y + 0.5);
-    const glm::dvec3 offset = centre - ray.origin;
-    return glm::length(offset - ray.direction * glm::dot(offset, ray.direction)) - radius;
-}
-
-int apart(const glm::ivec3& one, const glm::ivec3& other)
-{
-    const glm::ivec3 by = glm::abs(one - other);
-    return std::max({by.r, by.g, by.b});
-}
-
-int mostApart(const Frame& one, const Frame& other)
-{
-    int most = 0;
-    for (int y = 0; y < one.sizePixels.y; ++y)
-        for (int x = 0; x < one.sizePixels.x; ++x)
-            most = std::max(most, apart(test::pixel(one, x, y), test::pixel(other, x, y)));
-    return most;
-}
-
-/// What fills the skull of the demonstration head.
-core::BoxMask brainOf(const core::DemoStudy& study)
-{
-    std::vector<std::uint8_t> labels;
-    labels.reserve(study.parts.size());
-    for (const std::uint8_t part : study.parts) {
-        const bool inside = part >= std::uint8_t(core::HeadPart::GreyMatter)
-            && part <= std::uint8_t(core::HeadPart::Vessels)
-            && part != std::uint8_t(core::HeadPart::Membranes);
-        labels.push_back(inside ? 1 : 0);
-    }
-    return core::BoxMask::of(labels, 1, study.geometry.size);
+    return test::gapToSphere(test::rayOf(view, size, x + 0.5, y + 0.5), centre, radius);
 }
 
 /// Whether every pixel is, within a tolerance, what a rule makes of those of two other pictures.
@@ -156,50 +105,6 @@ class SurfacePassGlTest : public test::FrameTest {
     {
         view.surface = look;
         return draw(view);
-    }
-    /// The demonstration head, and the surface of its brain with some marks.
-    void openHead()
-    {
-        const auto study = core::makeDemoStudy({});
-        QVERIFY(study);
-        core::VoxelEncoding encoding;
-        encoding.rescaleIntercept = -1024.0;
-        std::vector<std::uint16_t> codes;
-        codes.reserve(study->hounsfield.size());
-        for (const std::int16_t value : study->hounsfield)
-            codes.push_back(std::uint16_t(value + 1024));
-        QVERIFY(m_fixture->volume.open(study->geometry.size, codes));
-        m_fixture->volume.setGeometry(study->geometry, encoding);
-        auto mesh = core::initialFit(
-            brainOf(*study), study->geometry, {.vertices = 20'000, .steps = 15}, {});
-        QVERIFY(mesh);
-        core::SimplexMeshEdit edit(*mesh);
-        for (const core::VertexId id : mesh->vertexIds()) {
-            const glm::dvec3& place = mesh->position(id);
-            if (place.z > 45.0)
-                edit.setMark(id, core::SurfaceMark::Green);
-            if (glm::length(place - glm::dvec3(-45.0, -45.0, 10.0)) < 22.0)
-                edit.setMark(id, core::SurfaceMark::Red);
-        }
-        (void)edit.commit();
-        show(*mesh);
-    }
-    static VolumeScene headScene()
-    {
-        VolumeScene view;
-        view.eyeLps = {-260.0, -430.0, 110.0};
-        view.heightMm = 240.0;
-        view.surfaceThreshold = 300.0;
-        view.transferFunction.points = {{150.0, 0x8a4b32, 0.0}, {250.0, 0xd9a066, 0.05},
-            {600.0, 0xf2e4c4, 0.35}, {1800.0, 0xffffff, 0.8}};
-        view.mipWindow = {700.0, 1800.0};
-        view.xrayWindow = {200.0, 1400.0};
-        view.cutFaces = CutFaces::GreyValues;
-        view.faceWindow = {60.0, 400.0};
-        view.clip.planes[0] = {.pointLps = {-12.0, -10.0, 0.0},
-            .normalLps = glm::normalize(glm::dvec3(-1.0, -0.8, 0.25)),
-            .on = true};
-        return view;
     }
     static SceneSurface brainLook()
     {
@@ -753,10 +658,11 @@ private Q_SLOTS:
     {
         if (!test::longRun())
             QSKIP("BURIN_LONG is not set");
-        openHead();
+        test::openDemoHead(*m_fixture);
+        show(test::demoBrain());
         const SceneSurface look = brainLook();
         for (int mode = 0; mode < int(renderModes); ++mode) {
-            VolumeScene view = headScene();
+            VolumeScene view = test::demoHeadScene();
             view.mode = RenderMode(mode);
             // Turn about, so that the machine is as busy with one as with the other.
             std::array<double, 2> least{1e9, 1e9};
@@ -779,13 +685,14 @@ private Q_SLOTS:
         const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
         if (folder.isEmpty())
             QSKIP("BURIN_SCREENSHOTS is not set");
-        openHead();
+        test::openDemoHead(*m_fixture);
+        show(test::demoBrain());
         const auto keep = [&](const char* name, const Scene& scene) {
             const Frame frame = m_fixture->draw(scene, {656, 464});
             QVERIFY(test::imageOf(frame).save(
                 QDir(folder).filePath(QStringLiteral("head-%1.png").arg(QLatin1String(name)))));
         };
-        VolumeScene view = headScene();
+        VolumeScene view = test::demoHeadScene();
         view.surface = brainLook();
         keep("shaded", view);
         view.surface->style = SurfaceStyle::Wireframe;

@@ -1,0 +1,98 @@
+// Sheets among what a ray meets: the surface that is being refined, and the cutting plane. They were
+// drawn before (SurfacePass, PlanePass), so each ray knows where it meets them, and what it sees
+// there. They cut through each other, so which is the nearer is another matter for each pixel.
+
+/* Textures */
+layout(binding = 19) uniform sampler2D surfaceColours; // a: how much of the pixel; 0: none
+layout(binding = 20) uniform sampler2D surfaceWays;    // t
+layout(binding = 21) uniform sampler2D planeColours;
+layout(binding = 22) uniform sampler2D planeWays;
+
+/* Uniforms */
+uniform int surfaceThere; // 0: there is none, its textures are one empty texel
+uniform int planeThere;
+uniform float surfaceOpacity;
+uniform float surfaceBehind; // how much of it shines through what hides it
+uniform float planeBehind;
+
+const float sheetTie = 0.05; // mm: as far before the plane the surface is still not before it
+
+struct Sheet {
+    vec4 colour; // opacity
+    float at;    // t; nowhere: none
+    float behind;
+    float before;  // so much of it no sheet hides
+    float shining; // so much of it shines through
+};
+Sheet nearSheet = Sheet(vec4(0.0), nowhere, 0.0, 1.0, 0.0);
+Sheet farSheet = Sheet(vec4(0.0), nowhere, 0.0, 1.0, 0.0);
+int sheetsMet = 0;
+float nextSheetAt = nowhere; // t of what is to be met next
+
+void findSheets()
+{
+    const ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 surface = texelFetch(surfaceColours, pixel * surfaceThere, 0);
+    const vec4 plane = texelFetch(planeColours, pixel * planeThere, 0);
+    const float surfaceAt
+        = surface.a > 0.0 ? texelFetch(surfaceWays, pixel * surfaceThere, 0).r : nowhere;
+    const float planeAt = plane.a > 0.0 ? texelFetch(planeWays, pixel * planeThere, 0).r : nowhere;
+    surface.a *= surfaceOpacity;
+    const bool planeFirst = planeAt <= surfaceAt + sheetTie;
+    nearSheet.colour = planeFirst ? plane : surface;
+    nearSheet.at = planeFirst ? planeAt : surfaceAt;
+    nearSheet.behind = planeFirst ? planeBehind : surfaceBehind;
+    farSheet.colour = planeFirst ? surface : plane;
+    farSheet.at = planeFirst ? surfaceAt : planeAt;
+    farSheet.behind = planeFirst ? surfaceBehind : planeBehind;
+    // The surface shines through matter, not through a plane that is to be read.
+    farSheet.before = planeFirst ? 1.0 - plane.a : 1.0;
+    nextSheetAt = nearSheet.at;
+}
+
+/// Behind it nothing is seen; nowhere: there is none.
+float opaqueSheetAt()
+{
+    return nearSheet.colour.a >= 1.0 ? nearSheet.at
+        : farSheet.colour.a >= 1.0   ? farSheet.at
+                                     : nowhere;
+}
+
+/// Lays the next one behind what a ray has seen so far.
+void meetSheet(inout vec3 seen, inout float through)
+{
+    const bool isNear = sheetsMet == 0;
+    const vec4 own = isNear ? nearSheet.colour : farSheet.colour;
+    const float hidden = max((isNear ? 1.0 : farSheet.before) - through, 0.0);
+    nearSheet.shining = isNear ? nearSheet.behind * hidden : nearSheet.shining;
+    farSheet.shining = isNear ? 0.0 : farSheet.behind * hidden;
+    seen += through * own.a * own.rgb;
+    through *= 1.0 - own.a;
+#if SEEDS || BARRIERS
+    solidFrom = through < 0.5 ? min(solidFrom, nextSheetAt) : solidFrom;
+#endif
+    ++sheetsMet;
+    nextSheetAt = isNear ? farSheet.at : nowhere;
+}
+
+/// Those up to a t.
+void meetSheets(float t, inout vec3 seen, inout float through)
+{
+    for (int i = 0; i < 2; ++i) {
+        if (sheetsMet < 2 && nextSheetAt <= t)
+            meetSheet(seen, through);
+    }
+}
+
+/// What of them shines through what hides them; where there is no before and behind they lie over
+/// all.
+vec3 withSheets(vec3 seen)
+{
+#if MODE <= 1
+    seen = mix(seen, farSheet.colour.rgb, farSheet.colour.a * farSheet.shining);
+    return mix(seen, nearSheet.colour.rgb, nearSheet.colour.a * nearSheet.shining);
+#else
+    seen = mix(seen, farSheet.colour.rgb, farSheet.colour.a);
+    return mix(seen, nearSheet.colour.rgb, nearSheet.colour.a);
+#endif
+}
