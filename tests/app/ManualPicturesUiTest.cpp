@@ -16,6 +16,7 @@
 #include "ui/panels/KeyframePopup.h"
 #include "ui/panels/Panel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/tools/PlaneTool.h"
 #include "ui/tools/RefineTool.h"
 #include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
@@ -91,6 +92,35 @@ private:
         const glm::dvec2 end = to * camera.heightMm;
         stroke.samples = {{start.x, start.y, 1.0, 0.0}, {end.x, end.y, 1.0, 0.4}};
         return stroke;
+    }
+    template <class T> void take()
+    {
+        for (QObject* child : window().children()) {
+            if (auto* tool = qobject_cast<T*>(child))
+                m_application->workspace().setActiveTool(tool);
+        }
+    }
+    /// A lesion in the demonstration study that a network found, but for a lobe, and with a leak;
+    /// a surface around it, green where it is right.
+    void openLesion()
+    {
+        start();
+        m_application->openDemonstration();
+        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(waitUntilDrawn());
+        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Surface")});
+        // The session of another picture goes on.
+        QVERIFY(session().goTo(0));
+        apply(core::AddSegment{.name = QStringLiteral("Tumour"), .rgb = 0xE07A5F});
+        m_application->workspace().setActiveSegment(1);
+        core::PaintStroke lesion{.segment = 1};
+        lesion.path = {.radiusMm = 20.0, .pointsLps = {{24, -18, 40}, {10, 4, 46}}};
+        apply(lesion);
+        lesion.path = {.radiusMm = 7.0, .pointsLps = {{36, -30, 42}, {50, -44, 44}}};
+        apply(lesion);
+        apply(core::LaySurface{.segment = 1, .vertices = 9000});
+        apply(core::MarkSurface{.mark = core::SurfaceMark::Green,
+            .path = {.radiusMm = 26.0, .pointsLps = {{6, 14, 50}}}});
     }
     void foldAllBut(const std::vector<QString>& titles)
     {
@@ -272,23 +302,8 @@ private Q_SLOTS:
 
     void repairedSurface()
     {
-        start();
-        m_application->openDemonstration();
-        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
-        QVERIFY(waitUntilDrawn());
-        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Surface")});
+        openLesion();
         ui::Workspace& workspace = m_application->workspace();
-        // A lesion that a network found, but for a lobe, and with a leak.
-        apply(core::AddSegment{.name = QStringLiteral("Tumour"), .rgb = 0xE07A5F});
-        workspace.setActiveSegment(1);
-        core::PaintStroke lesion{.segment = 1};
-        lesion.path = {.radiusMm = 20.0, .pointsLps = {{24, -18, 40}, {10, 4, 46}}};
-        apply(lesion);
-        lesion.path = {.radiusMm = 7.0, .pointsLps = {{36, -30, 42}, {50, -44, 44}}};
-        apply(lesion);
-        apply(core::LaySurface{.segment = 1, .vertices = 9000});
-        apply(core::MarkSurface{.mark = core::SurfaceMark::Green,
-            .path = {.radiusMm = 26.0, .pointsLps = {{6, 14, 50}}}});
         apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
             .path = {.radiusMm = 11.0, .pointsLps = {{42, -36, 43}, {50, -44, 44}}}});
         apply(core::MarkSurface{
@@ -304,16 +319,73 @@ private Q_SLOTS:
         workspace.setCrosshairLps({24, -18, 42});
         workspace.refinement().setSettings(
             {.mode = ui::Refinement::Mode::Sphere, .radiusMm = 11.0});
-        for (QObject* child : window().children()) {
-            if (auto* tool = qobject_cast<ui::RefineTool*>(child))
-                workspace.setActiveTool(tool);
-        }
+        take<ui::RefineTool>();
         QVERIFY(waitUntilDrawn());
         ui::ImageView& slice = window().views().axial();
         const QPointF at = slice.context().toPixel({36, -38, 42});
         QTest::mouseMove(&slice, at.toPoint());
         QVERIFY(waitUntilDrawn());
         keep("refining.png");
+    }
+
+    void cuttingPlane()
+    {
+        openLesion();
+        apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
+            .path = {.radiusMm = 11.0, .pointsLps = {{42, -36, 43}, {50, -44, 44}}}});
+        // Along the leak.
+        ui::CuttingPlane& plane = m_application->workspace().plane();
+        QVERIFY(plane.passThrough({10, 4, 46}, {50, -44, 44}, {28, -20, 90}));
+        if (plane.pose().normalLps().y < 0.0)
+            plane.flip();
+        m_application->workspace().setCrosshairLps({30, -24, 43});
+        ui::CuttingPlane::Look look = plane.look();
+        look.clipsAbove = true;
+        plane.setLook(look);
+        window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
+        window().views().volume().lookFrom(
+            glm::normalize(-plane.pose().normalLps() + glm::dvec3(0.45, 0.0, 0.35)));
+        take<ui::PlaneTool>();
+        QVERIFY(waitUntilDrawn());
+        keep("cutting-plane.png");
+    }
+
+    void templateShape()
+    {
+        openLesion();
+        // A lobe is missing behind and above.
+        apply(core::MarkSurface{
+            .mark = core::SurfaceMark::Red, .path = {.radiusMm = 17.0, .pointsLps = {{8, 2, 66}}}});
+        window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
+        ui::Refinement& refinement = m_application->workspace().refinement();
+        refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
+        take<ui::RefineTool>();
+        const auto lobe = [](const glm::dvec3& along) {
+            std::vector<glm::dvec3> line;
+            for (int i = -8; i <= 8; ++i) {
+                const double away = 2.0 * i;
+                line.push_back(glm::dvec3(8, 2, 79.0 - 0.085 * away * away) + away * along);
+            }
+            return line;
+        };
+        const glm::dvec3 across = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
+        const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
+        refinement.addContour(lobe(along));
+        refinement.addContour(lobe(across));
+        ui::CuttingPlane& plane = m_application->workspace().plane();
+        QVERIFY(plane.passThrough(
+            glm::dvec3(8, 2, 79), glm::dvec3(8, 2, 20), glm::dvec3(8, 2, 50) + 20.0 * across));
+        ui::CuttingPlane::Look look = plane.look();
+        look.clipsAbove = true;
+        plane.setLook(look);
+        window().views().volume().lookFrom(
+            glm::normalize(-plane.pose().normalLps() + glm::dvec3(0.2, 0.0, 0.45)));
+        refinement.previewTemplate();
+        QTest::qWait(2000);
+        QVERIFY(wait([this] { return window().views().refined(); }));
+        keep("template.png");
+        refinement.dropPreview();
+        QVERIFY(waitUntilDrawn());
     }
 
     void historyWithBranchesAndTimeline()
