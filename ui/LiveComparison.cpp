@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/LiveComparison.h"
 
+#include "core/brick/LabelRuns.h"
 #include "core/refine/SurfaceVoxels.h"
 #include "ui/Refinement.h"
 
@@ -8,26 +9,6 @@
 #include <utility>
 
 namespace ui {
-
-namespace {
-
-core::VoxelRuns runsOf(const std::vector<std::uint8_t>& labels, int label)
-{
-    core::VoxelRuns runs;
-    for (std::size_t at = 0; at < labels.size();) {
-        if (labels[at] != label) {
-            ++at;
-            continue;
-        }
-        const std::size_t first = at;
-        while (at < labels.size() && labels[at] == label)
-            ++at;
-        runs.append(first, at - first);
-    }
-    return runs;
-}
-
-} // namespace
 
 LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     : QObject(parent)
@@ -193,7 +174,8 @@ void LiveComparison::compare()
     m_thread.post([this, job = m_job] {
         const Job& work = *job;
         const core::Result<core::VoxelRuns> voxels = work.labels
-            ? core::Result<core::VoxelRuns>(runsOf(*work.labels, work.outcome.segment))
+            ? core::Result<core::VoxelRuns>(
+                core::labelRuns(*work.labels, std::uint8_t(work.outcome.segment)))
             : core::voxelsOf(work.mesh, work.geometry, work.progress);
         auto done = std::make_shared<core::Result<core::MaskComparison>>();
         if (voxels)

@@ -235,12 +235,17 @@ void Refinement::showError(int place)
         return;
     m_error = place;
     const core::MarkedRegion& error = m_errors[std::size_t(m_error)];
-    m_workspace.setCrosshairLps(error.middleLps);
+    showRegion(error);
     m_workspace.say(tr("Error %1 of %2, %3 mm²")
                         .arg(m_error + 1)
                         .arg(m_errors.size())
                         .arg(QString::number(error.areaMm2, 'f', 0)));
-    Q_EMIT shown(error.middleLps, error.normalLps);
+}
+
+void Refinement::showRegion(const core::MarkedRegion& region)
+{
+    m_workspace.setCrosshairLps(region.middleLps);
+    Q_EMIT shown(region.middleLps, region.normalLps);
 }
 
 } // namespace ui

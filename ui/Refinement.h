@@ -85,6 +85,8 @@ public:
     void goToError(int by);
     /// @param place in errors()
     void showError(int place);
+    /// A part of the surface is looked at: the crosshair and the views go there.
+    void showRegion(const core::MarkedRegion& region);
     /// It turns green. @param place in errors()
     void signOff(int place);
 

@@ -162,6 +162,15 @@ std::array<std::size_t, 3> SurfaceMirror::markCounts() const
 
 std::vector<MarkedRegion> SurfaceMirror::regions(SurfaceMark mark) const
 {
+    std::vector<bool> isWanted(m_vertices.size(), false);
+    forEachVertex([&](VertexId id, const SurfaceUpdate::Vertex& vertex) {
+        isWanted[id] = vertex.mark == mark;
+    });
+    return regions(isWanted);
+}
+
+std::vector<MarkedRegion> SurfaceMirror::regions(const std::vector<bool>& isWanted) const
+{
     // Vertices that follow each other in a ring are neighbours: joined to trees of numbers.
     std::vector<VertexId> parents(m_vertices.size());
     for (VertexId id = 0; id < parents.size(); ++id)
@@ -171,9 +180,7 @@ std::vector<MarkedRegion> SurfaceMirror::regions(SurfaceMark mark) const
             id = parents[id] = parents[parents[id]];
         return id;
     };
-    const auto isMarked = [&](VertexId id) {
-        return m_uses[id] > 0 && m_vertices[id].mark == mark;
-    };
+    const auto isMarked = [&](VertexId id) { return m_uses[id] > 0 && isWanted[id]; };
     std::vector<double> areas(m_vertices.size(), 0.0);
     for (const FaceRing& ring : m_rings) {
         if (ring.empty())

@@ -45,6 +45,26 @@ public:
     [[nodiscard]] VertexId nearestVertex(const glm::dvec3& placeLps) const;
     /// Largest area first, then by their least vertex.
     [[nodiscard]] std::vector<MarkedRegion> regions(SurfaceMark mark) const;
+    /// The same of the vertices for which it is true. @param isWanted by id
+    [[nodiscard]] std::vector<MarkedRegion> regions(const std::vector<bool>& isWanted) const;
+    /// Calls @p visit(id, vertex) for all that there are, ascending.
+    template <class Visit> void forEachVertex(const Visit& visit) const
+    {
+        for (VertexId id = 0; id < m_vertices.size(); ++id) {
+            if (m_uses[id] > 0)
+                visit(id, m_vertices[id]);
+        }
+    }
+    /// Calls @p visit(one, other) for neighbours, twice for each pair.
+    template <class Visit> void forEachEdge(const Visit& visit) const
+    {
+        for (const FaceRing& ring : m_rings) {
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                visit(ring[i], ring[(i + 1) % ring.size()]);
+        }
+    }
+    /// One past the greatest id.
+    [[nodiscard]] std::size_t vertexSlots() const { return m_vertices.size(); }
     /// How many vertices bear each mark, by its number.
     [[nodiscard]] std::array<std::size_t, 3> markCounts() const;
 

@@ -2,6 +2,7 @@
 #include "core/session/SurfaceWork.h"
 
 #include "core/base/Progress.h"
+#include "core/brick/LabelRuns.h"
 #include "core/refine/FollowBoundary.h"
 #include "core/refine/InitialFit.h"
 #include "core/refine/MeshRestructuring.h"
@@ -42,22 +43,6 @@ SimplexMeshDelta replacement(const SimplexMesh& before, const SimplexMesh& after
                 .after = is ? after.ring(id) : FaceRing()});
     }
     return delta;
-}
-
-VoxelRuns runsOf(const std::vector<std::uint8_t>& labels, std::uint8_t label)
-{
-    VoxelRuns runs;
-    for (std::size_t at = 0; at < labels.size();) {
-        if (labels[at] != label) {
-            ++at;
-            continue;
-        }
-        const std::size_t first = at;
-        while (at < labels.size() && labels[at] == label)
-            ++at;
-        runs.append(first, at - first);
-    }
-    return runs;
 }
 
 std::vector<TemplateContour> contoursOf(const ApplyTemplate& shape)
@@ -233,7 +218,7 @@ SurfaceWork::Outcome SurfaceWork::stepOf(
 
 Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
 {
-    VoxelRuns voxels = runsOf(m_read.labels, m_segment.label);
+    VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
             QStringLiteral("'%1' has no voxels").arg(m_segment.name));
@@ -252,7 +237,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
 
 Result<SurfaceWork::Outcome> SurfaceWork::follow()
 {
-    VoxelRuns voxels = runsOf(m_read.labels, m_segment.label);
+    VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("followMask"),
             QStringLiteral("'%1' has no voxels any more").arg(m_segment.name));

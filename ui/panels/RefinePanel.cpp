@@ -4,6 +4,7 @@
 #include "ui/Refinement.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
+#include "ui/panels/DoubtsSection.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -166,10 +167,16 @@ QWidget* RefinePanel::buildRefining()
     m_signOff = button(tr("Sign off"), "signOffError",
         tr("The chosen error is right as it is now: it turns green, and nothing moves it"));
     layout->addWidget(m_signOff, 0, Qt::AlignRight);
+    m_doubts = new DoubtsSection(m_workspace, page);
+    layout->addWidget(m_doubts);
 
     Refinement& refinement = m_workspace.refinement();
     connect(m_write, &QPushButton::clicked, &refinement, &Refinement::writeBack);
-    connect(m_follow, &QPushButton::clicked, &refinement, &Refinement::followMask);
+    connect(m_follow, &QPushButton::clicked, &refinement, [this, &refinement] {
+        refinement.followMask();
+        // What stays although the mask went elsewhere is told of.
+        m_doubts->doubts().look();
+    });
     connect(m_drop, &QPushButton::clicked, &refinement, &Refinement::drop);
     connect(m_style, &QComboBox::activated, this, &RefinePanel::takeLook);
     connect(m_opacity, &QSlider::valueChanged, this, &RefinePanel::takeLook);

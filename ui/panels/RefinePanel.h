@@ -14,6 +14,7 @@ class QStackedWidget;
 
 namespace ui {
 
+class DoubtsSection;
 class Workspace;
 
 /// The surface that is being refined: it is laid here, how it looks, what is marked as wrong, and
@@ -52,6 +53,7 @@ private:
     QLabel* m_counts = nullptr;
     QListWidget* m_errors = nullptr;
     QPushButton* m_signOff = nullptr;
+    DoubtsSection* m_doubts = nullptr;
 };
 
 } // namespace ui

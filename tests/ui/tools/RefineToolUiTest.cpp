@@ -310,6 +310,43 @@ private Q_SLOTS:
             QCOMPARE(mirror.vertex(id).positionLps, mesh.position(id));
     }
 
+    void doubtsAreToldNotMarked()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        auto* look = fixture.panel.findChild<QPushButton*>(QStringLiteral("lookForDoubts"));
+        auto* list = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceDoubts"));
+        const auto found = [&] {
+            fixture.session().poll();
+            QCoreApplication::processEvents();
+            return look->isEnabled();
+        };
+        // The ball lies in the brain, which is the same everywhere: its surface follows no edge,
+        // but that is so everywhere.
+        fixture.apply(core::MarkSurface{.mark = SurfaceMark::Green,
+            .path = {.radiusMm = 6.0, .pointsLps = {glm::dvec3(radius, 0.0, 0.0)}}});
+        look->click();
+        QVERIFY(!look->isEnabled());
+        QTRY_VERIFY(found());
+        const int before = list->count();
+        // The segment grows under what is green.
+        fixture.apply(core::PaintStroke{.segment = 1,
+            .path = {.radiusMm = 7.0, .pointsLps = {glm::dvec3(radius + 1.0, 0.0, 0.0)}}});
+        const std::size_t green = fixture.marked(SurfaceMark::Green);
+        fixture.panel.findChild<QPushButton*>(QStringLiteral("followMask"))->click();
+        QTRY_VERIFY(found());
+        fixture.settle();
+        QVERIFY(list->count() > before);
+        QVERIFY(list->item(0)->text().startsWith(QStringLiteral("Off the mask")));
+        QCOMPARE(fixture.marked(SurfaceMark::Green), green);
+        QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
+        Q_EMIT list->itemClicked(list->item(0));
+        QVERIFY(glm::distance(fixture.workspace.crosshairLps(), {radius, 0.0, 0.0}) < 5.0);
+        fixture.refinement().drop();
+        fixture.settle();
+        QCOMPARE(list->count(), 0);
+    }
+
     void contoursOnTwoPlanesMakeATemplate()
     {
         RefineFixture fixture;
