@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/Application.h"
 #include "app/DemonstrationStudy.h"
-#include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/ManualWindow.h"
 #include "tests/support/SharedData.h"
-#include "ui/MainWindow.h"
-#include "ui/PanelSection.h"
 #include "ui/Refinement.h"
-#include "ui/Workspace.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/OpenStudyDialog.h"
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/HistoryTimeline.h"
 #include "ui/panels/KeyframePopup.h"
-#include "ui/panels/Panel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/tools/PlaneTool.h"
 #include "ui/tools/RefineTool.h"
@@ -32,48 +27,21 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSettings>
 #include <QSignalBlocker>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QtTest>
-
-namespace {
-
-constexpr int patience = 300000; ///< ms; only a hang takes that long
-
-} // namespace
 
 /// The manual's pictures of the history, of studies that come in and of masks that go out, in the
 /// real window on the demonstration study and on shared ones. It takes a
 /// minute, so it only runs where somebody wants them: BURIN_SCREENSHOTS names the folder.
-class ManualPicturesUiTest : public QObject {
+class ManualPicturesUiTest : public QObject, private test::ManualWindow {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<app::Application> m_application;
-
-    [[nodiscard]] ui::MainWindow& window() { return m_application->window(); }
-    [[nodiscard]] core::EditSession& session() { return *m_application->workspace().session(); }
     [[nodiscard]] ui::HistoryTimeline& timeline()
     {
         return *window().findChild<ui::HistoryTimeline*>();
-    }
-    [[nodiscard]] static bool wait(const std::function<bool()>& condition)
-    {
-        return QTest::qWaitFor(condition, patience);
-    }
-    [[nodiscard]] bool waitUntilDrawn()
-    {
-        QTest::qWait(2500); // a busy machine needs that long to know that its pictures are old
-        return wait([this] { return session().idle() && window().views().refined(); });
-    }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(waitUntilDrawn());
     }
     /// A stroke from where the 3D view looks, in parts of its height right of and above the middle.
     [[nodiscard]] core::DrillStroke drill(
@@ -87,46 +55,11 @@ private:
             .heightMm = camera.heightMm};
         stroke.mask.radiusMm = radiusMm;
         stroke.depthMm = depthMm;
-        stroke.surfaceThreshold = m_application->workspace().volumeDisplay().surfaceThreshold;
+        stroke.surfaceThreshold = workspace().volumeDisplay().surfaceThreshold;
         const glm::dvec2 start = from * camera.heightMm;
         const glm::dvec2 end = to * camera.heightMm;
         stroke.samples = {{start.x, start.y, 1.0, 0.0}, {end.x, end.y, 1.0, 0.4}};
         return stroke;
-    }
-    template <class T> void take()
-    {
-        for (QObject* child : window().children()) {
-            if (auto* tool = qobject_cast<T*>(child))
-                m_application->workspace().setActiveTool(tool);
-        }
-    }
-    /// A lesion in the demonstration study that a network found, but for a lobe, and with a leak;
-    /// a surface around it, green where it is right.
-    void openLesion()
-    {
-        start();
-        m_application->openDemonstration();
-        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
-        QVERIFY(waitUntilDrawn());
-        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Surface")});
-        // The session of another picture goes on.
-        QVERIFY(session().goTo(0));
-        apply(core::AddSegment{.name = QStringLiteral("Tumour"), .rgb = 0xE07A5F});
-        m_application->workspace().setActiveSegment(1);
-        core::PaintStroke lesion{.segment = 1};
-        lesion.path = {.radiusMm = 20.0, .pointsLps = {{24, -18, 40}, {10, 4, 46}}};
-        apply(lesion);
-        lesion.path = {.radiusMm = 7.0, .pointsLps = {{36, -30, 42}, {50, -44, 44}}};
-        apply(lesion);
-        apply(core::LaySurface{.segment = 1, .vertices = 9000});
-        apply(core::MarkSurface{.mark = core::SurfaceMark::Green,
-            .path = {.radiusMm = 26.0, .pointsLps = {{6, 14, 50}}}});
-    }
-    void foldAllBut(const std::vector<QString>& titles)
-    {
-        for (ui::PanelSection* section : window().findChildren<ui::PanelSection*>())
-            section->setFolded(
-                std::find(titles.begin(), titles.end(), section->panel().title()) == titles.end());
     }
     void unfoldBranches()
     {
@@ -142,23 +75,10 @@ private:
             Qt::NoButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&timeline(), &event);
     }
-    static void save(const QPixmap& picture, const char* name)
-    {
-        QVERIFY(picture.save(
-            QDir(qEnvironmentVariable("BURIN_SCREENSHOTS")).filePath(QLatin1String(name))));
-    }
-    /// A new window of the usual size.
-    void start()
-    {
-        m_application.reset();
-        m_application = std::move(*app::Application::create());
-        window().resize(1280, 800);
-        window().show();
-    }
     void open(const QString& study)
     {
         window().opener().open(study);
-        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(wait([this] { return workspace().session() != nullptr; }));
         QVERIFY(waitUntilDrawn());
     }
     /// The demonstration study without some of its slices.
@@ -222,16 +142,7 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        if (!qEnvironmentVariableIsSet("BURIN_SCREENSHOTS"))
-            QSKIP("BURIN_SCREENSHOTS names no folder for pictures");
-        qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toUtf8());
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-            m_folder.filePath(QStringLiteral("settings")));
-        QCoreApplication::setApplicationName(QStringLiteral("burin"));
-        QCoreApplication::setOrganizationName(QStringLiteral("burin"));
-    }
+    void initTestCase() { wantPictures(); }
     void init() { test::failOnUnexpectedMessages(); }
 
     void studyBrowser()
@@ -272,7 +183,7 @@ private Q_SLOTS:
     {
         start();
         m_application->openDemonstration();
-        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(wait([this] { return workspace().session() != nullptr; }));
         QVERIFY(waitUntilDrawn());
         const auto code = [](const char* value, const char* meaning) {
             return core::CodedConcept{
@@ -285,7 +196,7 @@ private Q_SLOTS:
         apply(core::AddSegment{QStringLiteral("Trepanation"), 0xE07A5F, code("89546000", "Skull")});
         apply(drill({-0.08, 0.21}, {0.08, 0.21}, 12, 14));
         apply(core::LayerToSegment{.layer = 1, .target = {.segment = 2}});
-        ui::ExportDialog dialog(m_application->workspace());
+        ui::ExportDialog dialog(workspace());
         dialog.findChild<QLineEdit*>(QStringLiteral("exportFile"))
             ->setText(m_folder.filePath(QStringLiteral("head-seg.dcm")));
         dialog.show();
@@ -303,7 +214,6 @@ private Q_SLOTS:
     void repairedSurface()
     {
         openLesion();
-        ui::Workspace& workspace = m_application->workspace();
         apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
             .path = {.radiusMm = 11.0, .pointsLps = {{42, -36, 43}, {50, -44, 44}}}});
         apply(core::MarkSurface{
@@ -316,8 +226,8 @@ private Q_SLOTS:
         hole.view.eyeLps += middle - hole.view.targetLps;
         hole.view.targetLps = middle;
         apply(hole);
-        workspace.setCrosshairLps({24, -18, 42});
-        workspace.refinement().setSettings(
+        workspace().setCrosshairLps({24, -18, 42});
+        workspace().refinement().setSettings(
             {.mode = ui::Refinement::Mode::Sphere, .radiusMm = 11.0});
         take<ui::RefineTool>();
         QVERIFY(waitUntilDrawn());
@@ -334,11 +244,11 @@ private Q_SLOTS:
         apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
             .path = {.radiusMm = 11.0, .pointsLps = {{42, -36, 43}, {50, -44, 44}}}});
         // Along the leak.
-        ui::CuttingPlane& plane = m_application->workspace().plane();
+        ui::CuttingPlane& plane = workspace().plane();
         QVERIFY(plane.passThrough({10, 4, 46}, {50, -44, 44}, {28, -20, 90}));
         if (plane.pose().normalLps().y < 0.0)
             plane.flip();
-        m_application->workspace().setCrosshairLps({30, -24, 43});
+        workspace().setCrosshairLps({30, -24, 43});
         ui::CuttingPlane::Look look = plane.look();
         look.clipsAbove = true;
         plane.setLook(look);
@@ -357,7 +267,7 @@ private Q_SLOTS:
         apply(core::MarkSurface{
             .mark = core::SurfaceMark::Red, .path = {.radiusMm = 17.0, .pointsLps = {{8, 2, 66}}}});
         window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
-        ui::Refinement& refinement = m_application->workspace().refinement();
+        ui::Refinement& refinement = workspace().refinement();
         refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
         take<ui::RefineTool>();
         const auto lobe = [](const glm::dvec3& along) {
@@ -372,7 +282,7 @@ private Q_SLOTS:
         const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
         refinement.addContour(lobe(along));
         refinement.addContour(lobe(across));
-        ui::CuttingPlane& plane = m_application->workspace().plane();
+        ui::CuttingPlane& plane = workspace().plane();
         QVERIFY(plane.passThrough(
             glm::dvec3(8, 2, 79), glm::dvec3(8, 2, 20), glm::dvec3(8, 2, 50) + 20.0 * across));
         ui::CuttingPlane::Look look = plane.look();
@@ -392,7 +302,7 @@ private Q_SLOTS:
     {
         start();
         m_application->openDemonstration();
-        QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
+        QVERIFY(wait([this] { return workspace().session() != nullptr; }));
         QVERIFY(waitUntilDrawn());
         foldAllBut({QStringLiteral("Segments"), QStringLiteral("History")});
 
