@@ -383,8 +383,12 @@ private Q_SLOTS:
             ScenePlane plane = planeAt(y);
             plane.window = {1000.0, 1000.0}; // matter is white
             const glm::ivec2 middle = size / 2;
-            const Frame seen = drawWith(view, plane);
-            const double share = test::pixel(seen, middle.x, middle.y).g / 255.0;
+            const Frame white = drawWith(view, plane);
+            plane.inverted = true;
+            const Frame black = drawWith(view, plane); // the gloss of the matter is there, too
+            const double share = (test::pixel(white, middle.x, middle.y).g
+                                     - test::pixel(black, middle.x, middle.y).g)
+                / 255.0;
             const double before = y + 20.0;
             // Matter within two steps of 0.8 mm is behind it; a sample and the soft rim take the
             // rest.
