@@ -15,7 +15,8 @@ class VolumeTextures;
 /// Draws any plane through the volume: window/level (DICOM LINEAR), fill and outline of segments,
 /// outline of what is carved away, stripes where growth is shut out, a colour for what warns,
 /// hatching over what a cut would take; a segment as it would be at a tolerance where that is asked
-/// for and a field of it stands. Outside the volume it is black.
+/// for and a field of it stands. Outside the volume it is black. Interpolated by cubics where both
+/// scene and target say so.
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
