@@ -4,6 +4,7 @@
 #include "tests/support/ManualWindow.h"
 #include "ui/CuttingPlane.h"
 #include "ui/Refinement.h"
+#include "ui/tools/RefineTool.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QPainter>
@@ -49,6 +50,10 @@ private:
             plane().flip();
         show({.shown = true, .opacity = 1.0f, .clipsAbove = true});
         lookAt({30, -24, 43}, glm::dvec3(0.45, 0.0, 0.35), 110.0);
+        // Only the lesion: no matter is as dense as that.
+        ui::Workspace::VolumeDisplay display = workspace().volumeDisplay();
+        display.surfaceThreshold = 2500.0;
+        workspace().setVolumeDisplay(display);
     }
     void show(const ui::CuttingPlane::Look& look) { plane().setLook(look); }
     void lookAt(const glm::dvec3& placeLps, const glm::dvec3& besideNormal, double heightMm)
@@ -74,28 +79,106 @@ private Q_SLOTS:
         ui::VolumeView& stage = window().views().volume();
         apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
             .path = {.radiusMm = 11.0, .pointsLps = {leakBegins, leakEnds}}});
-        // Through the plane, which leaves only what lies below it.
-        ui::CuttingPlane::Look below{.shown = true, .opacity = 1.0f, .clipsAbove = false};
-        const auto keep = [&](gpu::SurfaceStyle style, bool clips, double opacity) {
+        const auto keep = [&](gpu::SurfaceStyle style, bool showsMarks, bool clips) {
             ui::Refinement::Look look = workspace().refinement().look();
             look.style = style;
+            look.showMarks = showsMarks;
             workspace().refinement().setLook(look);
-            below.clipsAbove = clips;
-            below.opacity = float(opacity);
-            show(below);
+            show({.shown = true, .opacity = 1.0f, .clipsAbove = clips});
+            ui::Workspace::ViewOptions options = workspace().viewOptions();
+            options.showSegments = clips;
+            workspace().setViewOptions(options);
             QVERIFY(waitUntilDrawn());
             panels.push_back(panel(stage));
         };
-        // Only the lesion: no matter is as dense as that.
-        ui::Workspace::VolumeDisplay display = workspace().volumeDisplay();
-        display.surfaceThreshold = 2500.0;
-        workspace().setVolumeDisplay(display);
-        keep(gpu::SurfaceStyle::Shaded, false, 1.0);
-        keep(gpu::SurfaceStyle::GreyValues, false, 1.0);
-        keep(gpu::SurfaceStyle::Wireframe, false, 1.0);
-        keep(gpu::SurfaceStyle::Shaded, true, 1.0);
+        keep(gpu::SurfaceStyle::Shaded, true, false);
+        keep(gpu::SurfaceStyle::GreyValues, false, false);
+        keep(gpu::SurfaceStyle::Wireframe, true, false);
+        keep(gpu::SurfaceStyle::Shaded, true, true);
         panels.push_back(panel(window().views().plane(), 2.2));
         QVERIFY(test::keepPanels(panels, "refine-modes.png"));
+    }
+
+    /// Figure 6: a leak is looked at on the plane, marked red, scraped off in two strokes, and
+    /// looked at again.
+    void planeTool()
+    {
+        prepare();
+        std::vector<QImage> panels;
+        ui::VolumeView& stage = window().views().volume();
+        const auto keep = [&](bool clips) {
+            show({.shown = true, .opacity = 1.0f, .clipsAbove = clips});
+            QVERIFY(waitUntilDrawn());
+            panels.push_back(panel(stage));
+        };
+        keep(true);
+        ui::Workspace::ViewOptions options = workspace().viewOptions();
+        options.showSegments = false;
+        workspace().setViewOptions(options);
+        apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
+            .path = {.radiusMm = 11.0, .pointsLps = {leakBegins, leakEnds}}});
+        keep(false);
+        const glm::dvec3 outwards = glm::normalize(leakEnds - leakBegins);
+        const auto scrape = [&](double alongMm) {
+            apply(core::PlaneScrape{
+                .path = {.radiusMm = 13.0, .pointsLps = {leakBegins + alongMm * outwards}},
+                .normalLps = outwards});
+        };
+        scrape(7.0);
+        keep(false);
+        scrape(-3.0);
+        keep(false);
+        apply(core::WriteBack{});
+        options.showSegments = true;
+        workspace().setViewOptions(options);
+        keep(true);
+        QVERIFY(test::keepPanels(panels, "refine-scrape.png"));
+    }
+
+    /// Figure 7: contours of a lobe that is missing, drawn on the plane and across it; what they
+    /// make of the red region; the result on the plane.
+    void templateShape()
+    {
+        prepare();
+        const glm::dvec3 top(8, 2, 79);
+        const glm::dvec3 across = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
+        const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
+        QVERIFY(plane().passThrough(
+            top, top - glm::dvec3(0, 0, 50), top + 20.0 * along - glm::dvec3(0, 0, 20)));
+        if (glm::dot(plane().pose().normalLps(), across) < 0.0)
+            plane().flip();
+        lookAt({8, 2, 58}, glm::dvec3(0.25, -0.25, 0.45), 80.0);
+        std::vector<QImage> panels;
+        ui::VolumeView& stage = window().views().volume();
+        ui::Workspace::ViewOptions options = workspace().viewOptions();
+        options.showSegments = false;
+        workspace().setViewOptions(options);
+        apply(core::MarkSurface{
+            .mark = core::SurfaceMark::Red, .path = {.radiusMm = 17.0, .pointsLps = {{8, 2, 66}}}});
+        ui::Refinement& refinement = workspace().refinement();
+        refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
+        take<ui::RefineTool>();
+        const auto lobe = [&](const glm::dvec3& side) {
+            std::vector<glm::dvec3> line;
+            for (int i = -8; i <= 8; ++i)
+                line.push_back(top + 1.9 * i * side - glm::dvec3(0, 0, 0.3 * i * i));
+            return line;
+        };
+        refinement.addContour(lobe(along));
+        show({.shown = true, .opacity = 1.0f, .clipsAbove = false});
+        QVERIFY(waitUntilDrawn());
+        panels.push_back(panel(window().views().plane()));
+        refinement.addContour(lobe(across));
+        QVERIFY(waitUntilDrawn());
+        panels.push_back(panel(stage));
+        refinement.previewTemplate();
+        QTest::qWait(2000);
+        QVERIFY(wait([this] { return window().views().refined(); }));
+        panels.push_back(panel(stage));
+        refinement.takeTemplate();
+        QVERIFY(waitUntilDrawn());
+        panels.push_back(panel(window().views().plane()));
+        QVERIFY(test::keepPanels(panels, "refine-template.png"));
     }
 };
 
