@@ -352,11 +352,14 @@ void FrameScheduler::drawPass(View& view, const PassTarget& target, const Tile& 
     m_palette.set(view.request.segments);
     if (const auto* volume = std::get_if<VolumeScene>(&view.request.scene)) {
         m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices,
-            view.surface.isEmpty() ? nullptr : &view.surface);
+            view.surface.isEmpty() ? nullptr : &view.surface,
+            m_chunks.update(volume->chunks.get(), ChunkTextures::Drawn::Bodies) ? &m_chunks
+                                                                                : nullptr);
         return;
     }
     const auto& slice = std::get<SliceScene>(view.request.scene);
-    m_slice.prepare(m_volume, slice, view.request.segments, m_palette, target);
+    m_slice.prepare(m_volume, slice, view.request.segments, m_palette, target,
+        m_chunks.update(slice.chunks.get(), ChunkTextures::Drawn::Areas) ? &m_chunks : nullptr);
     glEnable(GL_SCISSOR_TEST);
     glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
     m_noVertices.drawFullScreenTriangle();
@@ -408,7 +411,7 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         .fence = Fence::insert(),
         .queued = start,
         .pixels = double(tile.size.x) * tile.size.y,
-        .cost = surface ? nullptr : &cost};
+        .cost = surface || m_chunks.takeChanged() ? nullptr : &cost};
     glFlush();
     land();
     m_flying.emplace(std::move(drawn));

@@ -8,6 +8,7 @@
 #include "gpu/frame/TilePlan.h"
 #include "gpu/gl/Fence.h"
 #include "gpu/gl/VertexArray.h"
+#include "gpu/render/ChunkTextures.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/RaycastPass.h"
 #include "gpu/render/SlicePass.h"
@@ -130,6 +131,7 @@ private:
     RaycastPass m_raycast;
     SlicePass m_slice;
     Palette m_palette;
+    ChunkTextures m_chunks;
     VertexArray m_noVertices;
     Resolve m_resolve;
     Program m_cellKernel;

@@ -97,8 +97,8 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0},
-                    {"SURFACE", 0}}});
+                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}, {"SURFACE", 0},
+                    {"CHUNKS", 0}}});
     }
 }
 
@@ -111,7 +111,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
     std::size_t variant = mode;
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
-             with.barriers, with.warned, with.foreseen, with.surface})
+             with.barriers, with.warned, with.foreseen, with.surface, with.chunks})
         variant = 2 * variant + std::size_t(part);
     Program& program = m_seldomPrograms[variant];
     if (!program)
@@ -122,7 +122,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
-                    {"FORESEEN", int(with.foreseen)}, {"SURFACE", int(with.surface)}}});
+                    {"FORESEEN", int(with.foreseen)}, {"SURFACE", int(with.surface)},
+                    {"CHUNKS", int(with.chunks)}}});
     return program;
 }
 
@@ -168,7 +169,7 @@ const RayBlocks& RaycastPass::blocksOf(
 
 void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
-    const SurfacePicture* surface)
+    const SurfacePicture* surface, const ChunkTextures* chunks)
 {
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
@@ -182,14 +183,18 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
         .foreseen = foreseen != nullptr,
-        .surface = surface != nullptr};
+        .surface = surface != nullptr,
+        .chunks = chunks != nullptr};
     Tile over;
+    const auto overlay = [&over](const Tile& blocks) {
+        over = over.size.x > 0 ? united(over, blocks) : blocks;
+    };
     if (seeds)
-        over = m_seeds.blocksIn(scene, target);
-    if (barriers) {
-        const Tile blocks = blocksAround(barriers->box(), volume.geometry(), scene, target);
-        over = seeds ? united(over, blocks) : blocks;
-    }
+        overlay(m_seeds.blocksIn(scene, target));
+    if (barriers)
+        overlay(blocksAround(barriers->box(), volume.geometry(), scene, target));
+    if (chunks)
+        overlay(blocksAround(scene.chunks->box, volume.geometry(), scene, target));
     const Tile overlaid = common(tile, over);
     const bool sculpted = pieces || volume.cells().isSculpted();
     using Parts = std::array<std::vector<Tile>, RayBlocks::kinds>;
@@ -259,6 +264,8 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             program.set("barrierLow", glm::vec3(barriers->box().minimum) - 1.0f)
                 .set("barrierHigh", glm::vec3(barriers->box().maximum));
         }
+        if (chunks)
+            chunks->bind(program, *scene.chunks, ChunkTextures::Drawn::Bodies);
         drawParts(program, {overlaid});
     }
     glDisable(GL_SCISSOR_TEST);

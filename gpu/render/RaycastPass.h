@@ -4,6 +4,7 @@
 #include "gpu/frame/Scene.h"
 #include "gpu/gl/Program.h"
 #include "gpu/gl/VertexArray.h"
+#include "gpu/render/ChunkTextures.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/PassTarget.h"
 #include "gpu/render/PieceSet.h"
@@ -34,9 +35,10 @@ public:
     /// in the cells).
     /// @param tile as TilePlan cuts it @param noVertices of the context
     /// @param surface of this picture, what is to be laid among the rest; null: nothing
+    /// @param chunks of the scene; null: none to be drawn
     void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
-        const SurfacePicture* surface = nullptr);
+        const SurfacePicture* surface = nullptr, const ChunkTextures* chunks = nullptr);
     /// Draws one pixel by each program that the first carving or the first shown segment will need:
     /// drivers compile a program only when it first draws, and that should not be while a pen
     /// waits. Nothing where they have drawn already.
@@ -61,6 +63,7 @@ private:
         bool warned = false; ///< members warn
         bool foreseen = false; ///< some members would go
         bool surface = false; ///< that is being refined
+        bool chunks = false;
         RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< of the rest
     };
 

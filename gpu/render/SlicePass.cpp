@@ -12,9 +12,10 @@ namespace {
 constexpr unsigned labeled = 1;
 constexpr unsigned carved = 2;
 constexpr unsigned barriers = 4;
-constexpr unsigned warned = 8; // this and the next two when they are first needed
+constexpr unsigned warned = 8; // this and the next ones when they are first needed
 constexpr unsigned atTolerance = 16;
 constexpr unsigned foreseen = 32;
+constexpr unsigned chunked = 128;
 constexpr unsigned seldom = warned;
 
 } // namespace
@@ -36,12 +37,14 @@ Program& SlicePass::programFor(unsigned variant)
                 .fragmentPath = "render/slice.frag",
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
-                    {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)}}});
+                    {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)},
+                    {"CHUNKS", has(chunked)}}});
     return known;
 }
 
 void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
-    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
+    const ChunkTextures* chunks)
 {
     const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
     const glm::dmat3 directions(worldToIndex);
@@ -75,7 +78,11 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         marks->pageTable().bindUnit(16);
         marks->atlas().bindUnit(17);
     }
+    if (chunks)
+        variant += chunked;
     Program& program = programFor(variant);
+    if (chunks)
+        chunks->bind(program, *scene.chunks, ChunkTextures::Drawn::Areas);
     if ((variant & atTolerance) != 0)
         program.set("toleranceLabel", unsigned(segments.atTolerance->label))
             .set("tolerance", unsigned(segments.atTolerance->tolerance));

@@ -29,7 +29,7 @@ void meetSurface(inout vec3 seen, inout float through)
     seen += through * surfaceColour.a * surfaceColour.rgb;
     through *= 1.0 - surfaceColour.a;
     surfaceMet = true;
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
     solidFrom = through < 0.5 ? min(solidFrom, surfaceAt) : solidFrom;
 #endif
 }

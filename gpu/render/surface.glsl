@@ -287,7 +287,7 @@ vec3 seenAlong(Ray ray)
         next = hits[i] < nearest ? i : next;
         nearest = min(nearest, hits[i]);
     }
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
     solidFrom = nearest;
 #endif
     // Opaque ones are looked at once: what is drawn is worth many looks for what is next.
@@ -335,7 +335,7 @@ vec3 seenAlong(Ray ray)
     ray.last = surfaceColour.a >= 1.0 ? min(ray.last, surfaceAt + 2.0 * stepMm) : ray.last;
 #endif
     const Hit hit = firstHit(ray);
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
     solidFrom = hit.t;
 #endif
     const vec3 look = lookOf(ray, restOf, hit);
