@@ -16,6 +16,7 @@
 
 namespace ui {
 
+class Chunks;
 class LayerLooks;
 class PendingSeeds;
 class Pieces;
@@ -123,6 +124,7 @@ public:
     void setClip(const core::ClipRegion& clip);
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
+    [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -214,6 +216,7 @@ private:
     Pieces* m_pieces = nullptr;
     PendingSeeds* m_seeds = nullptr;
     Refinement* m_refinement = nullptr;
+    Chunks* m_chunks = nullptr;
     LayerLooks* m_layerLooks = nullptr;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};

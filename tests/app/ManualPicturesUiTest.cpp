@@ -5,6 +5,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SharedData.h"
+#include "ui/Chunks.h"
 #include "ui/MainWindow.h"
 #include "ui/PanelSection.h"
 #include "ui/Refinement.h"
@@ -16,6 +17,7 @@
 #include "ui/panels/KeyframePopup.h"
 #include "ui/panels/Panel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/tools/ChunkTool.h"
 #include "ui/tools/RefineTool.h"
 #include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
@@ -314,6 +316,40 @@ private Q_SLOTS:
         QTest::mouseMove(&slice, at.toPoint());
         QVERIFY(waitUntilDrawn());
         keep("refining.png");
+    }
+
+    void chunksOfALiver()
+    {
+        const test::SharedCase body = test::sharedCase(QStringLiteral("ct_totalseg_body_3mm"));
+        if (body.source.isEmpty())
+            QSKIP("no shared data here");
+        start();
+        open(body.source + QStringLiteral("/ct_3mm.nii.gz"));
+        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Chunks")});
+        ui::Workspace& workspace = m_application->workspace();
+        // Grown by its values alone, a liver leaks.
+        apply(core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0xE07A5F});
+        workspace.setActiveSegment(1);
+        apply(core::SeedStroke{.segment = 1, .pointsLps = {{-66.0, -170.0, 392.0}}});
+        apply(core::GrowSteps{.criteria = {.lower = 26, .upper = 76}, .steps = 26});
+        QVERIFY(session().document().segment(1)->voxels > 10000);
+        ui::Chunks& chunks = workspace.chunks();
+        chunks.divide(12.0);
+        QVERIFY(wait([&] { return chunks.map() != nullptr; }));
+        workspace.setCrosshairLps({-66.0, -170.0, 392.0});
+        for (QObject* child : window().children()) {
+            if (auto* tool = qobject_cast<ui::ChunkTool*>(child))
+                workspace.setActiveTool(tool);
+        }
+        core::ClipRegion clip = workspace.clip();
+        clip.planes[0] = {
+            .pointLps = workspace.crosshairLps(), .normalLps = {0.0, -1.0, 0.0}, .on = true};
+        workspace.setClip(clip);
+        QVERIFY(waitUntilDrawn());
+        ui::ImageView& slice = window().views().axial();
+        QTest::mouseMove(&slice, slice.context().toPixel({-20.0, -170.0, 392.0}).toPoint());
+        QVERIFY(waitUntilDrawn());
+        keep("chunks.png");
     }
 
     void historyWithBranchesAndTimeline()

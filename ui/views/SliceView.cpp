@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/SliceView.h"
 
+#include "ui/Chunks.h"
 #include "ui/InitialDisplay.h"
 #include "ui/Refinement.h"
 #include "ui/StudyTexts.h"
@@ -52,6 +53,7 @@ SliceView::SliceView(
     connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
     connect(&workspace.refinement(), &Refinement::lookChanged, this, [this] { requestFrame(); });
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
+    connect(&workspace.chunks(), &Chunks::pictureChanged, this, [this] { requestFrame(); });
     openVolume();
 }
 
@@ -174,8 +176,10 @@ gpu::Scene SliceView::scene() const
     scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
-    if (!early())
+    if (!early()) {
         scene.contour = workspace().refinement().contour();
+        scene.chunks = workspace().chunks().areas();
+    }
     return scene;
 }
 

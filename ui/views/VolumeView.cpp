@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/VolumeView.h"
 
+#include "ui/Chunks.h"
 #include "ui/LayerLooks.h"
 #include "ui/OpeningView.h"
 #include "ui/PendingSeeds.h"
@@ -50,6 +51,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(
         &workspace.refinement(), &Refinement::lookChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
+    connect(&workspace.chunks(), &Chunks::pictureChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::shown, this, &VolumeView::flyTo);
     connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
     connect(
@@ -136,6 +138,7 @@ gpu::Scene VolumeView::scene() const
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
     scene.surface = workspace().refinement().scene();
+    scene.chunks = workspace().chunks().bodies();
     const std::vector<gpu::ScenePiece> partlyHidden = workspace().layerLooks().scene();
     scene.pieces.insert(scene.pieces.end(), partlyHidden.begin(), partlyHidden.end());
     // Only where it shows: another grey scale of the slices is no other picture else.
