@@ -20,6 +20,7 @@
 #include "ui/dialogs/DeidentifySessionDialog.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/UnwrittenSteps.h"
+#include "ui/panels/ChunksPanel.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/ComparePanel.h"
 #include "ui/panels/GrowthActions.h"
@@ -34,6 +35,7 @@
 #include "ui/panels/VolumePanel.h"
 #include "ui/tools/BarrierTool.h"
 #include "ui/tools/CarveBrushTool.h"
+#include "ui/tools/ChunkTool.h"
 #include "ui/tools/ClipTool.h"
 #include "ui/tools/DrillTool.h"
 #include "ui/tools/LaserTool.h"
@@ -100,6 +102,7 @@ void Application::makeWindow()
     auto* barrier = new ui::BarrierTool(*m_workspace, &window);
     auto* refine = new ui::RefineTool(*m_workspace, &window);
     auto* plane = new ui::PlaneTool(*m_workspace, &window);
+    auto* chunks = new ui::ChunkTool(*m_workspace, &window);
     auto* ruler = new ui::RulerTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
     window.addToolGroup();
@@ -123,6 +126,7 @@ void Application::makeWindow()
     window.addToolGroup();
     window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
     window.addTool(*plane, window.refineMenu(), QKeySequence(QStringLiteral("P")));
+    window.addTool(*chunks, window.refineMenu(), QKeySequence(QStringLiteral("H")));
     window.addToolGroup();
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
@@ -140,6 +144,7 @@ void Application::makeWindow()
     window.actionTable().fill(
         window.refineMenu(), ui::addRefineActions(window.actionTable(), *m_workspace));
     window.addPanel(new ui::ComparePanel(*m_workspace));
+    window.addPanel(new ui::ChunksPanel(*m_workspace));
     window.addPanel(new ui::HistoryPanel(*m_workspace));
     window.addPanel(new ui::LayersPanel(*m_workspace));
     window.addPanel(new ui::PiecesPanel(*m_workspace, window.views().volume()));
@@ -150,7 +155,7 @@ void Application::makeWindow()
     new ui::KeyframeRecorder(*m_workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     const std::vector<ui::Tool*> tools{drill, laser, peel, scissors, carve, clip, piece, seed,
-        shrink, paint, barrier, refine, plane, ruler, undoHere};
+        shrink, paint, barrier, refine, plane, chunks, ruler, undoHere};
     new ui::DisplayState(*m_workspace, window.views(), tools, &window);
 
     connect(

@@ -2,6 +2,7 @@
 #include "ui/Workspace.h"
 
 #include "ui/AuthorName.h"
+#include "ui/Chunks.h"
 #include "ui/CuttingPlane.h"
 #include "ui/HistoryMemory.h"
 #include "ui/InitialDisplay.h"
@@ -25,6 +26,7 @@ Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     , m_seeds(new PendingSeeds(*this))
     , m_refinement(new Refinement(*this))
     , m_plane(new CuttingPlane(*this))
+    , m_chunks(new Chunks(*this))
     , m_layerLooks(new LayerLooks(*this))
 {
     m_retry.setInterval(std::chrono::seconds(5));

@@ -16,6 +16,7 @@
 
 namespace ui {
 
+class Chunks;
 class CuttingPlane;
 class LayerLooks;
 class PendingSeeds;
@@ -125,6 +126,7 @@ public:
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
+    [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -217,6 +219,7 @@ private:
     PendingSeeds* m_seeds = nullptr;
     Refinement* m_refinement = nullptr;
     CuttingPlane* m_plane = nullptr;
+    Chunks* m_chunks = nullptr;
     LayerLooks* m_layerLooks = nullptr;
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};

@@ -345,7 +345,7 @@ void FrameScheduler::drawSlice(View& view, bool editing)
         .fence = Fence::insert(),
         .queued = start,
         .pixels = double(tile.size.x) * tile.size.y,
-        .cost = surface ? nullptr : &cost};
+        .cost = surface || m_painter.takeChunksChanged() ? nullptr : &cost};
     glFlush();
     land();
     m_flying.emplace(std::move(drawn));

@@ -88,12 +88,15 @@ void ViewPainter::draw(ViewPictures& pictures, const FrameRequest& request,
     if (volume) {
         m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices,
             {.surface = pictures.surface.isEmpty() ? nullptr : &pictures.surface,
-                .plane = pictures.plane.isEmpty() ? nullptr : &pictures.plane});
+                .plane = pictures.plane.isEmpty() ? nullptr : &pictures.plane},
+            m_chunks.update(volume->chunks.get(), ChunkTextures::Drawn::Bodies) ? &m_chunks
+                                                                                : nullptr);
         glDisable(GL_BLEND);
         return;
     }
     const auto& slice = std::get<SliceScene>(request.scene);
-    m_slice.prepare(m_volume, slice, request.segments, m_palette, target);
+    m_slice.prepare(m_volume, slice, request.segments, m_palette, target,
+        m_chunks.update(slice.chunks.get(), ChunkTextures::Drawn::Areas) ? &m_chunks : nullptr);
     glEnable(GL_SCISSOR_TEST);
     glScissor(tile.minimum.x, tile.minimum.y, tile.size.x, tile.size.y);
     m_noVertices.drawFullScreenTriangle();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/frame/FrameTargets.h"
+#include "gpu/render/ChunkTextures.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/PlanePass.h"
 #include "gpu/render/RaycastPass.h"
@@ -37,6 +38,8 @@ public:
     /// As RaycastPass has it. Draws one pixel into the bound framebuffer.
     void warmUp(const VolumeScene& scene, const glm::ivec2& frameSize);
 
+    /// Whether chunks were sent since this was asked last.
+    [[nodiscard]] bool takeChunksChanged() { return m_chunks.takeChanged(); }
     [[nodiscard]] SurfaceBuffers& surface() { return m_surface; }
     [[nodiscard]] const SurfaceBuffers& surface() const { return m_surface; }
     [[nodiscard]] const VertexArray& noVertices() const { return m_noVertices; }
@@ -51,6 +54,7 @@ private:
     RaycastPass m_raycast;
     SlicePass m_slice;
     Palette m_palette;
+    ChunkTextures m_chunks;
     VertexArray m_noVertices;
     SurfaceBuffers m_surface;
     std::optional<SurfacePass> m_surfacePass; ///< made when first needed, like the next two

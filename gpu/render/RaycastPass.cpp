@@ -98,7 +98,8 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}, {"SHEETS", 0}}});
+                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}, {"SHEETS", 0},
+                    {"CHUNKS", 0}}});
     }
 }
 
@@ -111,7 +112,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
     std::size_t variant = mode;
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
-             with.barriers, with.warned, with.foreseen, with.sheets})
+             with.barriers, with.warned, with.foreseen, with.sheets, with.chunks})
         variant = 2 * variant + std::size_t(part);
     Program& program = m_seldomPrograms[variant];
     if (!program)
@@ -122,7 +123,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
-                    {"FORESEEN", int(with.foreseen)}, {"SHEETS", int(with.sheets)}}});
+                    {"FORESEEN", int(with.foreseen)}, {"SHEETS", int(with.sheets)},
+                    {"CHUNKS", int(with.chunks)}}});
     return program;
 }
 
@@ -168,7 +170,7 @@ const RayBlocks& RaycastPass::blocksOf(
 
 void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
-    const RaySheets& sheets)
+    const RaySheets& sheets, const ChunkTextures* chunks)
 {
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
@@ -182,14 +184,18 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
         .foreseen = foreseen != nullptr,
-        .sheets = sheets.any()};
+        .sheets = sheets.any(),
+        .chunks = chunks != nullptr};
     Tile over;
+    const auto overlay = [&over](const Tile& blocks) {
+        over = over.size.x > 0 ? united(over, blocks) : blocks;
+    };
     if (seeds)
-        over = m_seeds.blocksIn(scene, target);
-    if (barriers) {
-        const Tile blocks = blocksAround(barriers->box(), volume.geometry(), scene, target);
-        over = seeds ? united(over, blocks) : blocks;
-    }
+        overlay(m_seeds.blocksIn(scene, target));
+    if (barriers)
+        overlay(blocksAround(barriers->box(), volume.geometry(), scene, target));
+    if (chunks)
+        overlay(blocksAround(scene.chunks->box, volume.geometry(), scene, target));
     const Tile overlaid = common(tile, over);
     const bool sculpted = pieces || volume.cells().isSculpted();
     using Parts = std::array<std::vector<Tile>, RayBlocks::kinds>;
@@ -259,6 +265,8 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
             program.set("barrierLow", glm::vec3(barriers->box().minimum) - 1.0f)
                 .set("barrierHigh", glm::vec3(barriers->box().maximum));
         }
+        if (chunks)
+            chunks->bind(program, *scene.chunks, ChunkTextures::Drawn::Bodies);
         drawParts(program, {overlaid});
     }
     glDisable(GL_SCISSOR_TEST);

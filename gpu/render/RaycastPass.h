@@ -5,6 +5,7 @@
 #include "gpu/gl/Program.h"
 #include "gpu/gl/Texture2D.h"
 #include "gpu/gl/VertexArray.h"
+#include "gpu/render/ChunkTextures.h"
 #include "gpu/render/Palette.h"
 #include "gpu/render/PassTarget.h"
 #include "gpu/render/PieceSet.h"
@@ -42,9 +43,10 @@ public:
     /// voxels, threshold or transfer function changed (then the skip map is computed anew, linear
     /// in the cells).
     /// @param tile as TilePlan cuts it @param noVertices of the context
+    /// @param chunks of the scene; null: none to be drawn
     void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
-        const RaySheets& sheets = {});
+        const RaySheets& sheets = {}, const ChunkTextures* chunks = nullptr);
     /// Draws one pixel by each program that the first carving or the first shown segment will need:
     /// drivers compile a program only when it first draws, and that should not be while a pen
     /// waits. Nothing where they have drawn already.
@@ -70,6 +72,7 @@ private:
         bool warned = false; ///< members warn
         bool foreseen = false; ///< some members would go
         bool sheets = false; ///< the surface that is being refined, or the cutting plane
+        bool chunks = false;
         RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< of the rest
     };
 

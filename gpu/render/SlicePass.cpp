@@ -12,9 +12,10 @@ namespace {
 constexpr unsigned labeled = 1;
 constexpr unsigned carved = 2;
 constexpr unsigned barriers = 4;
-constexpr unsigned warned = 8; // this and the next two when they are first needed
+constexpr unsigned warned = 8; // this and the next ones when they are first needed
 constexpr unsigned atTolerance = 16;
 constexpr unsigned foreseen = 32;
+constexpr unsigned chunked = 64;
 constexpr unsigned seldom = warned;
 
 } // namespace
@@ -37,13 +38,14 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
                     {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)},
-                    {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
+                    {"CHUNKS", has(chunked)}, {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
                     {"PLANE", (form & OnPlane) != 0 ? 1 : 0}}});
     return known;
 }
 
 void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
-    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
+    const ChunkTextures* chunks)
 {
     const glm::dmat4 worldToIndex = volume.geometry().worldToIndex();
     const glm::dmat3 directions(worldToIndex);
@@ -53,7 +55,7 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     const glm::dvec3 base = glm::dvec3(worldToIndex * glm::dvec4(scene.centreLps, 1.0))
         - perX * middle.x - perY * middle.y;
     const bool cubic = scene.cubic && scene.interpolated && target.cubic;
-    prepareForm(cubic ? Cubic : Plain, volume, scene, segments, palette, target)
+    prepareForm(cubic ? Cubic : Plain, volume, scene, segments, palette, target, chunks)
         .set("base", glm::vec3(base))
         .set("perX", glm::vec3(perX))
         .set("perY", glm::vec3(perY))
@@ -64,11 +66,12 @@ Program& SlicePass::prepareOnPlane(VolumeTextures& volume, const SliceScene& loo
     const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
 {
     return prepareForm(
-        target.cubic ? CubicOnPlane : OnPlane, volume, look, segments, palette, target);
+        target.cubic ? CubicOnPlane : OnPlane, volume, look, segments, palette, target, nullptr);
 }
 
 Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const SliceScene& scene,
-    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
+    const ChunkTextures* chunks)
 {
     volume.intensity().bindUnit(0);
     volume.radiation().bindUnit(1);
@@ -94,7 +97,11 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
         marks->pageTable().bindUnit(16);
         marks->atlas().bindUnit(17);
     }
+    if (chunks)
+        variant += chunked;
     Program& program = programFor(form, variant);
+    if (chunks)
+        chunks->bind(program, *scene.chunks, ChunkTextures::Drawn::Areas);
     if ((variant & atTolerance) != 0)
         program.set("toleranceLabel", unsigned(segments.atTolerance->label))
             .set("tolerance", unsigned(segments.atTolerance->tolerance));

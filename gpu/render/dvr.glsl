@@ -171,7 +171,7 @@ vec3 restAlong(Ray ray)
         light = mix(light, onSurface, clamp(change / most, 0.0, 1.0));
         seen += through * (glow * light.rgb + glowOpacity * light.a);
         through *= groupThrough;
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
         const bool solid = solidFrom == nowhere && (through < 0.5 || segmentSeen);
         solidFrom = solid ? ray.gridZero + stepMm * n : solidFrom;
 #endif

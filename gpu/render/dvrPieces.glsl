@@ -279,7 +279,7 @@ vec3 seenAlong(Ray ray)
                 light, lightAt(ray, owner, changeN, change), clamp(change / most, 0.0, 1.0));
             seen += through * (glow * light.rgb + glowOpacity * light.a);
             through *= groupThrough;
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
             solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
         } while (solid < 0 && n < last && through > enough);
@@ -292,7 +292,7 @@ vec3 seenAlong(Ray ray)
             ways[way].last = -nowhere; // of a translucent one the front is seen
             n += 1.0;
         }
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
         solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
     } while (n < last && through > enough);

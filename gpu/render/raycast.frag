@@ -21,6 +21,9 @@
 #if BARRIERS
 #include "render/barriers.glsl"
 #endif
+#if CHUNKS
+#include "render/chunks.glsl"
+#endif
 
 void main()
 {
@@ -37,6 +40,9 @@ void main()
 #endif
 #if BARRIERS
     seen = withBarriers(ray, seen);
+#endif
+#if CHUNKS
+    seen = withChunks(ray, seen);
 #endif
     colour = vec4(seen, 1.0);
 }

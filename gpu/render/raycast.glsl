@@ -57,7 +57,7 @@ const uint segmentFlag = 4u;
 
 const float nowhere = 1e30; // no t
 
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
 float solidFrom = nowhere; // t from which on nothing behind is seen
 #endif
 #if SHEETS

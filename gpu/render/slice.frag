@@ -1,6 +1,6 @@
-// One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN: whether there is anything of
-// the kind to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance. CUBIC:
-// interpolated by cubics. PLANE: of a cutting plane in the 3D view.
+// One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN, CHUNKS: whether there is
+// anything of the kind to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance.
+// CUBIC: interpolated by cubics. PLANE: of a cutting plane in the 3D view.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
@@ -18,6 +18,13 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, shown
 #endif
 #if CUBIC
 #include "render/cubic.glsl"
+#endif
+
+#if CHUNKS
+layout(binding = 24) uniform usampler3D chunkLeaves; // of their box
+layout(binding = 25) uniform sampler2D chunkColours; // row by leaf, alpha 0: none
+uniform ivec3 chunkOrigin;
+uniform float chunkOpacity;
 #endif
 
 /* Uniforms */
@@ -42,6 +49,7 @@ const float carvedWidth = 1.5; // pixels
 const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
 const float barrierWidth = 1.2; // pixels
 const float foreseenWidth = 1.5; // pixels
+const float chunkWidth = 0.8; // pixels
 
 #if PLANE
 #include "render/planePixel.glsl"
@@ -75,6 +83,17 @@ uint labelAt(ivec3 voxel)
 #endif
 }
 
+#if CHUNKS
+vec4 chunkAt(vec3 index)
+{
+    const ivec3 within = nearestVoxel(index) - chunkOrigin;
+    const bool has = all(greaterThanEqual(within, ivec3(0)))
+        && all(lessThan(within, textureSize(chunkLeaves, 0)));
+    const uint leaf = has ? texelFetch(chunkLeaves, within, 0).r : 0u;
+    return texelFetch(chunkColours, ivec2(int(leaf), 0), 0);
+}
+#endif
+
 vec2 around(int i)
 {
     const float angle = 0.785398163 * float(i);
@@ -100,6 +119,15 @@ void main()
     const float covered = texture(radiation, (index + 0.5) / size).r;
     // Segments are drawn whole over it.
     result *= carvedAsHole && covered >= 0.5 ? 0.0 : 1.0;
+#endif
+
+#if CHUNKS
+    const vec4 chunk = chunkAt(index);
+    bool meets = false; // chunks that touch differ in colour
+    for (int i = 0; i < 8; i += 2)
+        meets = meets || chunkAt(indexAt(pixel + around(i) * chunkWidth)) != chunk;
+    const float chunkShare = chunkOpacity * (meets ? 2.0 : 1.0) * chunk.a;
+    result = mix(result, chunk.rgb * (meets ? 0.8 : 1.0), min(chunkShare, 1.0));
 #endif
 
 #if LABELED

@@ -287,7 +287,7 @@ vec3 seenAlong(Ray ray)
         next = hits[i] < nearest ? i : next;
         nearest = min(nearest, hits[i]);
     }
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
     solidFrom = nearest;
 #endif
     // Opaque ones are looked at once: what is drawn is worth many looks for what is next.
@@ -333,7 +333,7 @@ vec3 seenAlong(Ray ray)
     ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
 #endif
     const Hit hit = firstHit(ray);
-#if SEEDS || BARRIERS
+#if SEEDS || BARRIERS || CHUNKS
     solidFrom = hit.t;
 #endif
     const vec3 look = lookOf(ray, restOf, hit);

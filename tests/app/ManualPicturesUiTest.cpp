@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/ManualWindow.h"
 #include "tests/support/SharedData.h"
+#include "ui/Chunks.h"
 #include "ui/Refinement.h"
 #include "ui/dialogs/ExportDialog.h"
 #include "ui/dialogs/OpenStudyDialog.h"
@@ -11,6 +12,7 @@
 #include "ui/panels/HistoryTimeline.h"
 #include "ui/panels/KeyframePopup.h"
 #include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/tools/ChunkTool.h"
 #include "ui/tools/PlaneTool.h"
 #include "ui/tools/RefineTool.h"
 #include "ui/views/SliceView.h"
@@ -296,6 +298,36 @@ private Q_SLOTS:
         keep("template.png");
         refinement.dropPreview();
         QVERIFY(waitUntilDrawn());
+    }
+
+    void chunksOfALiver()
+    {
+        const test::SharedCase body = test::sharedCase(QStringLiteral("ct_totalseg_body_3mm"));
+        if (body.source.isEmpty())
+            QSKIP("no shared data here");
+        start();
+        open(body.source + QStringLiteral("/ct_3mm.nii.gz"));
+        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Chunks")});
+        // Grown by its values alone, a liver leaks.
+        apply(core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0xE07A5F});
+        workspace().setActiveSegment(1);
+        apply(core::SeedStroke{.segment = 1, .pointsLps = {{-66.0, -170.0, 392.0}}});
+        apply(core::GrowSteps{.criteria = {.lower = 26, .upper = 76}, .steps = 26});
+        QVERIFY(session().document().segment(1)->voxels > 10000);
+        ui::Chunks& chunks = workspace().chunks();
+        chunks.divide(12.0);
+        QVERIFY(wait([&] { return chunks.map() != nullptr; }));
+        workspace().setCrosshairLps({-66.0, -170.0, 392.0});
+        take<ui::ChunkTool>();
+        core::ClipRegion clip = workspace().clip();
+        clip.planes[0] = {
+            .pointLps = workspace().crosshairLps(), .normalLps = {0.0, -1.0, 0.0}, .on = true};
+        workspace().setClip(clip);
+        QVERIFY(waitUntilDrawn());
+        ui::ImageView& slice = window().views().axial();
+        QTest::mouseMove(&slice, slice.context().toPixel({-20.0, -170.0, 392.0}).toPoint());
+        QVERIFY(waitUntilDrawn());
+        keep("chunks.png");
     }
 
     void historyWithBranchesAndTimeline()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/SliceView.h"
 
+#include "ui/Chunks.h"
 #include "ui/CuttingPlane.h"
 #include "ui/InitialDisplay.h"
 #include "ui/Refinement.h"
@@ -84,6 +85,7 @@ SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& ax
     connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
     connect(&workspace.refinement(), &Refinement::lookChanged, this, [this] { requestFrame(); });
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
+    connect(&workspace.chunks(), &Chunks::pictureChanged, this, [this] { requestFrame(); });
     connect(&workspace.plane(), &CuttingPlane::changed, this, qOverload<>(&SliceView::update));
     openVolume();
 }
@@ -201,8 +203,10 @@ gpu::Scene SliceView::scene() const
     scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
-    if (!early())
+    if (!early()) {
         scene.contour = workspace().refinement().contour();
+        scene.chunks = workspace().chunks().areas();
+    }
     return scene;
 }
 

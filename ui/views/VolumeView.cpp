@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/VolumeView.h"
 
+#include "ui/Chunks.h"
 #include "ui/CuttingPlane.h"
 #include "ui/LayerLooks.h"
 #include "ui/OpeningView.h"
@@ -57,6 +58,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(
         &workspace.refinement(), &Refinement::lookChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
+    connect(&workspace.chunks(), &Chunks::pictureChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::shown, this, &VolumeView::flyTo);
     connect(&workspace.plane(), &CuttingPlane::changed, this, &VolumeView::requestMovingFrame);
     connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
@@ -147,6 +149,7 @@ gpu::Scene VolumeView::scene() const
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
     scene.surface = workspace().refinement().scene();
+    scene.chunks = workspace().chunks().bodies();
     scene.plane = workspace().plane().scene();
     if (const std::optional<core::ClipPlane> above = workspace().plane().clip()) {
         // Where the user has three planes of his own, only the surface is cut.

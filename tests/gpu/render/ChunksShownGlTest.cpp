@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FrameTest.h"
+
+#include <QTest>
+
+#include <functional>
+#include <memory>
+
+using namespace gpu;
+
+namespace {
+
+constexpr glm::ivec2 size(80, 60);
+constexpr int grey = 128;
+constexpr std::uint32_t red = 0xFFFF0000;
+constexpr std::uint32_t blue = 0xFF0000FF;
+constexpr std::uint32_t green = 0xFF00FF00;
+
+/// Chunks of a box: the one that each of its voxels is in, one more.
+std::shared_ptr<SceneChunks> chunksOf(
+    const core::VoxelBox& box, const std::function<int(const glm::ivec3&)>& leafAt)
+{
+    auto chunks = std::make_shared<SceneChunks>();
+    chunks->box = box;
+    const glm::ivec3 sides = box.maximum - box.minimum;
+    std::vector<std::uint16_t> leaves;
+    for (int z = 0; z < sides.z; ++z)
+        for (int y = 0; y < sides.y; ++y)
+            for (int x = 0; x < sides.x; ++x)
+                leaves.push_back(std::uint16_t(leafAt({x, y, z})));
+    chunks->leaves = std::make_shared<const std::vector<std::uint16_t>>(std::move(leaves));
+    chunks->argb = {red, blue};
+    chunks->opacity = 0.25f;
+    return chunks;
+}
+
+/// Two side by side, and a voxel of none in the first.
+std::shared_ptr<SceneChunks> twoChunks()
+{
+    return chunksOf({.minimum = {10, 8, 2}, .maximum = {30, 22, 12}}, [](const glm::ivec3& at) {
+        return at.x == 4 && at.y == 4 ? 0 : at.x < 8 ? 1 : 2;
+    });
+}
+
+bool is(const glm::ivec3& seen, const glm::dvec3& wanted)
+{
+    const glm::dvec3 off = glm::abs(glm::dvec3(seen) - wanted);
+    return off.x <= 2.0 && off.y <= 2.0 && off.z <= 2.0;
+}
+
+bool isRed(const glm::ivec3& seen)
+{
+    return seen.r > 30 && seen.r > 3 * seen.b;
+}
+
+bool isBlue(const glm::ivec3& seen)
+{
+    return seen.b > 30 && seen.b > 3 * seen.r;
+}
+
+// The 3D view: 48³ voxels of 1 mm, two pixels each, seen from the front (−y).
+constexpr int side = 48;
+constexpr glm::ivec2 size3d(96, 96);
+const core::VoxelBox box3d{.minimum = {8, 10, 12}, .maximum = {40, 34, 36}};
+
+VolumeScene fromFront(std::shared_ptr<const SceneChunks> chunks)
+{
+    VolumeScene scene;
+    scene.eyeLps = {0, -300, 0};
+    scene.heightMm = side;
+    scene.surfaceThreshold = 1000.0;
+    scene.mipWindow = scene.xrayWindow = {2000.0, 1000.0};
+    scene.transferFunction.points = {{990.0, 0xFFFFFF, 0.0}, {1000.0, 0xFFFFFF, 0.9}};
+    scene.chunks = std::move(chunks);
+    return scene;
+}
+
+/// Where a voxel is seen.
+glm::ivec3 at3d(const Frame& frame, int i, int k)
+{
+    return test::pixel(frame, 2 * i + 1, size3d.y - 2 * k - 1);
+}
+
+/// A ball of the second chunk in the first one.
+int ballOrRest(const glm::ivec3& at)
+{
+    const glm::dvec3 from = glm::dvec3(at) - glm::dvec3(16.0, 12.0, 12.0);
+    return glm::dot(from, from) < 64.0 ? 2 : 1;
+}
+
+} // namespace
+
+/// Chunks in the pictures: areas on slices with a line where two meet, bodies in the 3D view.
+class ChunksShownGlTest : public test::FrameTest {
+    Q_OBJECT
+
+    [[nodiscard]] Frame drawn(const std::shared_ptr<const SceneChunks>& chunks)
+    {
+        SliceScene scene;
+        scene.mmPerPixel = 0.5; // a voxel is two pixels wide
+        scene.window = {.centre = 1000.0, .width = 1000.0};
+        scene.chunks = chunks;
+        return m_fixture->draw(scene, size);
+    }
+    /// In the middle of a voxel's pixels.
+    [[nodiscard]] static glm::ivec3 at(const Frame& frame, int i, int j)
+    {
+        return test::pixel(frame, 2 * i, 2 * j);
+    }
+    void openEmpty()
+    {
+        m_fixture->open(
+            test::centredGeometry(glm::ivec3(side)), [](const glm::dvec3&) { return 0.0; });
+    }
+    [[nodiscard]] Frame drawn3d(const std::shared_ptr<const SceneChunks>& chunks)
+    {
+        return m_fixture->draw(fromFront(chunks), size3d);
+    }
+
+private Q_SLOTS:
+    void colouredInTheirBox()
+    {
+        m_fixture->open(
+            test::centredGeometry({40, 30, 20}), [](const glm::dvec3&) { return 1000.0; });
+        const Frame plain = drawn(nullptr);
+        const glm::ivec3 own = at(plain, 5, 5);
+        QVERIFY(std::abs(own.r - grey) <= 1 && own.r == own.b);
+        const auto chunks = twoChunks();
+        const Frame frame = drawn(chunks);
+        const auto mixed = [&own](const glm::ivec3& colour, double share) {
+            return glm::dvec3(own) * (1.0 - share) + glm::dvec3(colour) * share;
+        };
+        QVERIFY(is(at(frame, 12, 16), mixed({255, 0, 0}, 0.25)));
+        QVERIFY(is(at(frame, 25, 16), mixed({0, 0, 255}, 0.25)));
+        // On either side of x = 18 a line.
+        QVERIFY(is(test::pixel(frame, 35, 32), mixed({204, 0, 0}, 0.5)));
+        QVERIFY(is(test::pixel(frame, 36, 32), mixed({0, 0, 204}, 0.5)));
+        QCOMPARE(at(frame, 14, 12), own); // of none
+        for (const glm::ivec2& outside : {glm::ivec2(8, 16), {32, 16}, {15, 6}, {15, 24}})
+            QCOMPARE(at(frame, outside.x, outside.y), own);
+        // Others are weaker, or not there at all.
+        auto weaker = std::make_shared<SceneChunks>(*chunks);
+        weaker->argb = {0x80FF0000, 0x000000FF};
+        const Frame weak = drawn(weaker);
+        QVERIFY(is(at(weak, 12, 16), mixed({255, 0, 0}, 0.25 * 128.0 / 255.0)));
+        QCOMPARE(at(weak, 25, 16), own);
+    }
+
+    void whatChangesIsSeenAtOnce()
+    {
+        m_fixture->open(
+            test::centredGeometry({40, 30, 20}), [](const glm::dvec3&) { return 1000.0; });
+        const Frame plain = drawn(nullptr);
+        const glm::dvec3 own(at(plain, 5, 5));
+        const auto chunks = twoChunks();
+        static_cast<void>(drawn(chunks));
+        auto recoloured = std::make_shared<SceneChunks>(*chunks);
+        recoloured->argb = {green, green};
+        const Frame one = drawn(recoloured);
+        const glm::dvec3 tinted = 0.75 * own + 0.25 * glm::dvec3(0.0, 255.0, 0.0);
+        QVERIFY(is(at(one, 12, 16), tinted));
+        QVERIFY(is(test::pixel(one, 35, 32), tinted)); // one chunk now: no line
+        auto moved = std::make_shared<SceneChunks>(*chunks);
+        moved->box.minimum.x -= 5;
+        moved->box.maximum.x -= 5;
+        QVERIFY(is(at(drawn(moved), 7, 16), 0.75 * own + 0.25 * glm::dvec3(255.0, 0.0, 0.0)));
+        auto other = std::make_shared<SceneChunks>(*chunks);
+        other->leaves = std::make_shared<const std::vector<std::uint16_t>>(
+            chunks->leaves->size(), std::uint16_t(2));
+        QVERIFY(is(at(drawn(other), 12, 16), 0.75 * own + 0.25 * glm::dvec3(0.0, 0.0, 255.0)));
+        QVERIFY(*drawn(nullptr).rgba == *plain.rgba);
+    }
+
+    void whatMakesNoSenseIsNotDrawn()
+    {
+        openEmpty();
+        const Frame slice = drawn(nullptr);
+        const Frame view = drawn3d(nullptr);
+        const auto good = chunksOf(box3d, [](const glm::ivec3&) { return 1; });
+        std::vector<std::shared_ptr<SceneChunks>> all;
+        const auto wrong = [&]() -> SceneChunks& {
+            return *all.emplace_back(std::make_shared<SceneChunks>(*good));
+        };
+        wrong().box.maximum.x += 1; // does not fit its list
+        SceneChunks& empty = wrong();
+        empty.box.maximum = empty.box.minimum;
+        wrong().leaves.reset();
+        wrong().argb.clear();
+        wrong().opacity = 0.0f;
+        wrong().argb = {0x00FF0000};
+        for (const auto& chunks : all) {
+            QVERIFY(*drawn(chunks).rgba == *slice.rgba);
+            QVERIFY(*drawn3d(chunks).rgba == *view.rgba);
+        }
+        QVERIFY(*drawn3d(good).rgba != *view.rgba);
+    }
+
+    void bodiesAreWhereTheirVoxelsAre_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::newRow("surface") << int(RenderMode::Surface);
+        QTest::newRow("DVR") << int(RenderMode::Dvr);
+        QTest::newRow("MIP") << int(RenderMode::Mip);
+        QTest::newRow("X-ray") << int(RenderMode::Xray);
+    }
+    void bodiesAreWhereTheirVoxelsAre()
+    {
+        QFETCH(int, mode);
+        openEmpty();
+        // The left half is red, the right half blue, the upper third empty.
+        const auto chunks = chunksOf(box3d, [](const glm::ivec3& at) {
+            return at.z >= 16 ? 0 : at.x < 16 ? 1 : 2;
+        });
+        VolumeScene scene = fromFront(nullptr);
+        scene.mode = RenderMode(mode);
+        const Frame plain = m_fixture->draw(scene, size3d);
+        scene.chunks = chunks;
+        const Frame frame = m_fixture->draw(scene, size3d);
+        for (const int i : {9, 14, 21})
+            QVERIFY2(isRed(at3d(frame, i, 20)), qPrintable(QString::number(i)));
+        for (const int i : {26, 33, 38})
+            QVERIFY2(isBlue(at3d(frame, i, 20)), qPrintable(QString::number(i)));
+        for (const int k : {13, 25})
+            QVERIFY2(isRed(at3d(frame, 14, k)), qPrintable(QString::number(k)));
+        for (const glm::ivec2& none : {glm::ivec2(5, 20), {43, 20}, {20, 9}, {20, 31}, {20, 40}})
+            QCOMPARE(at3d(frame, none.x, none.y), at3d(plain, none.x, none.y));
+    }
+
+    void aBodyIsSeenInAnother()
+    {
+        openEmpty();
+        const auto both = chunksOf(box3d, ballOrRest);
+        const glm::ivec3 beside = at3d(drawn3d(both), 12, 16);
+        const glm::ivec3 over = at3d(drawn3d(both), 24, 24);
+        QVERIFY2(isRed(beside), qPrintable(QString::number(beside.b)));
+        QVERIFY(over.b > beside.b + 20 && over.r > 20);
+        // Alone it is round: as wide on all sides, and not a corner of its box.
+        auto alone = std::make_shared<SceneChunks>(*both);
+        alone->argb = {0, blue};
+        const Frame frame = drawn3d(alone);
+        for (const glm::ivec2& in : {glm::ivec2(24, 24), {18, 24}, {30, 24}, {24, 18}, {24, 30}})
+            QVERIFY2(isBlue(at3d(frame, in.x, in.y)), qPrintable(QString::number(in.x)));
+        for (const glm::ivec2& out : {glm::ivec2(14, 24), {34, 24}, {18, 18}, {30, 30}})
+            QVERIFY2(at3d(frame, out.x, out.y).b < 10, qPrintable(QString::number(out.x)));
+    }
+
+    void whatIsClippedIsNotSeen()
+    {
+        openEmpty();
+        // One before the other.
+        const auto chunks = chunksOf(box3d, [](const glm::ivec3& at) { return at.y < 12 ? 1 : 2; });
+        VolumeScene scene = fromFront(chunks);
+        const glm::ivec3 whole = at3d(m_fixture->draw(scene, size3d), 20, 20);
+        QVERIFY(whole.r > whole.b);
+        // All before the middle of the second one goes; what is left is cut there.
+        scene.clip.planes[0].on = true;
+        scene.clip.planes[0].normalLps = {0, -1, 0};
+        scene.clip.planes[0].pointLps = {0, 5, 0};
+        const glm::ivec3 clipped = at3d(m_fixture->draw(scene, size3d), 20, 20);
+        QVERIFY2(isBlue(clipped), qPrintable(QString::number(clipped.r)));
+        // Beyond it all is gone.
+        scene.clip.planes[0].pointLps = {0, 12, 0};
+        const glm::ivec3 none = at3d(m_fixture->draw(scene, size3d), 20, 20);
+        QVERIFY(none.r < 5 && none.b < 5);
+    }
+
+    void matterHidesThemNearly()
+    {
+        // A wall at y from 20 on in index, and chunks before or behind it.
+        m_fixture->open(test::centredGeometry(glm::ivec3(side)),
+            [](const glm::dvec3& lps) { return lps.y > -4 && lps.y < 2 ? 2000.0 : 0.0; });
+        const Frame plain = drawn3d(nullptr);
+        const auto before = chunksOf(
+            {.minimum = {8, 4, 12}, .maximum = {40, 14, 36}}, [](const glm::ivec3&) { return 1; });
+        const auto behind = chunksOf(
+            {.minimum = {8, 32, 12}, .maximum = {40, 42, 36}}, [](const glm::ivec3&) { return 1; });
+        const glm::ivec3 wall = at3d(plain, 20, 20);
+        QVERIFY(wall.r > 60 && wall.b > 40);
+        const glm::ivec3 over = at3d(drawn3d(before), 20, 20);
+        const glm::ivec3 through = at3d(drawn3d(behind), 20, 20);
+        QVERIFY(over.b < wall.b * 8 / 10);
+        QVERIFY2(through.b < wall.b && through.b > wall.b * 8 / 10,
+            qPrintable(QString("%1 of %2").arg(through.b).arg(wall.b)));
+    }
+
+    void atTheVolumesBorder()
+    {
+        openEmpty();
+        const core::VoxelBox all{.minimum = glm::ivec3(0), .maximum = glm::ivec3(side)};
+        const Frame frame =
+            drawn3d(chunksOf(all, [](const glm::ivec3& at) { return at.x < 24 ? 1 : 2; }));
+        for (const int k : {0, 20, 47}) {
+            QVERIFY2(isRed(at3d(frame, 0, k)), qPrintable(QString::number(k)));
+            QVERIFY2(isBlue(at3d(frame, 47, k)), qPrintable(QString::number(k)));
+        }
+        // One voxel is a box, too.
+        const Frame one = drawn3d(chunksOf({.minimum = glm::ivec3(24), .maximum = glm::ivec3(25)},
+            [](const glm::ivec3&) { return 2; }));
+        QVERIFY(isBlue(at3d(one, 24, 24)));
+        QVERIFY(at3d(one, 26, 24).b < 5);
+    }
+
+    /// Only what is of another colour is worked out anew; it comes to what all of it does.
+    void recolouredIsAsDrawnAnew()
+    {
+        openEmpty();
+        const auto leafAt = [](const glm::ivec3& at) {
+            return 1 + (at.x / 7 + 3 * (at.y / 6) + 5 * (at.z / 9)) % 11;
+        };
+        const auto first = chunksOf(box3d, leafAt);
+        first->argb.clear();
+        for (std::uint32_t i = 0; i < 11; ++i)
+            first->argb.push_back(0xFF000000 | (0x3FA91B * (i + 1) & 0xFFFFFF));
+        auto second = std::make_shared<SceneChunks>(*first);
+        second->argb[3] = 0x40FFFFFF;
+        second->argb[7] = 0;
+        static_cast<void>(drawn3d(first));
+        const Frame changed = drawn3d(second);
+        auto fresh = std::make_shared<SceneChunks>(*second);
+        fresh->leaves = std::make_shared<const std::vector<std::uint16_t>>(*second->leaves);
+        QVERIFY(*drawn3d(fresh).rgba == *changed.rgba);
+        QVERIFY(*drawn3d(first).rgba != *changed.rgba);
+    }
+};
+
+QTEST_GUILESS_MAIN(ChunksShownGlTest)
+#include "ChunksShownGlTest.moc"
