@@ -126,7 +126,7 @@ void Application::makeWindow()
     window.addToolGroup();
     window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
     window.addTool(*plane, window.refineMenu(), QKeySequence(QStringLiteral("P")));
-    window.addTool(*chunks, window.refineMenu(), QKeySequence(QStringLiteral("H")));
+    window.addTool(*chunks, window.refineMenu(), QKeySequence(QStringLiteral("Shift+F")));
     window.addToolGroup();
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();

@@ -160,7 +160,7 @@ void ChunksPanel::buildLook()
     grid->addWidget(smallLabel(tr("In 3D"), m_looks), 2, 0);
     grid->addWidget(m_bodies, 2, 1, 1, 2);
     column->addLayout(grid);
-    m_hint = smallLabel(tr("Click on chunks with the tool Chunks (H): the strong ones are the "
+    m_hint = smallLabel(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
                            "segment's. A plane of the panel Clipping lets you look inside."),
         m_looks);
     m_hint->setProperty("role", QStringLiteral("secondary"));

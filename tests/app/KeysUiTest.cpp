@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/ApplicationFixture.h"
+#include "ui/Actions.h"
+
+#include <QAction>
+#include <QMap>
+#include <QTest>
+
+/// The keys of the whole window, as all of its parts together give them.
+class KeysUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// One that two actions ask for does neither.
+    void noKeyIsGivenTwice()
+    {
+        test::ApplicationFixture fixture;
+        QMap<QString, QString> owners;
+        int keys = 0;
+        for (const QAction* action : fixture.window().actionTable().all()) {
+            for (const QKeySequence& key : action->shortcuts()) {
+                const QString text = key.toString(QKeySequence::PortableText);
+                QVERIFY2(!owners.contains(text),
+                    qPrintable(QStringLiteral("%1: '%2' and '%3'")
+                                   .arg(text, owners.value(text), action->text())));
+                owners.insert(text, action->text());
+                ++keys;
+            }
+        }
+        QVERIFY2(keys > 50, qPrintable(QString::number(keys)));
+    }
+};
+
+QTEST_MAIN(KeysUiTest)
+#include "KeysUiTest.moc"
