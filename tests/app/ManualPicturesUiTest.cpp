@@ -266,8 +266,10 @@ private Q_SLOTS:
     {
         openLesion();
         // A lobe is missing behind and above.
-        apply(core::MarkSurface{
-            .mark = core::SurfaceMark::Red, .path = {.radiusMm = 17.0, .pointsLps = {{8, 2, 66}}}});
+        for (const auto& [mark, radiusMm] : {std::pair(core::SurfaceMark::Green, 30.0),
+                 std::pair(core::SurfaceMark::Red, 17.0)})
+            apply(core::MarkSurface{
+                .mark = mark, .path = {.radiusMm = radiusMm, .pointsLps = {{8, 2, 66}}}});
         window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
         ui::Refinement& refinement = workspace().refinement();
         refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
@@ -276,7 +278,7 @@ private Q_SLOTS:
             std::vector<glm::dvec3> line;
             for (int i = -8; i <= 8; ++i) {
                 const double away = 2.0 * i;
-                line.push_back(glm::dvec3(8, 2, 79.0 - 0.085 * away * away) + away * along);
+                line.push_back(glm::dvec3(8, 2, 76.0 - 0.07 * away * away) + away * along);
             }
             return line;
         };

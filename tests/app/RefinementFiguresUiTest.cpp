@@ -140,7 +140,7 @@ private Q_SLOTS:
     void templateShape()
     {
         prepare();
-        const glm::dvec3 top(8, 2, 79);
+        const glm::dvec3 top(8, 2, 76);
         const glm::dvec3 across = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
         const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
         QVERIFY(plane().passThrough(
@@ -153,15 +153,18 @@ private Q_SLOTS:
         ui::Workspace::ViewOptions options = workspace().viewOptions();
         options.showSegments = false;
         workspace().setViewOptions(options);
-        apply(core::MarkSurface{
-            .mark = core::SurfaceMark::Red, .path = {.radiusMm = 17.0, .pointsLps = {{8, 2, 66}}}});
+        // Around it all is right.
+        for (const auto& [mark, radiusMm] : {std::pair(core::SurfaceMark::Green, 30.0),
+                 std::pair(core::SurfaceMark::Red, 17.0)})
+            apply(core::MarkSurface{
+                .mark = mark, .path = {.radiusMm = radiusMm, .pointsLps = {{8, 2, 66}}}});
         ui::Refinement& refinement = workspace().refinement();
         refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
         take<ui::RefineTool>();
         const auto lobe = [&](const glm::dvec3& side) {
             std::vector<glm::dvec3> line;
             for (int i = -8; i <= 8; ++i)
-                line.push_back(top + 1.9 * i * side - glm::dvec3(0, 0, 0.3 * i * i));
+                line.push_back(top + 1.8 * i * side - glm::dvec3(0, 0, 0.24 * i * i));
             return line;
         };
         refinement.addContour(lobe(along));
