@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/BallStroke.h"
 
+#include "tests/reenactment/UserHand.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +13,8 @@ namespace reenact {
 namespace {
 
 constexpr std::array<double, 11> radii{1.2, 2.0, 3.0, 4.0, 5.0, 6.5, 8.0, 10.0, 13.0, 16.0, 20.0};
-constexpr std::size_t mostPlaces = 100;
-constexpr int directions = 12;
+constexpr std::size_t mostPlaces = 60;
+constexpr int directions = 8;
 constexpr int mostPoints = 14;
 
 class Search {
@@ -43,6 +45,7 @@ public:
                 if (begun.gain <= 0)
                     continue;
                 BallStroke stroke = led(begun, axis);
+                stroke.gain = unsteady(stroke);
                 if (stroke.gain > best.gain)
                     best = std::move(stroke);
             }
@@ -108,6 +111,37 @@ private:
         }
         look(glm::dvec3(m_region.part.deepest));
         return best;
+    }
+
+    /// What it would mend on average, as a hand leads it.
+    [[nodiscard]] int unsteady(const BallStroke& stroke)
+    {
+        int sum = 0;
+        int count = 0;
+        for (int side = 0; side < 6; ++side) {
+            glm::dvec3 off(0.0);
+            off[side / 2] = (side % 2 == 0 ? 1.0 : -1.0) * UserHand::jitterVoxels;
+            if (m_flat >= 0 && side / 2 == m_flat)
+                continue;
+            ++m_stamp;
+            ++count;
+            for (const glm::dvec3& place : alongWay(stroke.points, 0.4 * stroke.radius))
+                sum += gainAt(place + off, stroke.radius, true);
+        }
+        return sum / count;
+    }
+
+    [[nodiscard]] static std::vector<glm::dvec3> alongWay(
+        const std::vector<glm::dvec3>& points, double step)
+    {
+        std::vector<glm::dvec3> places{points.front()};
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const glm::dvec3 way = points[i] - points[i - 1];
+            const int parts = std::max(1, int(std::ceil(glm::length(way) / step)));
+            for (int part = 1; part <= parts; ++part)
+                places.push_back(points[i - 1] + double(part) / double(parts) * way);
+        }
+        return places;
     }
 
     /// On and on to where it mends most, in a plane across an axis, to either end.

@@ -10,7 +10,8 @@ struct BallStroke {
     double radius = 0.0; ///< voxels
     std::vector<glm::dvec3> points; ///< index
     int axis = 0; ///< across which the slice lies on which it is led
-    int gain = 0; ///< voxels that are right afterwards and were not, less those spoilt
+    /// Voxels that are right afterwards and were not, less those spoilt, by an unsteady hand.
+    int gain = 0;
 };
 
 /// The stroke that mends most of a region: of all radii, of ways in the three planes through its

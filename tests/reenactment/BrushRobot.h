@@ -18,7 +18,7 @@ struct RobotRun {
     Mask mask; ///< the segment in the end
     int actions = 0;
     int actionsToCommon = 0; ///< until rVE was 2.7 % or less; 0: it never was
-    double seconds = 0.0; ///< that the edits took
+    double seconds = 0.0; ///< of processors that the edits took
     QStringList log; ///< what it did, with rVE after it
 };
 

@@ -13,7 +13,7 @@ public:
     RobotLog(RefinementBench& bench, const Truth& truth);
 
     /// An edit that is an action by itself; where it made things worse it is taken back, which is
-    /// another one. @return whether it stayed
+    /// another one. @return whether it did any good
     bool act(const core::Edit& edit, const QString& what);
     /// An edit that changes nothing that is seen, and so is never taken back.
     bool prepare(const core::Edit& edit, const QString& what);

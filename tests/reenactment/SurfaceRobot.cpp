@@ -8,7 +8,9 @@
 #include "tests/reenactment/UserHand.h"
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <functional>
+#include <map>
 
 using namespace core;
 
@@ -16,9 +18,23 @@ namespace reenact {
 
 namespace {
 
-/// A stroke over chunks that mends less than this share of what is wrong is not worth it.
-constexpr double leastChunkShare = 0.12;
-constexpr std::size_t mostRegions = 3;
+/// Chunks are for what few of them explain: the first stroke mends so much of what is wrong, each
+/// further one so much of what is left.
+constexpr double firstChunkShare = 0.5;
+constexpr double nextChunkShare = 0.3;
+/// Of the organ's voxels: who hopes for less gives up.
+constexpr double leastHope = 3e-4;
+constexpr std::size_t mostRegions = 5;
+/// Of what is wrong under a sweep of attraction and of smoothing, what a user hopes to mend.
+constexpr double attractHope = 0.35;
+constexpr double smoothHope = 0.12;
+constexpr double sweepReach = 28.0; ///< voxels
+/// What a hope is worth after each failure of the tool; that of attraction and smoothing says that
+/// the picture, or the surface, is not made for it.
+constexpr double trust = 0.6;
+constexpr double sweepTrust = 0.2;
+/// After so many failures a user tries something else on a region.
+constexpr int mostTries = 2;
 /// A sphere that is too small for what it pushes leaves folds.
 constexpr double leastSphere = 2.0;
 
@@ -50,7 +66,7 @@ public:
     }
 
 private:
-    enum class Tool : std::uint8_t { Sphere, Scrape, Drag, Template };
+    enum class Tool : std::uint8_t { Sphere, Scrape, Drag, Template, Attract, Smooth };
 
     [[nodiscard]] bool isDone() const
     {
@@ -74,7 +90,7 @@ private:
             // Another place of the slider is an action by itself.
             if (stroke.gain < 0.5 * other.gain)
                 stroke = other;
-            if (stroke.gain < leastChunkShare * wrong)
+            if (stroke.gain < (division == 0 ? firstChunkShare : nextChunkShare) * wrong)
                 return;
             if (stroke.division != division)
                 m_log.countOne(QStringLiteral("slider to %1").arg(stroke.division));
@@ -109,19 +125,27 @@ private:
             double worth = 0.0; ///< voxels for an action
             std::function<bool()> act;
             Tool tool = Tool::Sphere;
+            std::size_t place = 0;
         };
         Choice best;
-        const auto offer = [&](Tool tool, int gain, int actions, std::function<bool()> act) {
+        const auto offer = [&](Tool tool, const UserEye::Region& region, int gain, int actions,
+                               std::function<bool()> act) {
+            const std::size_t place = eye.seen().offset(region.part.deepest);
+            if (m_tries[{tool, place}] >= mostTries)
+                return;
             double worth = double(gain) / double(actions);
+            const bool sweeps = tool == Tool::Attract || tool == Tool::Smooth;
             for (int i = 0; i < m_failures[std::size_t(tool)]; ++i)
-                worth *= 0.6;
+                worth *= sweeps ? sweepTrust : trust;
             if (worth > best.worth)
-                best = {worth, std::move(act), tool};
+                best = {worth, std::move(act), tool, place};
         };
         std::vector<BallStroke> balls(mostRegions);
         std::vector<ScrapePlan> scrapes(mostRegions);
         std::vector<DragPlan> drags(mostRegions);
         std::vector<TemplatePlan> templates(mostRegions);
+        std::vector<SweepPlan> attracts(mostRegions);
+        std::vector<SweepPlan> smooths(mostRegions);
         for (std::size_t i = 0; i < std::min(mostRegions, regions.size()); ++i) {
             const UserEye::Region& region = regions[i];
             balls[i] = bestStroke(eye, region, leastSphere);
@@ -129,18 +153,54 @@ private:
             drags[i] = bestDrag(eye, region);
             templates[i] =
                 templateFor(eye, region, *m_bench.session().surface(), m_bench.geometry());
-            offer(
-                Tool::Sphere, balls[i].gain, 1, [&, i] { return push(eye, regions[i], balls[i]); });
-            offer(Tool::Scrape, scrapes[i].gain, 1, [&, i] { return scrape(scrapes[i]); });
-            offer(Tool::Drag, drags[i].gain, 1, [&, i] { return drag(drags[i]); });
-            offer(Tool::Template, templates[i].gain, templates[i].actions(),
+            offer(Tool::Sphere, region, balls[i].gain, 1,
+                [&, i] { return push(eye, regions[i], balls[i]); });
+            offer(Tool::Scrape, region, scrapes[i].gain, 1, [&, i] { return scrape(scrapes[i]); });
+            offer(Tool::Drag, region, drags[i].gain, 1, [&, i] { return drag(drags[i]); });
+            offer(Tool::Template, region, templates[i].gain, templates[i].actions(),
                 [&, i] { return shape(templates[i]); });
+            // A smaller brush looks less far, and meets fewer other edges.
+            const int tried = m_tries[{Tool::Attract, eye.seen().offset(region.part.deepest)}];
+            const double wide = (tried > 0 ? 2.0 : 4.0) * region.part.radius + 2.0;
+            attracts[i] = sweep(eye, region, std::clamp(wide, 3.0, tried > 0 ? 5.0 : 9.0));
+            offer(Tool::Attract, region,
+                attracts[i].points.empty() ? 0 : int(attractHope * attracts[i].wrong), 1, [&, i] {
+                    return m_log.act(
+                        AttractSurface{pathOf(attracts[i])}, told("attract", attracts[i]));
+                });
+            smooths[i] = sweep(eye, region, 3.0);
+            offer(Tool::Smooth, region, int(smoothHope * smooths[i].wrong), 1, [&, i] {
+                return m_log.act(SmoothSurface{pathOf(smooths[i])}, told("smooth", smooths[i]));
+            });
         }
-        if (best.worth <= 0.0)
+        if (best.worth < leastHope * double(countOf(m_truth.plain)))
             return false;
         int& failures = m_failures[std::size_t(best.tool)];
-        failures = best.act() ? 0 : failures + 1;
-        return failures < 6;
+        const bool helped = best.act();
+        failures = helped ? 0 : failures + 1;
+        if (!helped)
+            ++m_tries[{best.tool, best.place}];
+        return true;
+    }
+
+    [[nodiscard]] SweepPlan sweep(
+        const UserEye& eye, const UserEye::Region& region, double leastRadius)
+    {
+        return sweepOver(
+            eye, region, *m_bench.session().surface(), m_bench.geometry(), sweepReach, leastRadius);
+    }
+    [[nodiscard]] SurfacePath pathOf(const SweepPlan& plan)
+    {
+        return {
+            .radiusMm = m_hand.mm(plan.radius), .pointsLps = m_hand.lps(m_hand.drawn(plan.points))};
+    }
+    [[nodiscard]] static QString told(const char* what, const SweepPlan& plan)
+    {
+        return QStringLiteral("%1 r=%2, %3 points over %4 wrong")
+            .arg(QLatin1String(what))
+            .arg(plan.radius, 0, 'f', 1)
+            .arg(plan.points.size())
+            .arg(plan.wrong);
     }
 
     bool push(const UserEye& eye, const UserEye::Region& region, const BallStroke& stroke)
@@ -224,7 +284,8 @@ private:
     SurfaceRobotTools m_tools;
     UserHand m_hand;
     RobotLog m_log;
-    std::array<int, 4> m_failures{};
+    std::array<int, 6> m_failures{};
+    std::map<std::pair<Tool, std::size_t>, int> m_tries; ///< by the region's deepest voxel
 };
 
 } // namespace

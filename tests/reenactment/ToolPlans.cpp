@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/ToolPlans.h"
 
+#include "tests/reenactment/UserHand.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -128,7 +130,7 @@ ScrapePlan bestScrape(const UserEye& eye, const UserEye::Region& region)
         // What a plane through each height would take off and spoil, in one go.
         constexpr int steps = 20;
         constexpr double step = 0.5;
-        std::array<int, 2 * steps + 1> gains{};
+        std::array<double, 2 * steps + 1> gains{};
         forEachAround(eye, region, radius, [&](const glm::ivec3& voxel, std::size_t at) {
             const int worth = eye.worth(at, false);
             if (worth == 0)
@@ -139,17 +141,20 @@ ScrapePlan bestScrape(const UserEye& eye, const UserEye::Region& region)
                 return;
             for (int i = -steps; i <= steps; ++i) {
                 const double above = height - step * i;
-                if (above > 0.0 && above <= 2.0 * radius)
-                    gains[std::size_t(i + steps)] += worth;
+                if (above > 2.0 * radius)
+                    continue;
+                // As a hand puts it, half a voxel and more above or below.
+                for (const double aside : {-UserHand::jitterVoxels, 0.0, UserHand::jitterVoxels})
+                    gains[std::size_t(i + steps)] += above > aside ? worth / 3.0 : 0.0;
             }
         });
         for (int i = -steps; i <= steps; ++i) {
-            if (gains[std::size_t(i + steps)] <= best.gain)
+            if (gains[std::size_t(i + steps)] <= best.gain + 0.5)
                 continue;
             best = {.place = patch.middle + step * i * patch.normal,
                 .normal = patch.normal,
                 .radius = radius,
-                .gain = gains[std::size_t(i + steps)]};
+                .gain = int(gains[std::size_t(i + steps)])};
         }
     }
     return best;
@@ -297,6 +302,87 @@ std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& line, std::size_t
 
 } // namespace
 
+namespace {
+
+double extentOf(const std::vector<glm::dvec3>& places)
+{
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& place : places)
+        sum += place;
+    const glm::dvec3 mean = sum / double(places.size());
+    double extent = 0.0;
+    for (const glm::dvec3& place : places)
+        extent = std::max(extent, glm::distance(place, mean));
+    return extent;
+}
+
+/// A way for a brush of some radius over places: one after the other the farthest that is not
+/// painted yet, then in an order for a pen.
+std::vector<glm::dvec3> covered(const std::vector<glm::dvec3>& places, double radius)
+{
+    constexpr std::size_t mostDabs = 80;
+    std::vector<glm::dvec3> dabs;
+    std::vector<double> off(places.size(), 1e9);
+    std::size_t next = 0;
+    while (dabs.size() < mostDabs) {
+        dabs.push_back(places[next]);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            off[i] = std::min(off[i], glm::distance(places[i], dabs.back()));
+        next = std::size_t(std::max_element(off.begin(), off.end()) - off.begin());
+        if (off[next] < 0.85 * radius)
+            break;
+    }
+    std::vector<glm::dvec3> way{dabs.front()};
+    dabs.erase(dabs.begin());
+    while (!dabs.empty()) {
+        const auto nearest =
+            std::min_element(dabs.begin(), dabs.end(), [&](const auto& one, const auto& other) {
+                return glm::distance(one, way.back()) < glm::distance(other, way.back());
+            });
+        way.push_back(*nearest);
+        dabs.erase(nearest);
+    }
+    return way;
+}
+
+} // namespace
+
+SweepPlan sweepOver(const UserEye& eye, const UserEye::Region& region,
+    const core::SimplexMesh& mesh, const core::VolumeGeometry& geometry, double most,
+    double leastRadius)
+{
+    SweepPlan plan;
+    Mask wrongNear{eye.seen().size, std::vector<std::uint8_t>(eye.seen().values.size(), 0)};
+    const glm::dvec3 middle(region.part.deepest);
+    forEachAround(eye, region, most, [&](const glm::ivec3& voxel, std::size_t at) {
+        if (eye.seen().values[at] == eye.organ().values[at]
+            || glm::distance(glm::dvec3(voxel), middle) > most)
+            return;
+        wrongNear.values[at] = 1;
+        ++plan.wrong;
+    });
+    std::vector<glm::dvec3> wrong;
+    for (const core::VertexId id : mesh.vertexIds()) {
+        const glm::dvec3 place = geometry.toIndex(mesh.position(id));
+        if (std::abs(eye.offBorder(place)) < 0.5 || glm::distance(place, middle) > most)
+            continue;
+        const glm::ivec3 voxel(glm::round(place));
+        bool isNear = false;
+        for (int side = 0; side < 27; ++side) {
+            const glm::ivec3 near =
+                voxel + glm::ivec3(side % 3 - 1, side / 3 % 3 - 1, side / 9 - 1);
+            isNear = isNear || (wrongNear.contains(near) && wrongNear.at(near) != 0);
+        }
+        if (isNear)
+            wrong.push_back(place);
+    }
+    if (wrong.size() < 6)
+        return {};
+    plan.radius = std::max(leastRadius, std::min(6.0, 0.35 * extentOf(wrong)));
+    plan.points = covered(wrong, plan.radius);
+    return plan;
+}
+
 TemplatePlan templateFor(const UserEye& eye, const UserEye::Region& region,
     const core::SimplexMesh& mesh, const core::VolumeGeometry& geometry)
 {
@@ -316,37 +402,8 @@ TemplatePlan templateFor(const UserEye& eye, const UserEye::Region& region,
     }
     if (wrong.size() < 6)
         return plan;
-    glm::dvec3 sum(0.0);
-    for (const glm::dvec3& place : wrong)
-        sum += place;
-    const glm::dvec3 mean = sum / double(wrong.size());
-    double extent = 0.0;
-    for (const glm::dvec3& place : wrong)
-        extent = std::max(extent, glm::distance(place, mean));
-    plan.paintRadius = std::clamp(0.35 * extent, 2.0, 7.0);
-    // One after the other the farthest that is not painted yet, then in an order for a pen.
-    std::vector<glm::dvec3> dabs;
-    std::vector<double> off(wrong.size(), 1e9);
-    std::size_t next = 0;
-    while (dabs.size() < 80) {
-        dabs.push_back(wrong[next]);
-        for (std::size_t i = 0; i < wrong.size(); ++i)
-            off[i] = std::min(off[i], glm::distance(wrong[i], dabs.back()));
-        next = std::size_t(std::max_element(off.begin(), off.end()) - off.begin());
-        if (off[next] < 0.85 * plan.paintRadius)
-            break;
-    }
-    plan.paint.push_back(dabs.front());
-    dabs.erase(dabs.begin());
-    while (!dabs.empty()) {
-        const auto nearest =
-            std::min_element(dabs.begin(), dabs.end(), [&](const auto& one, const auto& other) {
-                return glm::distance(one, plan.paint.back())
-                    < glm::distance(other, plan.paint.back());
-            });
-        plan.paint.push_back(*nearest);
-        dabs.erase(nearest);
-    }
+    plan.paintRadius = std::clamp(0.35 * extentOf(wrong), 2.0, 7.0);
+    plan.paint = covered(wrong, plan.paintRadius);
     const auto [along, beside] = acrossOf(patch);
     constexpr int planes = 3;
     for (int i = 0; i < planes; ++i) {

@@ -28,6 +28,17 @@ struct DragPlan {
 };
 [[nodiscard]] DragPlan bestDrag(const UserEye& eye, const UserEye::Region& region);
 
+/// A brush goes over the wrong surface of a region and of what is wrong near it.
+struct SweepPlan {
+    std::vector<glm::dvec3> points;
+    double radius = 0.0;
+    int wrong = 0; ///< voxels there
+};
+/// @param most how far the brush goes from the region's middle @param leastRadius of the brush
+[[nodiscard]] SweepPlan sweepOver(const UserEye& eye, const UserEye::Region& region,
+    const core::SimplexMesh& mesh, const core::VolumeGeometry& geometry, double most,
+    double leastRadius);
+
 /// The wrong surface is painted red, and contours are drawn where it belongs.
 struct TemplatePlan {
     std::vector<glm::dvec3> paint; ///< a stroke of the brush, with this radius
