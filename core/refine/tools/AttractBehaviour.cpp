@@ -34,7 +34,9 @@ public:
             if (!mesh.hasVertex(id) || mesh.mark(id) == SurfaceMark::Green
                 || glm::dot(way, way) > radiusMm * radiusMm)
                 continue;
-            m_isTouched[id] = 1;
+            Part& part = m_parts[id];
+            if (!part.isTouched)
+                part = {.from = mesh.position(id), .last = mesh.position(id), .isTouched = true};
             reached.push_back(id);
         }
         return reached;
@@ -43,35 +45,56 @@ public:
     std::optional<Grip> gripOf(
         const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
     {
-        if (point.vertex >= m_isTouched.size() || m_isTouched[point.vertex] == 0)
+        if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isTouched)
             return std::nullopt;
-        const auto edgeMm =
-            m_tool.grey->edgeAlongMm(point.positionLps, point.normalLps, m_tool.reachMm);
-        if (!edgeMm)
-            return Grip{.placeLps = placeLps};
-        const double strideMm = m_scale.strideMm(point);
-        return Grip{.placeLps = placeLps
-                + share * std::clamp(*edgeMm, -strideMm, strideMm) * point.normalLps};
+        Part& part = m_parts[point.vertex];
+        // Looked for from where it was: from where it is now it would go on from edge to edge.
+        const double goneMm = glm::dot(point.positionLps - part.from, point.normalLps);
+        const auto edgeMm = m_tool.grey->edgeAlongMm(
+            point.positionLps - goneMm * point.normalLps, point.normalLps, m_tool.reachMm);
+        part.last = placeLps;
+        if (edgeMm) {
+            const double strideMm = m_scale.strideMm(point);
+            part.last +=
+                share * std::clamp(*edgeMm - goneMm, -strideMm, strideMm) * point.normalLps;
+        }
+        return Grip{.placeLps = part.last};
     }
 
     void adopt(const SimplexMesh& mesh, VertexId id) override
     {
         grow(mesh);
-        int touched = 0;
-        for (const VertexId near : mesh.neighbours(id))
-            touched += m_isTouched[near];
+        Part& part = m_parts[id];
         // It may be as well a vertex that is active for the first time.
-        m_isTouched[id] = touched >= 2 || m_isTouched[id] != 0 ? 1 : 0;
+        if (part.isTouched && part.last == mesh.position(id))
+            return;
+        glm::dvec3 gone(0.0);
+        int touched = 0;
+        for (const VertexId near : mesh.neighbours(id)) {
+            if (!m_parts[near].isTouched)
+                continue;
+            gone += mesh.position(near) - m_parts[near].from;
+            ++touched;
+        }
+        part = {.from = mesh.position(id), .last = mesh.position(id), .isTouched = touched >= 2};
+        if (part.isTouched)
+            part.from -= gone / double(touched);
     }
 
 private:
+    struct Part {
+        glm::dvec3 from{0.0}; ///< where it was before
+        glm::dvec3 last{0.0}; ///< where it was left
+        bool isTouched = false;
+    };
+
     void grow(const SimplexMesh& mesh)
     {
-        m_isTouched.resize(std::max<std::size_t>(m_isTouched.size(), mesh.vertexSlots()), 0);
+        m_parts.resize(std::max<std::size_t>(m_parts.size(), mesh.vertexSlots()));
     }
 
     AttractTool m_tool;
-    std::vector<std::uint8_t> m_isTouched; ///< by vertex
+    std::vector<Part> m_parts; ///< by vertex
 };
 
 } // namespace

@@ -64,7 +64,8 @@ struct SmoothTool {
     double radiusMm = 5.0;
 };
 
-/// Moves what it touches along its normal to the steepest change of grey values nearby.
+/// Moves what it touches along its normal to the steepest change of grey values nearby: from where
+/// it was when the stroke came to it, however often it goes over it.
 struct AttractTool {
     double radiusMm = 5.0;
     double reachMm = 5.0; ///< how far it looks to either side

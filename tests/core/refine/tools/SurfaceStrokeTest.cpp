@@ -85,6 +85,7 @@ private Q_SLOTS:
     void aDraggedVertexCanBeDraggedAgain();
     void smoothingEvensAndKeepsTheVolume();
     void edgesAttract();
+    void attractionReachesNoFartherThanItLooks();
     void paintedYellowGoesBackToTheMask();
     void yellowGoesBackRedStays();
     void aRolledBackStrokeLeavesNothing();
@@ -353,6 +354,42 @@ void SurfaceStrokeTest::edgesAttract()
     qInfo("worst %.3f mm off the edge", worst);
     QVERIFY(worst < 0.3);
     QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+}
+
+/// Behind each edge lies one that is four times as steep, within reach of the first, but not of
+/// where the surface was.
+void SurfaceStrokeTest::attractionReachesNoFartherThanItLooks()
+{
+    test::ShapedMask made({81, 81, 81});
+    made.geometry.indexToWorld[3] = glm::dvec4(-40, -40, -40, 1);
+    std::vector<std::uint16_t> codes;
+    for (int z = 0; z < 81; ++z) {
+        for (int y = 0; y < 81; ++y) {
+            for (int x = 0; x < 81; ++x) {
+                const double from = glm::distance(glm::dvec3(x, y, z), glm::dvec3(40));
+                double value = 10.0;
+                double rise = 50.0;
+                for (const double edge : {22.5, 26.0, 29.5, 33.0}) {
+                    const double off = from - edge;
+                    value += rise * (0.5 + 0.5 * off / std::sqrt(0.25 + off * off));
+                    rise *= 4.0;
+                }
+                codes.push_back(std::uint16_t(std::lround(value)));
+            }
+        }
+    }
+    const core::GreyBox grey(made.geometry, glm::ivec3(0), glm::ivec3(81), codes);
+    core::SimplexMesh mesh = redBall();
+    const std::vector<core::SurfaceSample> samples(10, {.placeLps = {20, 0, 0}});
+    stroke(mesh, core::AttractTool{.radiusMm = 14.0, .reachMm = 4.0, .grey = &grey}, samples);
+    double worst = 0.0;
+    for (const core::VertexId id : mesh.vertexIds()) {
+        const double from = glm::length(mesh.position(id));
+        if (mesh.position(id).x > 0.93 * from)
+            worst = std::max(worst, std::abs(from - 22.5));
+    }
+    qInfo("worst %.3f mm off the nearest edge", worst);
+    QVERIFY2(worst < 0.5, qPrintable(QString::number(worst)));
 }
 
 namespace {
