@@ -17,6 +17,9 @@ constexpr std::array<std::uint32_t, core::ChunkColours::colours> palette{0xE6553
     0xE8D84A, 0xA970E0, 0x35A04F, 0xF2A134, 0x4FC3F7, 0xD63F86, 0x9BD64A, 0x6B5BD6, 0xF0A58A,
     0x3CD0C0, 0xE07AD0, 0xA86B3F, 0xB9C8A4, 0x7F9BC8};
 
+/// Smaller than the pieces that chunks are joined of (core::ChunkPieces).
+constexpr std::size_t speckVoxels = 64;
+
 // Of 255: chunks that the segment has, has not, and those a tool is about.
 constexpr std::uint32_t ownShare = 255;
 constexpr std::uint32_t otherShare = 90;
@@ -86,6 +89,7 @@ void Chunks::follow()
         m_segment = now ? now->segment : 0;
         m_wanted = std::move(wanted);
         m_leaves.reset();
+        m_specks = 0;
         m_count = 0;
         m_lit.clear();
         m_members.begin(nullptr, 0);
@@ -106,6 +110,10 @@ void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
     if (leaves->map != m_wanted)
         return;
     m_leaves = leaves;
+    const core::ChunkTree& tree = m_leaves->map->tree();
+    const std::vector<Chunk> roots = tree.division(tree.fewest());
+    m_specks = int(std::count_if(roots.begin(), roots.end(),
+        [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
     m_members.begin(m_leaves, m_segment);
     colour();
     Q_EMIT changed();
@@ -131,7 +139,9 @@ void Chunks::setLook(const Look& look)
 int Chunks::count() const
 {
     const core::ChunkMap* chunks = map();
-    return chunks ? std::clamp(m_look.count, chunks->tree().fewest(), chunks->tree().finest()) : 0;
+    return chunks
+        ? std::clamp(m_look.count + m_specks, chunks->tree().fewest(), chunks->tree().finest())
+        : 0;
 }
 
 int Chunks::ownCount() const
@@ -139,8 +149,9 @@ int Chunks::ownCount() const
     if (!m_leaves)
         return 0;
     int own = 0;
-    for (const Chunk chunk : m_leaves->map->tree().division(count()))
-        own += has(chunk) ? 1 : 0;
+    const core::ChunkTree& tree = m_leaves->map->tree();
+    for (const Chunk chunk : tree.division(count()))
+        own += has(chunk) && tree.voxels(chunk).size() >= speckVoxels ? 1 : 0;
     return own;
 }
 

@@ -53,9 +53,11 @@ public:
     [[nodiscard]] const Look& look() const { return m_look; }
     void setLook(const Look& look);
 
-    /// Into how many it is divided at present.
+    /// Into how many it is divided at present, for edits; specks that touch nothing of their kind
+    /// are on top of what was asked for, or a ragged mask would have nothing else.
     [[nodiscard]] int count() const;
-    /// How many of these the segment has.
+    /// The same without specks, and how many of these the segment has.
+    [[nodiscard]] int shownCount() const { return count() - m_specks; }
     [[nodiscard]] int ownCount() const;
     [[nodiscard]] std::optional<Chunk> chunkAt(const glm::ivec3& voxel) const;
     /// Whether the segment has more than half of it.
@@ -93,6 +95,7 @@ private:
     std::shared_ptr<const core::ChunkMap> m_wanted; ///< of which m_leaves are, or are to be
     std::shared_ptr<const ChunkLeaves> m_leaves;
     int m_segment = 0; ///< of the division that they are of
+    int m_specks = 0; ///< chunks that are never joined, and small
     std::vector<Chunk> m_chunkOfLeaf; ///< at the present count, like the next two
     std::vector<std::uint8_t> m_colourOfLeaf;
     int m_count = 0; ///< that these are for; 0: none

@@ -314,13 +314,18 @@ private Q_SLOTS:
         apply(core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0xE07A5F});
         workspace().setActiveSegment(1);
         apply(core::SeedStroke{.segment = 1, .pointsLps = {{-66.0, -170.0, 392.0}}});
-        apply(core::GrowSteps{.criteria = {.lower = 26, .upper = 76}, .steps = 26});
+        apply(core::GrowSteps{.criteria = {.lower = 5, .upper = 95}, .steps = 30});
         QVERIFY(session().document().segment(1)->voxels > 10000);
         ui::Chunks& chunks = workspace().chunks();
         chunks.divide(12.0);
         QVERIFY(wait([&] { return chunks.map() != nullptr; }));
         workspace().setCrosshairLps({-66.0, -170.0, 392.0});
         take<ui::ChunkTool>();
+        workspace().setWindowLevel({.centre = 50.0, .width = 350.0});
+        ui::Workspace::VolumeDisplay display = workspace().volumeDisplay();
+        display.surfaceThreshold = 180.0;
+        workspace().setVolumeDisplay(display);
+        window().views().volume().flyTo({-60.0, -170.0, 380.0}, {0.35, -1.0, 0.25});
         core::ClipRegion clip = workspace().clip();
         clip.planes[0] = {
             .pointLps = workspace().crosshairLps(), .normalLps = {0.0, -1.0, 0.0}, .on = true};

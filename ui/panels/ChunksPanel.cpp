@@ -182,7 +182,7 @@ QString ChunksPanel::summary() const
     const Chunks& chunks = m_workspace.chunks();
     if (chunks.isWorking())
         return tr("working …");
-    return chunks.map() ? tr("%1 chunks").arg(QLocale().toString(chunks.count())) : QString();
+    return chunks.map() ? tr("%1 chunks").arg(QLocale().toString(chunks.shownCount())) : QString();
 }
 
 void ChunksPanel::show()
@@ -210,14 +210,14 @@ void ChunksPanel::show()
         const QSignalBlocker opacity(m_opacity);
         m_shown->setChecked(look.shown);
         m_count->setValue(sliderOf(look.count));
-        m_countText->setText(QLocale().toString(chunks.map() ? chunks.count() : look.count));
+        m_countText->setText(QLocale().toString(chunks.map() ? chunks.shownCount() : look.count));
         m_opacity->setValue(int(std::lround(100.0f * look.opacity)));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
         m_bodies->setCurrentIndex(int(look.bodies));
         m_state->setText(chunks.map()
                 ? tr("%1 has %2 of %3 chunks")
                       .arg(divided->name, QLocale().toString(chunks.ownCount()),
-                          QLocale().toString(chunks.count()))
+                          QLocale().toString(chunks.shownCount()))
                 : tr("%1 is divided").arg(divided->name));
     }
     Q_EMIT summaryChanged(summary());
