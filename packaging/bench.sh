@@ -10,6 +10,7 @@
 #   packaging/bench.sh --grow      growing only
 #   packaging/bench.sh --history   the history only
 #   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix
+#   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
@@ -18,8 +19,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --decode | --frames | --grow | --history | --load | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--sculpt]" ;;
+        --json | --decode | --frames | --grow | --history | --load | --refine | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--refine] [--sculpt]" ;;
     esac
 done
 

@@ -7,6 +7,7 @@
 #include "tests/benchmarks/HistoryBenchmark.h"
 #include "tests/benchmarks/LoadBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
+#include "tests/benchmarks/RefineBenchmark.h"
 #include "tests/benchmarks/SculptBenchmark.h"
 #include "tests/benchmarks/SteeringBenchmark.h"
 #include "ui/ErrorText.h"
@@ -47,7 +48,8 @@ const std::vector<Group>& groups()
     static const std::vector<Group> all{{"--frames", {measurePeers}},
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
-        {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}}};
+        {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}},
+        {"--refine", {bench::measureRefining}}};
     return all;
 }
 
