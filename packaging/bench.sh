@@ -11,6 +11,7 @@
 #   packaging/bench.sh --history   the history only
 #   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix
 #   packaging/bench.sh --plane     a cutting plane with a contour only, against VTK's filters
+#   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
@@ -19,8 +20,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --decode | --frames | --grow | --history | --load | --plane | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--plane] [--sculpt]" ;;
+        --json | --decode | --frames | --grow | --history | --load | --plane | --refine | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--plane] [--refine] [--sculpt]" ;;
     esac
 done
 

@@ -8,6 +8,7 @@
 #include "tests/benchmarks/LoadBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/benchmarks/PlaneBenchmark.h"
+#include "tests/benchmarks/RefineBenchmark.h"
 #include "tests/benchmarks/SculptBenchmark.h"
 #include "tests/benchmarks/SteeringBenchmark.h"
 #include "ui/ErrorText.h"
@@ -49,7 +50,7 @@ const std::vector<Group>& groups()
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
         {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}},
-        {"--plane", {bench::measurePlanes}}};
+        {"--plane", {bench::measurePlanes}}, {"--refine", {bench::measureRefining}}};
     return all;
 }
 
