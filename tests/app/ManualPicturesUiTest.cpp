@@ -262,46 +262,6 @@ private Q_SLOTS:
         keep("cutting-plane.png");
     }
 
-    void templateShape()
-    {
-        openLesion();
-        // A lobe is missing behind and above.
-        for (const auto& [mark, radiusMm] : {std::pair(core::SurfaceMark::Green, 30.0),
-                 std::pair(core::SurfaceMark::Red, 17.0)})
-            apply(core::MarkSurface{
-                .mark = mark, .path = {.radiusMm = radiusMm, .pointsLps = {{8, 2, 66}}}});
-        window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
-        ui::Refinement& refinement = workspace().refinement();
-        refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
-        take<ui::RefineTool>();
-        const auto lobe = [](const glm::dvec3& along) {
-            std::vector<glm::dvec3> line;
-            for (int i = -8; i <= 8; ++i) {
-                const double away = 2.0 * i;
-                line.push_back(glm::dvec3(8, 2, 76.0 - 0.07 * away * away) + away * along);
-            }
-            return line;
-        };
-        const glm::dvec3 across = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
-        const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
-        refinement.addContour(lobe(along));
-        refinement.addContour(lobe(across));
-        ui::CuttingPlane& plane = workspace().plane();
-        QVERIFY(plane.passThrough(
-            glm::dvec3(8, 2, 79), glm::dvec3(8, 2, 20), glm::dvec3(8, 2, 50) + 20.0 * across));
-        ui::CuttingPlane::Look look = plane.look();
-        look.clipsAbove = true;
-        plane.setLook(look);
-        window().views().volume().lookFrom(
-            glm::normalize(-plane.pose().normalLps() + glm::dvec3(0.2, 0.0, 0.45)));
-        refinement.previewTemplate();
-        QTest::qWait(2000);
-        QVERIFY(wait([this] { return window().views().refined(); }));
-        keep("template.png");
-        refinement.dropPreview();
-        QVERIFY(waitUntilDrawn());
-    }
-
     void chunksOfALiver()
     {
         const test::SharedCase body = test::sharedCase(QStringLiteral("ct_totalseg_body_3mm"));
