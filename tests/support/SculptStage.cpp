@@ -208,6 +208,11 @@ double SculptStage::fullFrameMs(const gpu::VolumeScene& scene, const glm::ivec2&
         .renderMilliseconds;
 }
 
+void SculptStage::show(const core::SurfaceUpdate& surface)
+{
+    m_engine->frames().updateSurface(surface);
+}
+
 QImage SculptStage::draw(
     const gpu::VolumeScene& scene, const glm::ivec2& size, const gpu::SegmentDisplay& segments)
 {

@@ -32,6 +32,8 @@ public:
         const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm);
     /// What the first picture of full resolution takes.
     [[nodiscard]] double fullFrameMs(const gpu::VolumeScene& scene, const glm::ivec2& size);
+    /// The surface that is refined, as scenes show it from then on.
+    void show(const core::SurfaceUpdate& surface);
     /// The finest picture.
     [[nodiscard]] QImage draw(const gpu::VolumeScene& scene, const glm::ivec2& size,
         const gpu::SegmentDisplay& segments = {});
