@@ -6,6 +6,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/SmallStudy.h"
+#include "ui/CuttingPlane.h"
 #include "ui/DisplayState.h"
 #include "ui/LayerLooks.h"
 #include "ui/MainWindow.h"
@@ -160,6 +161,8 @@ private:
         camera.targetLps += glm::dvec3(2.0, 0.0, -1.0);
         views.volume().setCamera(camera);
         views.axial().setPlace({.centreLps = {4.0, 1.0, 0.0}, .mmPerPixel = 0.05});
+        workspace.plane().cutAcross({1.0, 2.0, 118.0}, {0.3, 1.0, 0.4});
+        workspace.plane().setLook({.shown = true, .opacity = 0.4f, .clipsAbove = true});
         views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
         for (ui::Tool* tool : application.window().findChildren<ui::Tool*>()) {
             if (tool->iconName() == QLatin1String("seed"))
@@ -266,6 +269,32 @@ private Q_SLOTS:
         QVERIFY(views.volume().camera().towardsViewer == from);
         QVERIFY(views.volume().fitted());
         QVERIFY(!views.axial().place());
+    }
+
+    /// The cutting plane where it was, and the pen view beside the stage.
+    void thePlaneComesBack()
+    {
+        ui::CuttingPlane::Pose pose;
+        {
+            const auto application = opened();
+            ui::CuttingPlane& plane = application->workspace().plane();
+            plane.cutAcross({1.0, 2.0, 118.0}, {0.3, 1.0, 0.4});
+            pose = plane.pose();
+            application->window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
+            application->window().views().plane().setPlace(
+                {.centreLps = {4.0, 1.0, 118.0}, .mmPerPixel = 0.04});
+        }
+        const auto application = opened();
+        const ui::ViewGrid& views = application->window().views();
+        const ui::CuttingPlane& plane = application->workspace().plane();
+        QVERIFY(plane.look().shown);
+        for (const auto& [was, is] : {std::pair(pose.centreLps, plane.pose().centreLps),
+                 std::pair(pose.rightLps, plane.pose().rightLps),
+                 std::pair(pose.downLps, plane.pose().downLps)})
+            QVERIFY(glm::distance(was, is) < 1e-9);
+        QCOMPARE(views.arrangement(), ui::ViewGrid::Layout::PenAndStage);
+        QVERIFY(views.plane().isVisible() && !views.axial().isVisible());
+        QCOMPARE(views.plane().place()->mmPerPixel, 0.04);
     }
 
     /// Looking alone writes nothing; neither does a session that was never looked at lack anything.

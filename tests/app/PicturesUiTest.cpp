@@ -143,6 +143,8 @@ void PicturesUiTest::noViewIsBlack()
     QVERIFY(real.waitUntilRefined());
     const QImage whole = real.window.grab().toImage();
     for (const ui::ImageView* view : real.window.views().views()) {
+        if (!view->isVisible())
+            continue;
         const QRect place(view->mapTo(&real.window, QPoint()), view->size());
         std::set<QRgb> colours;
         int lit = 0;
@@ -174,7 +176,7 @@ void PicturesUiTest::markersLieWhereTheLettersSay()
     const core::WindowLevel window = real.workspace.windowLevel();
     for (const ui::ImageView* view : real.window.views().views()) {
         const ui::ViewContext shown = view->shownContext();
-        if (!shown.isSlice())
+        if (!view->isVisible() || !shown.isSlice())
             continue;
         const auto& scene = std::get<gpu::SliceScene>(shown.scene);
         const QPointF middle(view->width() / 2.0, view->height() / 2.0);
@@ -221,7 +223,7 @@ void PicturesUiTest::crosshairIsOneVoxelInEveryView()
         real.workspace.setCrosshairLps(marker.centreLps);
         QVERIFY(real.waitUntilRefined());
         for (const ui::ImageView* view : real.window.views().views()) {
-            if (!view->shownContext().isSlice())
+            if (!view->isVisible() || !view->shownContext().isSlice())
                 continue;
             QVERIFY(std::abs(greyAt(*view, view->crosshairPixel())
                         - greyOf(marker.value, real.workspace.windowLevel()))
@@ -301,7 +303,7 @@ void PicturesUiTest::whatTheVolumeViewShowsIsInTheSlices()
         QVERIFY(std::hypot(cross.x() - pixel.x(), cross.y() - pixel.y())
             <= voxelMm / shown.mmPerPixel());
         for (const ui::ImageView* slice : real.window.views().views()) {
-            if (!slice->shownContext().isSlice())
+            if (!slice->isVisible() || !slice->shownContext().isSlice())
                 continue;
             QVERIFY2(std::abs(greyAt(*slice, slice->crosshairPixel())
                          - greyOf(marker.value, real.workspace.windowLevel()))

@@ -87,7 +87,7 @@ private:
         }
         const glm::dvec3 middle = 0.5 * (low + high);
         gpu::VolumeScene view =
-            test::sceneOf(test::viewFrom(from, middle, 1.05 * glm::length(high - low)));
+            test::sceneOf(test::viewFrom(from, middle, 0.85 * glm::length(high - low)));
         view.surfaceThreshold = 1e5; // no matter: the surface alone, before a plane of grey values
         view.surface = gpu::SceneSurface{};
         view.surface->colours.rgb = 0x7FA6D8;
