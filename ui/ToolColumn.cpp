@@ -12,7 +12,7 @@ namespace ui {
 namespace {
 
 constexpr int namedHeight = 48;
-constexpr int iconHeight = 32;
+constexpr int iconHeight = 30;
 
 } // namespace
 
@@ -23,7 +23,7 @@ ToolColumn::ToolColumn(QWidget* parent)
     setProperty("role", QStringLiteral("panel"));
     setObjectName(QStringLiteral("toolColumn"));
     m_layout->setContentsMargins(1, theme::smallPadding, 1, theme::smallPadding);
-    m_layout->setSpacing(4);
+    m_layout->setSpacing(3);
     m_layout->addStretch(1);
     // The buttons follow the column's height, not the other way round.
     m_layout->setSizeConstraint(QLayout::SetNoConstraint);

@@ -73,7 +73,7 @@ public:
     void settleOpen()
     {
         QTest::qWait(20);
-        for (int i = 0; i < 200 && refinement().isPreviewing() && apartFrom({15, 0, 0}) > 1.5; ++i)
+        for (int i = 0; i < 1500 && refinement().isPreviewing() && apartFrom({15, 0, 0}) > 1.5; ++i)
             QTest::qWait(20);
     }
     void markTheLeft()
