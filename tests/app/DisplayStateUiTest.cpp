@@ -6,6 +6,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/SmallStudy.h"
+#include "ui/Chunks.h"
 #include "ui/CuttingPlane.h"
 #include "ui/DisplayState.h"
 #include "ui/LayerLooks.h"
@@ -161,6 +162,10 @@ private:
         camera.targetLps += glm::dvec3(2.0, 0.0, -1.0);
         views.volume().setCamera(camera);
         views.axial().setPlace({.centreLps = {4.0, 1.0, 0.0}, .mmPerPixel = 0.05});
+        ui::Chunks::Look chunks = workspace.chunks().look();
+        chunks.count += 100;
+        chunks.opacity = 0.7f;
+        workspace.chunks().setLook(chunks);
         workspace.plane().cutAcross({1.0, 2.0, 118.0}, {0.3, 1.0, 0.4});
         workspace.plane().setLook({.shown = true, .opacity = 0.4f, .clipsAbove = true});
         views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
