@@ -3,6 +3,7 @@
 #include "core/refine/tools/ToolBehaviour.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace core {
 
@@ -45,6 +46,8 @@ public:
     /// in which the others lag.
     void beginStep(const SimplexMesh& mesh) override
     {
+        if (m_shape && !m_shape->isBody())
+            relax(mesh);
         double mostMm = 0.0;
         for (VertexId id = 0; id < m_parts.size() && m_shape && !m_shape->isBody(); ++id) {
             if (m_parts[id].isRegion && mesh.hasVertex(id))
@@ -106,6 +109,27 @@ private:
         bool isRegion = false;
         bool isAdopted = false; ///< seen in a step
     };
+
+    /// A step towards each being in the middle of its neighbours in the template's plane: what
+    /// restructuring puts in between would stand there in folds.
+    void relax(const SimplexMesh& mesh)
+    {
+        std::vector<std::pair<VertexId, glm::dvec2>> moved;
+        for (VertexId id = 0; id < m_parts.size(); ++id) {
+            if (!m_parts[id].isRegion || !mesh.hasVertex(id))
+                continue;
+            glm::dvec2 sum(0.0);
+            for (const VertexId near : mesh.neighbours(id))
+                sum += near < m_parts.size() && m_parts[near].isRegion
+                    ? m_parts[near].place
+                    : m_shape->placeOf(mesh.position(near));
+            moved.emplace_back(id, sum / 3.0);
+        }
+        for (const auto& [id, place] : moved) {
+            m_parts[id].place = place;
+            m_parts[id].target = m_shape->at(place);
+        }
+    }
 
     void grow(const SimplexMesh& mesh)
     {
