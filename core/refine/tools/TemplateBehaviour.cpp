@@ -27,6 +27,12 @@ public:
             m_parts[id].place = m_shape->places()[i];
             m_parts[id].target = m_shape->at(m_parts[id].place);
         }
+        if (m_shape->isBody())
+            return;
+        for (const VertexId id : m_shape->region()) {
+            for (const VertexId near : mesh.neighbours(id))
+                static_cast<void>(placeOf(mesh, near));
+        }
     }
 
     double walkMm(double /*pressure*/) const override { return 1e9; }
@@ -94,7 +100,7 @@ public:
             part.isRegion = part.isRegion || isKnown;
             if (m_shape->isBody())
                 continue;
-            sum += isKnown ? m_parts[near].place : m_shape->placeOf(mesh.position(near));
+            sum += placeOf(mesh, near);
         }
         if (!part.isRegion || m_shape->isBody())
             return;
@@ -107,22 +113,41 @@ private:
         glm::dvec2 place{0.0}; ///< in the template's plane
         glm::dvec3 target{0.0};
         bool isRegion = false;
+        bool isBorder = false; ///< not of it, but with a place
         bool isAdopted = false; ///< seen in a step
     };
+
+    /// Of a vertex beside the region that in which it was first met: where it is drawn along, the
+    /// region would shrink after it.
+    [[nodiscard]] glm::dvec2 placeOf(const SimplexMesh& mesh, VertexId id)
+    {
+        Part& part = m_parts[id];
+        if (!part.isRegion && !part.isBorder) {
+            part.isBorder = true;
+            part.place = m_shape->placeOf(mesh.position(id));
+        }
+        return part.place;
+    }
 
     /// A step towards each being in the middle of its neighbours in the template's plane: what
     /// restructuring puts in between would stand there in folds.
     void relax(const SimplexMesh& mesh)
     {
+        grow(mesh);
         std::vector<std::pair<VertexId, glm::dvec2>> moved;
         for (VertexId id = 0; id < m_parts.size(); ++id) {
             if (!m_parts[id].isRegion || !mesh.hasVertex(id))
                 continue;
+            const auto neighbours = mesh.neighbours(id);
+            // One that has just been made gets its place in this step.
+            if (std::any_of(neighbours.begin(), neighbours.end(), [this](VertexId near) {
+                    const Part& part = m_parts[near];
+                    return !part.isRegion && !part.isBorder && !part.isAdopted;
+                }))
+                continue;
             glm::dvec2 sum(0.0);
-            for (const VertexId near : mesh.neighbours(id))
-                sum += near < m_parts.size() && m_parts[near].isRegion
-                    ? m_parts[near].place
-                    : m_shape->placeOf(mesh.position(near));
+            for (const VertexId near : neighbours)
+                sum += placeOf(mesh, near);
             moved.emplace_back(id, sum / 3.0);
         }
         for (const auto& [id, place] : moved) {

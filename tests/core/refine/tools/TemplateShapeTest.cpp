@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/TemplateShape.h"
+#include "core/refine/BoundaryForce.h"
 #include "core/refine/BoxMask.h"
 #include "core/refine/InitialFit.h"
 #include "core/refine/MeshRestructuring.h"
@@ -98,6 +99,7 @@ private Q_SLOTS:
     void aFaultyCapIsMended_data();
     void aFaultyCapIsMended();
     void aTallLobeHasNoFolds();
+    void theBorderStaysWhereItIsYellow();
     void aBodyOnCrossingPlanes();
     void whatIsRefused();
 };
@@ -280,6 +282,50 @@ void TemplateShapeTest::aTallLobeHasNoFolds()
     QVERIFY(folds <= 2); // at the rim; writing back mends these
     QVERIFY(leastAlong > 0.8);
     QVERIFY(worstMm < 3.0); // between the contours the spline is free
+}
+
+/// Few vertices, and a mask that the yellow ones beside the region go on following: they are drawn
+/// along for a while, and the region must not shrink after them.
+void TemplateShapeTest::theBorderStaysWhereItIsYellow()
+{
+    core::VolumeGeometry grid;
+    grid.size = glm::ivec3(40);
+    grid.indexToWorld[3] = {-20.0, -20.0, -20.0, 1.0};
+    std::vector<std::uint8_t> labels;
+    for (int z = 0; z < grid.size.z; ++z)
+        for (int y = 0; y < grid.size.y; ++y)
+            for (int x = 0; x < grid.size.x; ++x)
+                labels.push_back(glm::length(grid.toWorld(glm::dvec3(x, y, z))) <= 10.0 ? 1 : 0);
+    const core::BoxMask mask = core::BoxMask::of(labels, 1, grid.size);
+    core::SimplexMesh mesh = *core::initialFit(mask, grid, {.vertices = 800}, {});
+    const core::BoundaryForce boundary(mask, grid, 4.0);
+    const glm::dvec3 side(10.0, 0.0, 0.0);
+    markRed(mesh, [&](const glm::dvec3& at) { return glm::distance(at, side) < 7.0; });
+    const auto reds = [&] {
+        const auto ids = mesh.vertexIds();
+        return std::count_if(ids.begin(), ids.end(),
+            [&](core::VertexId id) { return mesh.mark(id) == core::SurfaceMark::Red; });
+    };
+    const auto before = reds();
+    core::TemplateTool tool;
+    for (const glm::dvec3& along : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+        core::TemplateContour& contour = tool.contours.emplace_back();
+        for (int i = -8; i <= 8; ++i) {
+            const double away = 0.75 * i;
+            contour.pointsLps.push_back(
+                glm::dvec3(15.0 - 0.14 * away * away, 0.0, 0.0) + away * along);
+        }
+    }
+    core::SurfaceStroke stroke(mesh, &boundary, tool, {.reddens = true});
+    stroke.add({});
+    stroke.commit();
+    double leastMm = 1e9;
+    for (const core::VertexId id : mesh.vertexIds())
+        leastMm = std::min(leastMm, glm::distance(mesh.position(id), glm::dvec3(15.0, 0.0, 0.0)));
+    qInfo("the top is missed by %.2f mm, %d red ones before, %d after", leastMm, int(before),
+        int(reds()));
+    QVERIFY(leastMm < 1.0);
+    QVERIFY(reds() > before);
 }
 
 /// A lobe is missing: closed contours on two planes say what it is.
