@@ -28,8 +28,10 @@ public:
         const core::ImportMask larger =
             test::ballMask(glm::ivec3(test::smallHead::side), radius + 1.0);
         truth.assign(workspace.volume()->geometry.voxelCount(), 0);
-        for (const core::VoxelRun& run :
-            core::unpackedRuns(larger.segments->front().voxels, truth.size())->runs())
+        // Named: as a temporary of the loop's range it would be gone before the first turn.
+        const std::optional<core::VoxelRuns> runs =
+            core::unpackedRuns(larger.segments->front().voxels, truth.size());
+        for (const core::VoxelRun& run : runs->runs())
             std::fill_n(truth.begin() + std::ptrdiff_t(run.first), run.count, std::uint8_t(1));
         QFile file(path());
         if (!file.open(QIODevice::WriteOnly))
