@@ -108,6 +108,11 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
 std::vector<char> readVoxels(const nifti_image& image, const QString& path)
 {
     const auto bytes = std::size_t(image.nvox) * std::size_t(image.nbyper);
+    // A few bytes may claim gigabytes: what the file cannot hold is not asked of memory either.
+    constexpr std::size_t mostPerPackedByte = 1032; // deflate's limit
+    const auto stored = std::size_t(QFileInfo(path).size());
+    if (bytes > stored * (nifti_is_gzfile(image.iname) ? mostPerPackedByte : 1))
+        return {};
     znzFile file = znzopen(QFile::encodeName(path).constData(), "rb", nifti_is_gzfile(image.iname));
     if (znz_isnull(file))
         return {};
@@ -198,7 +203,8 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
         voxels.slope = double(image->scl_slope);
         voxels.intercept = double(image->scl_inter);
     }
-    if (image->cal_max > image->cal_min) {
+    if (image->cal_max > image->cal_min && std::isfinite(image->cal_max)
+        && std::isfinite(image->cal_min)) {
         voxels.window = {.centre = (double(image->cal_max) + double(image->cal_min)) / 2.0,
             .width = double(image->cal_max) - double(image->cal_min)};
     }

@@ -22,6 +22,15 @@ namespace {
 
 constexpr int codeCount = VoxelEncoding::codeCount;
 
+/// Whether it is a number that was measured. Programs mark what they have no value for with NaN,
+/// with infinity or with the largest number there is; on one scale with such a one all others
+/// would be the same, and what is worked out from it is beyond float or even double.
+bool isMeasured(double value)
+{
+    constexpr double most = 1e30;
+    return std::abs(value) <= most;
+}
+
 std::size_t sliceSize(const Volume& volume)
 {
     return std::size_t(volume.geometry.size.x) * std::size_t(volume.geometry.size.y);
@@ -55,7 +64,7 @@ void encodeValues(LoadedVolume& loaded,
         double high = -low;
         bool allWhole = true;
         for (const double value : values) {
-            if (!std::isfinite(value))
+            if (!isMeasured(value))
                 continue;
             low = std::min(low, value);
             high = std::max(high, value);
@@ -87,7 +96,7 @@ void encodeValues(LoadedVolume& loaded,
         bool numbers = true;
         for (std::size_t voxel = 0; voxel < size; ++voxel) {
             const double value = values[voxel];
-            const bool isNumber = std::isfinite(value);
+            const bool isNumber = isMeasured(value);
             numbers = numbers && isNumber;
             const double position = isNumber ? std::round((value - least) / step) : 0.0;
             code[voxel] = std::uint16_t(std::clamp(position, 0.0, double(codeCount - 1)));

@@ -10,10 +10,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/resource.h>
 #include <zlib.h>
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace {
 
@@ -103,6 +105,14 @@ template <class T> QByteArray hashAs(const core::LoadedVolume& loaded)
 } // namespace
 
 /// NIfTI volumes: their place, their values, their refusals.
+/// The most that this program has had.
+long peakMemoryKb()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
+
 class NiftiReaderTest : public QObject {
     Q_OBJECT
 
@@ -116,7 +126,9 @@ private Q_SLOTS:
     void wideIntegersStayExact();
     void fractionsStateTheirError();
     void notANumberIsTold();
+    void theLargestNumberMarksWhatIsMissing();
     void damagedFilesAreNamed();
+    void whatItCannotHoldIsNotAskedOfMemory();
     void compressedLikePlain();
     void nextToDicomOnlyByName();
 
@@ -305,6 +317,23 @@ void NiftiReaderTest::notANumberIsTold()
     QVERIFY(!loaded->volume.problems.empty());
 }
 
+void NiftiReaderTest::theLargestNumberMarksWhatIsMissing()
+{
+    constexpr double most = std::numeric_limits<double>::max();
+    const core::Result<core::LoadedVolume> loaded =
+        openBytes(makeNifti<double>(64, obliqueGeometry(), [](int n) {
+            if (n < 2)
+                return n == 0 ? most : -most;
+            return double(n);
+        }));
+    QVERIFY(loaded);
+    QCOMPARE(loaded->volume.minimum, 2.0);
+    QCOMPARE(loaded->volume.maximum, 59.0);
+    QCOMPARE(valueAt(*loaded, 0), 2.0);
+    QCOMPARE(valueAt(*loaded, 30), 30.0);
+    QVERIFY(!loaded->volume.problems.empty());
+}
+
 void NiftiReaderTest::damagedFilesAreNamed()
 {
     const QByteArray sound =
@@ -339,6 +368,21 @@ void NiftiReaderTest::damagedFilesAreNamed()
         || codeOf(huge) == core::ErrorCode::FileTruncated
         || codeOf(huge) == core::ErrorCode::Internal);
     QVERIFY(!openBytes(huge));
+}
+
+void NiftiReaderTest::whatItCannotHoldIsNotAskedOfMemory()
+{
+    // Half a gigabyte is claimed.
+    QByteArray claim =
+        makeNifti<std::int16_t>(4, obliqueGeometry(), [](int n) { return std::int16_t(n); });
+    put<std::int16_t>(claim, atDim + 2, 16384);
+    put<std::int16_t>(claim, atDim + 4, 16384);
+    put<std::int16_t>(claim, atDim + 6, 1);
+    const long before = peakMemoryKb();
+    const core::Result<core::LoadedVolume> loaded = openBytes(claim);
+    QVERIFY(!loaded);
+    QCOMPARE(loaded.error().code, core::ErrorCode::FileTruncated);
+    QVERIFY(peakMemoryKb() - before < (1 << 18));
 }
 
 void NiftiReaderTest::compressedLikePlain()
