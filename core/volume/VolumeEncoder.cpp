@@ -81,8 +81,10 @@ void encodeValues(LoadedVolume& loaded,
     }
     // Whole numbers within 16 bits are their own exact scale.
     const bool exact = whole && greatest - least < codeCount && std::abs(least) < 1e9;
-    const double step =
-        exact ? 1.0 : (greatest > least ? (greatest - least) / (codeCount - 1) : 1.0);
+    // What differs by less is the same: a step may be neither 0 nor beyond float.
+    constexpr double leastStep = 1e-30;
+    const double spread = (greatest - least) / (codeCount - 1);
+    const double step = exact || spread < leastStep ? 1.0 : spread;
     volume.encoding = exact ? VoxelEncoding{.storedAtCodeZero = int(least)}
                             : VoxelEncoding{.rescaleSlope = step, .rescaleIntercept = least};
 

@@ -127,6 +127,7 @@ private Q_SLOTS:
     void fractionsStateTheirError();
     void notANumberIsTold();
     void theLargestNumberMarksWhatIsMissing();
+    void whatHardlyDiffersIsTheSame();
     void damagedFilesAreNamed();
     void whatItCannotHoldIsNotAskedOfMemory();
     void compressedLikePlain();
@@ -332,6 +333,15 @@ void NiftiReaderTest::theLargestNumberMarksWhatIsMissing()
     QCOMPARE(valueAt(*loaded, 0), 2.0);
     QCOMPARE(valueAt(*loaded, 30), 30.0);
     QVERIFY(!loaded->volume.problems.empty());
+}
+
+void NiftiReaderTest::whatHardlyDiffersIsTheSame()
+{
+    const core::Result<core::LoadedVolume> loaded = openBytes(
+        makeNifti<double>(64, obliqueGeometry(), [](int n) { return n == 3 ? 5e-324 : 0.0; }));
+    QVERIFY(loaded);
+    QCOMPARE(valueAt(*loaded, 3), 0.0);
+    QCOMPARE(valueAt(*loaded, 4), 0.0);
 }
 
 void NiftiReaderTest::damagedFilesAreNamed()
