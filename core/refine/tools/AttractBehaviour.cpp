@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/refine/InternalForces.h"
 #include "core/refine/tools/GreyBox.h"
 #include "core/refine/tools/ToolBehaviour.h"
 
@@ -10,6 +11,16 @@ namespace {
 
 /// Of the way to the edge, in a step.
 constexpr double share = 0.5;
+
+/// Outwards, with a share of its neighbours' ones: of length 1, or 0.
+glm::dvec3 evenNormal(const SimplexMesh& mesh, VertexId id)
+{
+    glm::dvec3 sum = 3.0 * frameAt(mesh, id).normalLps;
+    for (const VertexId near : mesh.neighbours(id))
+        sum += frameAt(mesh, near).normalLps;
+    const double length = glm::length(sum);
+    return length > 0.0 ? sum / length : glm::dvec3(0.0);
+}
 
 class AttractBehaviour final : public ToolBehaviour {
 public:
@@ -34,9 +45,8 @@ public:
             if (!mesh.hasVertex(id) || mesh.mark(id) == SurfaceMark::Green
                 || glm::dot(way, way) > radiusMm * radiusMm)
                 continue;
-            Part& part = m_parts[id];
-            if (!part.isTouched)
-                part = {.from = mesh.position(id), .last = mesh.position(id), .isTouched = true};
+            if (!m_parts[id].isTouched)
+                touch(mesh, id);
             reached.push_back(id);
         }
         return reached;
@@ -48,15 +58,12 @@ public:
         if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isTouched)
             return std::nullopt;
         Part& part = m_parts[point.vertex];
-        // Looked for from where it was: from where it is now it would go on from edge to edge.
         const double goneMm = glm::dot(point.positionLps - part.from, point.normalLps);
-        const auto edgeMm = m_tool.grey->edgeAlongMm(
-            point.positionLps - goneMm * point.normalLps, point.normalLps, m_tool.reachMm);
         part.last = placeLps;
-        if (edgeMm) {
+        if (part.edgeMm) {
             const double strideMm = m_scale.strideMm(point);
             part.last +=
-                share * std::clamp(*edgeMm - goneMm, -strideMm, strideMm) * point.normalLps;
+                share * std::clamp(*part.edgeMm - goneMm, -strideMm, strideMm) * point.normalLps;
         }
         return Grip{.placeLps = part.last};
     }
@@ -69,24 +76,119 @@ public:
         if (part.isTouched && part.last == mesh.position(id))
             return;
         glm::dvec3 gone(0.0);
+        double edgesMm = 0.0;
         int touched = 0;
+        int edges = 0;
         for (const VertexId near : mesh.neighbours(id)) {
             if (!m_parts[near].isTouched)
                 continue;
             gone += mesh.position(near) - m_parts[near].from;
             ++touched;
+            if (m_parts[near].edgeMm) {
+                edgesMm += *m_parts[near].edgeMm;
+                ++edges;
+            }
         }
-        part = {.from = mesh.position(id), .last = mesh.position(id), .isTouched = touched >= 2};
+        part = {};
+        known(mesh, id).isTouched = touched >= 2;
         if (part.isTouched)
             part.from -= gone / double(touched);
+        if (part.isTouched && edges > 0)
+            part.edgeMm = edgesMm / double(edges);
     }
 
 private:
+    /// Of a vertex, as it was when somebody first looked at it.
     struct Part {
-        glm::dvec3 from{0.0}; ///< where it was before
+        glm::dvec3 from{0.0};
+        glm::dvec3 normal{0.0}; ///< outwards
         glm::dvec3 last{0.0}; ///< where it was left
+        bool isKnown = false;
         bool isTouched = false;
+        bool isSeen = false;
+        EdgeProfile profile{}; ///< along the normal; no changes: nobody has looked
+        std::optional<double> seenMm{}; ///< an edge along the normal, if it was looked for
+        /// Where it goes along the normal. Looked for once: from where it is now it would go on
+        /// from edge to edge.
+        std::optional<double> edgeMm{};
     };
+
+    /// One line through noise sees edges everywhere, and neighbours would part for different ones.
+    /// So each looks at the mean of what those around it see, as noise is not common to them; and
+    /// goes where most of them would have it, along its own normal.
+    void touch(const SimplexMesh& mesh, VertexId id)
+    {
+        constexpr std::size_t fewest = 3;
+        Part& part = known(mesh, id);
+        part.isTouched = true;
+        std::vector<double> edgesMm;
+        for (const VertexId near : around(mesh, id, 2)) {
+            if (const auto edgeMm = seenMm(mesh, near)) {
+                const Part& other = m_parts[near];
+                edgesMm.push_back(
+                    glm::dot(other.from + *edgeMm * other.normal - part.from, part.normal));
+            }
+        }
+        if (edgesMm.size() < fewest) {
+            part.edgeMm = part.seenMm;
+            return;
+        }
+        const auto middle = edgesMm.begin() + std::ptrdiff_t(edgesMm.size() / 2);
+        std::nth_element(edgesMm.begin(), middle, edgesMm.end());
+        part.edgeMm = *middle;
+    }
+
+    Part& known(const SimplexMesh& mesh, VertexId id)
+    {
+        Part& part = m_parts[id];
+        if (!part.isKnown) {
+            part.from = part.last = mesh.position(id);
+            part.normal = evenNormal(mesh, id);
+            part.isKnown = true;
+        }
+        return part;
+    }
+
+    const EdgeProfile& profileAt(const SimplexMesh& mesh, VertexId id)
+    {
+        Part& part = known(mesh, id);
+        if (part.profile.changes.empty())
+            part.profile = m_tool.grey->profileAlong(part.from, part.normal, m_tool.reachMm);
+        return part.profile;
+    }
+
+    std::optional<double> seenMm(const SimplexMesh& mesh, VertexId id)
+    {
+        if (known(mesh, id).isSeen)
+            return m_parts[id].seenMm;
+        EdgeProfile mean = profileAt(mesh, id);
+        const std::vector<VertexId> others = around(mesh, id, 2);
+        for (std::size_t i = 1; i < others.size(); ++i) {
+            const std::vector<double>& changes = profileAt(mesh, others[i]).changes;
+            for (std::size_t k = 0; k < changes.size(); ++k)
+                mean.changes[k] += changes[k];
+        }
+        for (double& change : mean.changes)
+            change /= double(others.size());
+        m_parts[id].isSeen = true;
+        return m_parts[id].seenMm = mean.edgeMm();
+    }
+
+    /// A vertex, then those that are so many edges from it.
+    static std::vector<VertexId> around(const SimplexMesh& mesh, VertexId id, int rings)
+    {
+        std::vector<VertexId> found{id};
+        std::size_t first = 0;
+        for (int ring = 0; ring < rings; ++ring) {
+            for (const std::size_t end = found.size(); first < end; ++first) {
+                for (const VertexId near : mesh.neighbours(found[first])) {
+                    if (std::find(found.begin(), found.end(), near) == found.end())
+                        found.push_back(near);
+                }
+            }
+        }
+        return found;
+    }
 
     void grow(const SimplexMesh& mesh)
     {

@@ -42,21 +42,28 @@ double GreyBox::at(const glm::dvec3& placeLps) const
     return (1.0 - share.z) * front + share.z * back;
 }
 
-std::optional<double> GreyBox::edgeAlongMm(
+EdgeProfile GreyBox::profileAlong(
     const glm::dvec3& placeLps, const glm::dvec3& unitWay, double reachMm) const
 {
     constexpr int mostSteps = 400;
-    const int steps = std::min(mostSteps, int(std::ceil(reachMm / m_stepMm)));
-    // A change is taken over the width of two voxels, as grey values are linear between them.
     constexpr int half = 2;
-    const int pad = steps + half + 1;
+    // One more on either side, for what is steepest at the end.
+    const int steps = std::min(mostSteps, int(std::ceil(reachMm / m_stepMm))) + 1;
     std::vector<double> values;
-    values.reserve(std::size_t(2 * pad + 1));
-    for (int i = -pad; i <= pad; ++i)
+    values.reserve(std::size_t(2 * (steps + half) + 1));
+    for (int i = -steps - half; i <= steps + half; ++i)
         values.push_back(at(placeLps + double(i) * m_stepMm * unitWay));
-    const auto steepAt = [&](int i) {
-        return std::abs(values[std::size_t(i + pad + half)] - values[std::size_t(i + pad - half)]);
-    };
+    EdgeProfile profile{.stepMm = m_stepMm};
+    profile.changes.reserve(std::size_t(2 * steps + 1));
+    for (std::size_t i = 2 * half; i < values.size(); ++i)
+        profile.changes.push_back(values[i] - values[i - 2 * half]);
+    return profile;
+}
+
+std::optional<double> EdgeProfile::edgeMm() const
+{
+    const int steps = int(changes.size() / 2) - 1;
+    const auto steepAt = [&](int i) { return std::abs(changes[std::size_t(i + steps + 1)]); };
     const auto scoreAt = [&](int i) {
         const double far = double(i) / double(steps + 1);
         return steepAt(i) * (1.0 - far * far);
@@ -80,7 +87,7 @@ std::optional<double> GreyBox::edgeAlongMm(
     const double after = steepAt(best + 1);
     const double bend = before - 2.0 * steepAt(best) + after;
     const double off = bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
-    return (double(best) + off) * m_stepMm;
+    return (double(best) + off) * stepMm;
 }
 
 } // namespace core

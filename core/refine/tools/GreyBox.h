@@ -10,6 +10,18 @@
 
 namespace core {
 
+/// How grey values change along a line, in codes; upwards is positive.
+struct EdgeProfile {
+    double stepMm = 0.0; ///< from one to the next
+    /// Odd in number; the middle one is at the place that was looked at. Each over the width of two
+    /// voxels, as grey values are linear between them.
+    std::vector<double> changes{};
+
+    /// How far from the place, along the line, they change most, by how steep that is and how near;
+    /// none: they do not change by a code anywhere.
+    [[nodiscard]] std::optional<double> edgeMm() const;
+};
+
 /// Grey codes of a box of voxels, linear between their centres: a copy that a thread of its own may
 /// read, for tools that look for edges. Beyond the box all is as at its rim.
 class GreyBox {
@@ -22,9 +34,8 @@ public:
 
     [[nodiscard]] double at(const glm::dvec3& placeLps) const;
 
-    /// How far along a line the grey value changes most within reach, by how steep that is and how
-    /// near; none: it does not change by a code anywhere.
-    [[nodiscard]] std::optional<double> edgeAlongMm(
+    /// How grey values change along a line, from so far before a place to so far behind it.
+    [[nodiscard]] EdgeProfile profileAlong(
         const glm::dvec3& placeLps, const glm::dvec3& unitWay, double reachMm) const;
 
 private:

@@ -2,6 +2,7 @@
 #include "core/refine/tools/SurfaceStroke.h"
 #include "core/refine/BoundaryForce.h"
 #include "core/refine/MeshRestructuring.h"
+#include "core/refine/SelfIntersections.h"
 #include "core/refine/SimplexDual.h"
 #include "core/refine/SurfaceDelta.h"
 #include "core/refine/tools/GreyBox.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 namespace {
 
@@ -85,6 +87,7 @@ private Q_SLOTS:
     void aDraggedVertexCanBeDraggedAgain();
     void smoothingEvensAndKeepsTheVolume();
     void edgesAttract();
+    void edgesAttractThroughNoise();
     void attractionReachesNoFartherThanItLooks();
     void paintedYellowGoesBackToTheMask();
     void yellowGoesBackRedStays();
@@ -340,9 +343,9 @@ void SurfaceStrokeTest::edgesAttract()
     QCOMPARE(grey.at({0, 0, 0}), 900.0);
     QCOMPARE(grey.at({22, 0, 0}), 500.0);
     QCOMPARE(grey.at({22.5, 0, 0}), 0.5 * (500.0 + 217.0));
-    QVERIFY(std::abs(*grey.edgeAlongMm({20, 0, 0}, {1, 0, 0}, 5.0) - 2.0) < 0.25);
-    QVERIFY(std::abs(*grey.edgeAlongMm({24, 0, 0}, {1, 0, 0}, 5.0) + 2.0) < 0.25);
-    QVERIFY(!grey.edgeAlongMm({100, 0, 0}, {1, 0, 0}, 5.0));
+    QVERIFY(std::abs(*grey.profileAlong({20, 0, 0}, {1, 0, 0}, 5.0).edgeMm() - 2.0) < 0.25);
+    QVERIFY(std::abs(*grey.profileAlong({24, 0, 0}, {1, 0, 0}, 5.0).edgeMm() + 2.0) < 0.25);
+    QVERIFY(!grey.profileAlong({100, 0, 0}, {1, 0, 0}, 5.0).edgeMm());
     core::SimplexMesh mesh = redBall();
     stroke(mesh, core::AttractTool{.radiusMm = 12.0, .reachMm = 5.0, .grey = &grey},
         {{.placeLps = {20, 0, 0}}});
@@ -354,6 +357,70 @@ void SurfaceStrokeTest::edgesAttract()
     qInfo("worst %.3f mm off the edge", worst);
     QVERIFY(worst < 0.3);
     QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+}
+
+/// A step of 60 under noise of 30, and a surface that runs up and down by up to 2 mm about it.
+void SurfaceStrokeTest::edgesAttractThroughNoise()
+{
+    constexpr int side = 61;
+    test::ShapedMask made({side, side, side});
+    made.geometry.indexToWorld[3] = glm::dvec4(-30, -30, -30, 1);
+    std::vector<std::uint16_t> codes;
+    std::mt19937 random(11);
+    for (int z = 0; z < side; ++z) {
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                const double off = 21.0 - glm::distance(glm::dvec3(x, y, z), glm::dvec3(30));
+                // The sum of twelve such is about normal.
+                double noise = -6.0;
+                for (int i = 0; i < 12; ++i)
+                    noise += double(random()) / double(std::mt19937::max());
+                codes.push_back(std::uint16_t(
+                    std::lround(500.0 + 60.0 * std::clamp(0.5 + off, 0.0, 1.0) + 30.0 * noise)));
+            }
+        }
+    }
+    const core::GreyBox grey(made.geometry, glm::ivec3(0), glm::ivec3(side), codes);
+    core::SimplexMesh mesh = redBall();
+    {
+        core::SimplexMeshEdit edit(mesh);
+        for (const core::VertexId id : mesh.vertexIds()) {
+            const glm::dvec3 out = glm::normalize(mesh.position(id));
+            const double wave = std::sin(9.0 * out.y) * std::sin(9.0 * out.z);
+            edit.move(id, (21.0 + 2.0 * wave) * out);
+        }
+        edit.commit();
+    }
+    const auto looksOver = [&](const glm::dvec3& place) { return place.x > 15.0; };
+    const auto offEdge = [&] {
+        double sum = 0.0;
+        int count = 0;
+        for (const core::VertexId id : mesh.vertexIds()) {
+            if (!looksOver(mesh.position(id)))
+                continue;
+            sum += std::abs(glm::length(mesh.position(id)) - 21.0);
+            ++count;
+        }
+        return sum / count;
+    };
+    const double before = offEdge();
+    std::vector<core::SurfaceSample> samples;
+    for (int i = 0; i < 24; ++i) {
+        const double turn = 0.7 * i;
+        const double wide = 0.5 * i;
+        samples.push_back({.placeLps = {18.0, wide * std::cos(turn), wide * std::sin(turn)}});
+    }
+    stroke(mesh, core::AttractTool{.radiusMm = 7.0, .reachMm = 5.0, .grey = &grey}, samples);
+    double worst = 0.0;
+    for (const core::VertexId id : mesh.vertexIds()) {
+        if (looksOver(mesh.position(id)))
+            worst = std::max(worst, std::abs(glm::length(mesh.position(id)) - 21.0));
+    }
+    qInfo("%.2f mm off the edge in the mean before, %.2f after, %.2f at worst", before, offEdge(),
+        worst);
+    QVERIFY(offEdge() < 0.4 * before);
+    QVERIFY(worst < 2.0);
+    QVERIFY(core::selfIntersections(mesh, made.geometry).empty());
 }
 
 /// Behind each edge lies one that is four times as steep, within reach of the first, but not of
