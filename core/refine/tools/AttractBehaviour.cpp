@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/InternalForces.h"
+#include "core/refine/tools/EdgeTracks.h"
 #include "core/refine/tools/GreyBox.h"
 #include "core/refine/tools/ToolBehaviour.h"
 
@@ -22,11 +23,14 @@ glm::dvec3 evenNormal(const SimplexMesh& mesh, VertexId id)
     return length > 0.0 ? sum / length : glm::dvec3(0.0);
 }
 
+/// Edges are looked for once, from where the surface is when the stroke comes to it: from where it
+/// is later it would go on from edge to edge.
 class AttractBehaviour final : public ToolBehaviour {
 public:
     AttractBehaviour(const AttractTool& tool, const ToolScale& scale)
         : ToolBehaviour(scale)
         , m_tool(tool)
+        , m_tracks(1.5 * scale.edgeMm)
     {
     }
 
@@ -57,44 +61,25 @@ public:
     {
         if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isTouched)
             return std::nullopt;
-        Part& part = m_parts[point.vertex];
-        const double goneMm = glm::dot(point.positionLps - part.from, point.normalLps);
-        part.last = placeLps;
-        if (part.edgeMm) {
-            const double strideMm = m_scale.strideMm(point);
-            part.last +=
-                share * std::clamp(*part.edgeMm - goneMm, -strideMm, strideMm) * point.normalLps;
-        }
-        return Grip{.placeLps = part.last};
+        const auto leftMm = m_tracks.leftMm(point.positionLps);
+        // Forces alone would shrink what there is no edge for.
+        if (!leftMm)
+            return Grip{.placeLps = point.positionLps};
+        const double lengthMm = glm::length(*leftMm);
+        const double strideMm = std::min(lengthMm, m_scale.strideMm(point));
+        return Grip{.placeLps = lengthMm > 0.0 ? placeLps + share * strideMm / lengthMm * *leftMm
+                                               : placeLps};
     }
 
     void adopt(const SimplexMesh& mesh, VertexId id) override
     {
         grow(mesh);
-        Part& part = m_parts[id];
-        // It may be as well a vertex that is active for the first time.
-        if (part.isTouched && part.last == mesh.position(id))
-            return;
-        glm::dvec3 gone(0.0);
-        double edgesMm = 0.0;
-        int touched = 0;
-        int edges = 0;
-        for (const VertexId near : mesh.neighbours(id)) {
-            if (!m_parts[near].isTouched)
-                continue;
-            gone += mesh.position(near) - m_parts[near].from;
-            ++touched;
-            if (m_parts[near].edgeMm) {
-                edgesMm += *m_parts[near].edgeMm;
-                ++edges;
-            }
-        }
-        part = {};
-        known(mesh, id).isTouched = touched >= 2;
-        if (part.isTouched)
-            part.from -= gone / double(touched);
-        if (part.isTouched && edges > 0)
-            part.edgeMm = edgesMm / double(edges);
+        const auto& near = mesh.neighbours(id);
+        // It lies among those whose edges are known, and has none of its own to look for.
+        m_parts[id].isTouched =
+            m_parts[id].isTouched || std::count_if(near.begin(), near.end(), [&](VertexId other) {
+                return m_parts[other].isTouched;
+            }) >= 2;
     }
 
 private:
@@ -102,15 +87,11 @@ private:
     struct Part {
         glm::dvec3 from{0.0};
         glm::dvec3 normal{0.0}; ///< outwards
-        glm::dvec3 last{0.0}; ///< where it was left
         bool isKnown = false;
         bool isTouched = false;
         bool isSeen = false;
         EdgeProfile profile{}; ///< along the normal; no changes: nobody has looked
         std::optional<double> seenMm{}; ///< an edge along the normal, if it was looked for
-        /// Where it goes along the normal. Looked for once: from where it is now it would go on
-        /// from edge to edge.
-        std::optional<double> edgeMm{};
     };
 
     /// One line through noise sees edges everywhere, and neighbours would part for different ones.
@@ -122,27 +103,25 @@ private:
         Part& part = known(mesh, id);
         part.isTouched = true;
         std::vector<double> edgesMm;
-        for (const VertexId near : around(mesh, id, 2)) {
+        for (const VertexId near : around(mesh, id)) {
             if (const auto edgeMm = seenMm(mesh, near)) {
                 const Part& other = m_parts[near];
                 edgesMm.push_back(
                     glm::dot(other.from + *edgeMm * other.normal - part.from, part.normal));
             }
         }
-        if (edgesMm.size() < fewest) {
-            part.edgeMm = part.seenMm;
+        if (edgesMm.size() < fewest)
             return;
-        }
         const auto middle = edgesMm.begin() + std::ptrdiff_t(edgesMm.size() / 2);
         std::nth_element(edgesMm.begin(), middle, edgesMm.end());
-        part.edgeMm = *middle;
+        m_tracks.add(part.from, part.from + *middle * part.normal, part.normal);
     }
 
     Part& known(const SimplexMesh& mesh, VertexId id)
     {
         Part& part = m_parts[id];
         if (!part.isKnown) {
-            part.from = part.last = mesh.position(id);
+            part.from = mesh.position(id);
             part.normal = evenNormal(mesh, id);
             part.isKnown = true;
         }
@@ -162,7 +141,7 @@ private:
         if (known(mesh, id).isSeen)
             return m_parts[id].seenMm;
         EdgeProfile mean = profileAt(mesh, id);
-        const std::vector<VertexId> others = around(mesh, id, 2);
+        const std::vector<VertexId> others = around(mesh, id);
         for (std::size_t i = 1; i < others.size(); ++i) {
             const std::vector<double>& changes = profileAt(mesh, others[i]).changes;
             for (std::size_t k = 0; k < changes.size(); ++k)
@@ -174,12 +153,12 @@ private:
         return m_parts[id].seenMm = mean.edgeMm();
     }
 
-    /// A vertex, then those that are so many edges from it.
-    static std::vector<VertexId> around(const SimplexMesh& mesh, VertexId id, int rings)
+    /// A vertex, then those that are one and two edges from it.
+    static std::vector<VertexId> around(const SimplexMesh& mesh, VertexId id)
     {
         std::vector<VertexId> found{id};
         std::size_t first = 0;
-        for (int ring = 0; ring < rings; ++ring) {
+        for (int ring = 0; ring < 2; ++ring) {
             for (const std::size_t end = found.size(); first < end; ++first) {
                 for (const VertexId near : mesh.neighbours(found[first])) {
                     if (std::find(found.begin(), found.end(), near) == found.end())
@@ -196,6 +175,7 @@ private:
     }
 
     AttractTool m_tool;
+    EdgeTracks m_tracks;
     std::vector<Part> m_parts; ///< by vertex
 };
 

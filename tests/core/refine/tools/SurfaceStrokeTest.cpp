@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 namespace {
@@ -421,6 +422,20 @@ void SurfaceStrokeTest::edgesAttractThroughNoise()
     QVERIFY(offEdge() < 0.4 * before);
     QVERIFY(worst < 2.0);
     QVERIFY(core::selfIntersections(mesh, made.geometry).empty());
+
+    // However long it goes on, and wherever: what lies over the edge stays there.
+    samples.clear();
+    for (int i = 0; i < 150; ++i) {
+        const double height = 19.0 * std::cos(0.063 * i);
+        const double wide = std::sqrt(441.0 - height * height);
+        samples.push_back(
+            {.placeLps = {wide * std::cos(0.9 * i), wide * std::sin(0.9 * i), height}});
+    }
+    stroke(mesh, core::AttractTool{.radiusMm = 7.0, .reachMm = 5.0, .grey = &grey}, samples);
+    const double share =
+        core::enclosedMm3(mesh) / (4.0 / 3.0 * std::numbers::pi * 21.0 * 21.0 * 21.0);
+    qInfo("%.3f of the body, %zu vertices", share, mesh.vertexCount());
+    QVERIFY(std::abs(share - 1.0) < 0.03);
 }
 
 /// Behind each edge lies one that is four times as steep, within reach of the first, but not of
