@@ -25,14 +25,17 @@ constexpr double nextChunkShare = 0.3;
 /// Of the organ's voxels: who hopes for less gives up.
 constexpr double leastHope = 3e-4;
 constexpr std::size_t mostRegions = 5;
-/// Of what is wrong under a sweep of attraction and of smoothing, what a user hopes to mend.
-constexpr double attractHope = 0.35;
+/// Of what is wrong under a sweep of attraction (by more than a voxel: it does no better than that
+/// where there is noise) and of smoothing, what a user hopes to mend.
+constexpr double attractHope = 0.6;
 constexpr double smoothHope = 0.12;
 constexpr double sweepReach = 28.0; ///< voxels
 /// What a hope is worth after each failure of the tool; that of attraction and smoothing says that
 /// the picture, or the surface, is not made for it.
 constexpr double trust = 0.6;
 constexpr double sweepTrust = 0.2;
+/// Of what was hoped for: with less a tool has failed.
+constexpr double leastKept = 0.2;
 /// After so many failures a user tries something else on a region.
 constexpr int mostTries = 2;
 /// A sphere that is too small for what it pushes leaves folds.
@@ -126,6 +129,7 @@ private:
             std::function<bool()> act;
             Tool tool = Tool::Sphere;
             std::size_t place = 0;
+            int gain = 0;
         };
         Choice best;
         const auto offer = [&](Tool tool, const UserEye::Region& region, int gain, int actions,
@@ -138,7 +142,7 @@ private:
             for (int i = 0; i < m_failures[std::size_t(tool)]; ++i)
                 worth *= sweeps ? sweepTrust : trust;
             if (worth > best.worth)
-                best = {worth, std::move(act), tool, place};
+                best = {worth, std::move(act), tool, place, gain};
         };
         std::vector<BallStroke> balls(mostRegions);
         std::vector<ScrapePlan> scrapes(mostRegions);
@@ -164,7 +168,7 @@ private:
             const double wide = (tried > 0 ? 2.0 : 4.0) * region.part.radius + 2.0;
             attracts[i] = sweep(eye, region, std::clamp(wide, 3.0, tried > 0 ? 5.0 : 9.0));
             offer(Tool::Attract, region,
-                attracts[i].points.empty() ? 0 : int(attractHope * attracts[i].wrong), 1, [&, i] {
+                attracts[i].points.empty() ? 0 : int(attractHope * attracts[i].deep), 1, [&, i] {
                     return m_log.act(
                         AttractSurface{pathOf(attracts[i])}, told("attract", attracts[i]));
                 });
@@ -176,7 +180,9 @@ private:
         if (best.worth < leastHope * double(countOf(m_truth.plain)))
             return false;
         int& failures = m_failures[std::size_t(best.tool)];
-        const bool helped = best.act();
+        const std::int64_t wrong = differing(m_log.seen(), m_truth.plain);
+        const bool helped = best.act()
+            && double(wrong - differing(m_log.seen(), m_truth.plain)) >= leastKept * best.gain;
         failures = helped ? 0 : failures + 1;
         if (!helped)
             ++m_tries[{best.tool, best.place}];

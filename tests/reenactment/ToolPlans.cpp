@@ -360,6 +360,8 @@ SweepPlan sweepOver(const UserEye& eye, const UserEye::Region& region,
             return;
         wrongNear.values[at] = 1;
         ++plan.wrong;
+        if (std::abs(eye.offBorder(glm::dvec3(voxel))) > 1.0)
+            ++plan.deep;
     });
     std::vector<glm::dvec3> wrong;
     for (const core::VertexId id : mesh.vertexIds()) {

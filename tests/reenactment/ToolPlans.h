@@ -33,6 +33,7 @@ struct SweepPlan {
     std::vector<glm::dvec3> points;
     double radius = 0.0;
     int wrong = 0; ///< voxels there
+    int deep = 0; ///< of these, more than a voxel off the organ's border
 };
 /// @param most how far the brush goes from the region's middle @param leastRadius of the brush
 [[nodiscard]] SweepPlan sweepOver(const UserEye& eye, const UserEye::Region& region,
