@@ -200,6 +200,11 @@ void Refinement::followMask()
     apply(core::FollowMask{});
 }
 
+void Refinement::makeBarrier(bool erase)
+{
+    apply(core::SurfaceBarrier{.erase = erase});
+}
+
 void Refinement::drop()
 {
     apply(core::DropSurface{});

@@ -79,6 +79,8 @@ public:
     void lay(int vertices);
     void writeBack();
     void followMask();
+    /// Growth does not pass through it from now on; with @p erase it does again.
+    void makeBarrier(bool erase);
     void drop();
     void changeMarks(core::ChangeMarks::Way way);
     /// To the next error, or the one before (@p by −1): the crosshair goes there.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/DocumentEdits.h"
 
+#include "core/edits/ApplyEdits.h"
 #include "core/edits/EngineEdits.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 namespace core {
@@ -15,7 +15,9 @@ constexpr int lastLabel = 255;
 constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
-template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
+using applyEdits::apply;
+using applyEdits::isOneOf;
+using applyEdits::unknownSegment;
 
 Result<bool> apply(const AddSegment& edit, Document& document)
 {
@@ -27,11 +29,6 @@ Result<bool> apply(const AddSegment& edit, Document& document)
     document.segments.push_back(
         {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
     return true;
-}
-
-tl::unexpected<Error> unknownSegment(int label)
-{
-    return failure(ErrorCode::UnknownSegment, QString::number(label));
 }
 
 tl::unexpected<Error> unknownLayer(const char* field, int id)
@@ -342,87 +339,6 @@ Result<bool> apply(const RemoveMeasurement& edit, Document& document)
         std::max(document.greatestRemovedMeasurement, edit.measurement);
     document.measurements.erase(
         document.measurements.begin() + (known - document.measurements.data()));
-    return true;
-}
-
-/// What works on the surface: there has to be one, of a segment that may change.
-Result<bool> changeSurface(Document& document, bool deforms)
-{
-    if (!document.surface)
-        return failure(ErrorCode::InvalidField, QStringLiteral("surface"),
-            QStringLiteral("there is none; lay one around a segment first"));
-    document.surface->differs |= deforms;
-    return true;
-}
-
-template <class E>
-requires isOneOf<E, FollowMask, SpherePush, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface>
-    Result<bool> apply(const E&, Document& document)
-{
-    return changeSurface(document, true);
-}
-
-Result<bool> apply(const LaySurface& edit, Document& document)
-{
-    if (!document.segment(edit.segment))
-        return unknownSegment(edit.segment);
-    document.surface = {.segment = edit.segment, .differs = false};
-    return true;
-}
-
-Result<bool> apply(const DropSurface&, Document& document)
-{
-    const Result<bool> known = changeSurface(document, false);
-    document.surface.reset();
-    return known;
-}
-
-Result<bool> apply(const MarkSurface&, Document& document)
-{
-    return changeSurface(document, false);
-}
-
-Result<bool> apply(const ChangeMarks& edit, Document& document)
-{
-    if (edit.mark == SurfaceMark::Yellow)
-        return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
-            QStringLiteral("yellow is what is not marked"));
-    using Way = ChangeMarks::Way;
-    if (edit.way == Way::Accept && edit.mark != SurfaceMark::Red)
-        return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
-            QStringLiteral("only what is red can be accepted"));
-    if (edit.nearLps && edit.way != Way::Clear && edit.way != Way::Accept)
-        return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.nearLps"),
-            QStringLiteral("goes with clear and accept"));
-    return changeSurface(document, false);
-}
-
-Result<bool> apply(const PlaneScrape& edit, Document& document)
-{
-    if (edit.normalLps == glm::dvec3(0.0))
-        return failure(ErrorCode::InvalidField, QStringLiteral("planeScrape.normalLps"),
-            QStringLiteral("has no direction"));
-    return changeSurface(document, true);
-}
-
-Result<bool> apply(const WriteBack&, Document& document)
-{
-    if (const Result<bool> known = changeSurface(document, false); !known)
-        return known;
-    const Segment* segment = document.segment(document.surface->segment);
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
-    document.surface->differs = false;
-    return true;
-}
-
-/// Whether it divides otherwise than before only the session can tell, who has the rows.
-Result<bool> apply(const Chunks& edit, Document& document)
-{
-    if (!document.segment(edit.segment))
-        return unknownSegment(edit.segment);
-    document.chunks = {
-        .id = document.lastChunksGiven() + 1, .segment = edit.segment, .marginMm = edit.marginMm};
     return true;
 }
 

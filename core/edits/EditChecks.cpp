@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/ChunkEdits.h"
+#include "core/edits/ChunkVoxels.h"
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EngineEdits.h"
 #include "core/edits/SparedSegments.h"
@@ -46,7 +46,7 @@ template <class T> Result<void> discardValue(const Result<T>& result)
 
 Result<void> checkAgainst(const Document& document, const Edit& edit)
 {
-    if (changedPart(edit)) {
+    if (changedPart(edit) || std::holds_alternative<SurfaceBarrier>(edit)) {
         Document copy = document;
         if (const Result<bool> applied = applyToDocument(edit, copy); !applied)
             return tl::unexpected(applied.error());

@@ -21,7 +21,7 @@ bool isOfSurface(const Edit& edit)
         [](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             return hasPath<
-                       E> || isOneOf<E, LaySurface, DropSurface, FollowMask, ChangeMarks, ApplyTemplate, WriteBack>;
+                       E> || isOneOf<E, LaySurface, DropSurface, FollowMask, ChangeMarks, ApplyTemplate, WriteBack, SurfaceBarrier>;
         },
         edit);
 }

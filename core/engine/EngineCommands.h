@@ -75,10 +75,11 @@ struct CapsuleCut {
 /// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
 /// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
 /// layers and segments, whole at once; LabelListed there: a mask that comes in; RelabelListed: what
-/// a segment gets and loses, by voxel. Those of growth: growth/GrowthCommands.h.
-using EngineEdit = std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel,
-    CapsuleCut, MaskPeel, MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed,
-    RelabelListed, CoverLabel, FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, SpreadLabels>;
+/// a segment gets and loses, by voxel. Those of growth, ShutListed too: growth/GrowthCommands.h.
+using EngineEdit =
+    std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut, MaskPeel,
+        MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed, RelabelListed, CoverLabel,
+        FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, ShutListed, SpreadLabels>;
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -125,14 +126,14 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
 // connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
 // segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
-// a brush's frame, what is hidden, a list of labels, a growth or groups of seeds that are not sound
-// (isSound()); bounds that are not (areSound()); a layer folded into itself; a table of opacities
-// of another length than 256; growing from seeds that is not sound (isSound()) or with seeds of
-// fewer than two labels; TraceTolerance while a transaction is open, by a rule that is not sound
-// (isSound()) or of a label without seeds; ForeseeCut while a transaction is open, or of a cut that
-// could not begin; a box of codes that is empty or not within the volume.
-// ReadBricks, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and
-// DropForesight are served while a transaction is open too.
+// a brush's frame, what is hidden, a list of labels or places, a growth or groups of seeds that are
+// not sound (isSound()); bounds that are not (areSound()); a layer folded into itself; a table of
+// opacities of another length than 256; growing from seeds that is not sound (isSound()) or with
+// seeds of fewer than two labels; TraceTolerance while a transaction is open, by a rule that is not
+// sound (isSound()) or of a label without seeds; ForeseeCut while a transaction is open, or of a
+// cut that could not begin; a box of codes that is empty or not within the volume. ReadBricks,
+// ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and DropForesight
+// are served while a transaction is open too.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {

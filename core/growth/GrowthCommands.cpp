@@ -22,4 +22,15 @@ bool isSound(const GrowBurst& burst)
         && (!rolls || (burst.opening != GrowOpening::Narrow && burst.tellsHeld));
 }
 
+bool isSound(const ShutListed& edit, int brickCount)
+{
+    std::int64_t last = -1;
+    for (const ShutListed::Brick& brick : edit.bricks) {
+        if (std::int64_t(brick.brick) <= last || std::int64_t(brick.brick) >= brickCount)
+            return false;
+        last = brick.brick;
+    }
+    return true;
+}
+
 } // namespace core

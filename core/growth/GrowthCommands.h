@@ -221,4 +221,20 @@ struct PaintBarrier {
     CapsuleFrame frame;
 };
 
+/// Shut places to growth that are listed, or open them again: as PaintBarrier, at each of them.
+struct ShutListed {
+    struct Brick {
+        std::uint32_t brick = 0;
+        std::bitset<BrickGrid::voxelsPerBrick> places{};
+        bool operator==(const Brick&) const = default;
+    };
+    std::uint8_t plane = 0;
+    bool erase = false;
+    std::bitset<256> frozen{};
+    std::vector<Brick> bricks{}; ///< ascending, each once
+};
+
+/// Whether its bricks ascend and are the volume's.
+[[nodiscard]] bool isSound(const ShutListed& edit, int brickCount);
+
 } // namespace core

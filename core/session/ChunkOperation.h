@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/ChunkEdits.h"
+#include "core/edits/ChunkVoxels.h"
 #include "core/session/LabelReader.h"
 #include "core/session/Operation.h"
 

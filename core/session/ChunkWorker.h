@@ -4,7 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/TaskThread.h"
 #include "core/chunks/ChunkMap.h"
-#include "core/edits/ChunkEdits.h"
+#include "core/edits/ChunkVoxels.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 

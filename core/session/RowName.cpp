@@ -405,6 +405,11 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
         return QStringLiteral("%1 %2, %3")
             .arg(barrier->erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
                 millimetres(barrier->path.radiusMm), counted(seedWordsChanged(changes), "voxel"));
+    if (const auto* barrier = std::get_if<SurfaceBarrier>(&edit))
+        return QStringLiteral("%1, %2").arg(barrier->erase
+                ? QStringLiteral("Open barrier around surface")
+                : QStringLiteral("Barrier around surface"),
+            counted(seedWordsChanged(changes), "voxel"));
     if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
         return QStringLiteral("Shrink %1, −%2")
             .arg(shrink->steps ? counted(statistics.generations, "step")

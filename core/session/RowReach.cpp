@@ -143,7 +143,8 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
         || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
         || std::holds_alternative<RemoveSegment>(edit)
         || std::holds_alternative<ChangeInterval>(edit)
-        || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<WriteBack>(edit)) {
+        || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<WriteBack>(edit)
+        || std::holds_alternative<SurfaceBarrier>(edit)) {
         m_reach = Plane{document.growths.front().plane};
     } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
         std::vector<glm::dvec2> path;

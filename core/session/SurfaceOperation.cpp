@@ -67,7 +67,8 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
             return state.fail(*result.error);
         if (m_again != 0)
             state.complete(m_again, std::move(result.changes));
-        else if (!result.changes.empty() || state.document.surface->differs)
+        else if (!result.changes.empty()
+            || (std::holds_alternative<WriteBack>(m_edit) && state.document.surface->differs))
             state.commit(m_edit, std::move(result.changes), result.statistics, {});
     } else if (result.error) {
         giveUp(state, *result.error);
@@ -129,8 +130,8 @@ void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&
     m_work.reset();
     if (!outcome)
         return giveUp(state, outcome.error());
-    if (outcome->writeBack)
-        return write(state, *std::move(outcome->writeBack));
+    if (outcome->voxels)
+        return write(state, *std::move(outcome->voxels));
     m_done = true;
     if (outcome->step && m_again != 0)
         state.completeSurface(m_again, outcome->step);
@@ -138,7 +139,7 @@ void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&
         state.commitSurface(m_edit, outcome->step);
 }
 
-void SurfaceOperation::write(SessionState& state, RelabelListed&& edit)
+void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)
 {
     state.engine.submit(BeginEdit{std::move(edit)});
     m_written = state.engine.submit(EndEdit{Ending::Commit});

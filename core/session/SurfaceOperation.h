@@ -13,7 +13,8 @@ namespace core {
 
 /// An edit of the surface that is being refined: its mesh is deformed on the side thread, and what
 /// is shown follows from there; one row. Laying a surface, following the mask and writing back ask
-/// the engine for the labels first; writing back is one engine transaction, too.
+/// the engine for the labels first; writing back and shutting to growth are one engine transaction,
+/// too.
 class SurfaceOperation final : public OpenOperation {
 public:
     enum class Kind {
@@ -39,7 +40,7 @@ private:
     void readOn(SessionState& state);
     void work(SessionState& state);
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
-    void write(SessionState& state, RelabelListed&& edit);
+    void write(SessionState& state, EngineEdit&& edit);
     void giveUp(SessionState& state, const Error& error);
     void tell(SessionState& state, const Error& error);
 
@@ -51,7 +52,7 @@ private:
     SurfaceWork::Read m_read;
     std::shared_ptr<SurfaceWork> m_work; ///< from when it goes on on the side thread
     std::optional<Ending> m_ending;
-    std::optional<Ticket> m_written; ///< the end of the transaction that writes back
+    std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
     bool m_told = false; ///< why nothing comes of it
     bool m_done = false;
 };

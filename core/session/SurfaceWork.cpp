@@ -104,6 +104,7 @@ SurfaceWork::SurfaceWork(SurfaceState& surface, Edit edit, const Document& docum
     m_segment = *document.segment(lay ? lay->segment : document.surface->segment);
     if (const auto* write = std::get_if<WriteBack>(&m_edit); write && write->overwriteUnlocked)
         m_overwritable = document.unlockedLabels(m_segment.plane);
+    m_locked = document.lockedLabels(m_segment.plane);
 }
 
 SurfaceWork::~SurfaceWork() = default;
@@ -185,6 +186,8 @@ Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
         return changeMarks(*edit);
     if (std::holds_alternative<WriteBack>(m_edit))
         return writeBack();
+    if (const auto* edit = std::get_if<SurfaceBarrier>(&m_edit))
+        return shut(*edit);
     if (std::holds_alternative<DropSurface>(m_edit))
         return stepOf({});
     if (m_error)
@@ -213,7 +216,7 @@ SurfaceWork::Outcome SurfaceWork::stepOf(
         m_surface.target = std::make_shared<const SurfaceTarget>(
             step->target->after.voxels, m_surface.geometry(), step->target->after.faceAreaMm2);
     m_surface.sha256 = step->sha256After;
-    return {.step = std::move(step), .writeBack = {}};
+    return {.step = std::move(step), .voxels = {}};
 }
 
 Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
@@ -303,8 +306,21 @@ Result<SurfaceWork::Outcome> SurfaceWork::writeBack()
     if (!inside)
         return tl::unexpected(inside.error());
     return Outcome{.step = nullptr,
-        .writeBack = writeBackOf(*inside, m_read.labels, m_surface.geometry().size,
+        .voxels = writeBackOf(*inside, m_read.labels, m_surface.geometry().size,
             {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable})};
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::shut(const SurfaceBarrier& edit)
+{
+    const Result<VoxelRuns> inside = voxelsOf(m_surface.mesh, m_surface.geometry(), {});
+    if (!inside)
+        return tl::unexpected(inside.error());
+    const glm::ivec3& size = m_surface.geometry().size;
+    return Outcome{.step = nullptr,
+        .voxels = ShutListed{.plane = m_segment.plane,
+            .erase = edit.erase,
+            .frozen = m_locked,
+            .bricks = placesOf(shellAround(*inside, size), size)}};
 }
 
 } // namespace core

@@ -19,7 +19,7 @@ public:
     /// What came of it; none of both: nothing changed.
     struct Outcome {
         std::shared_ptr<const SurfaceStep> step; ///< the surface is as that leaves it
-        std::optional<RelabelListed> writeBack;
+        std::optional<EngineEdit> voxels; ///< the engine has to do
     };
 
     /// What it reads of the volume.
@@ -45,6 +45,7 @@ private:
     [[nodiscard]] Result<Outcome> changeMarks(const ChangeMarks& edit);
     [[nodiscard]] std::vector<VertexId> markedVertices(const ChangeMarks& edit) const;
     [[nodiscard]] Result<Outcome> writeBack();
+    [[nodiscard]] Result<Outcome> shut(const SurfaceBarrier& edit);
     [[nodiscard]] Outcome stepOf(
         SimplexMeshDelta delta, std::optional<SurfaceStep::TargetChange> target = {});
 
@@ -52,6 +53,7 @@ private:
     Edit m_edit;
     Segment m_segment;
     std::bitset<256> m_overwritable;
+    std::bitset<256> m_locked; ///< labels of the segment's plane
     Read m_read;
     std::unique_ptr<const GreyBox> m_grey;
     std::optional<Error> m_error; ///< why nothing can come of it

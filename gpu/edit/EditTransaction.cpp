@@ -106,6 +106,13 @@ core::Result<void> check(const core::PaintBarrier& edit, const core::BrickGrid&)
     return {};
 }
 
+core::Result<void> check(const core::ShutListed& edit, const core::BrickGrid& grid)
+{
+    if (!core::isSound(edit, grid.brickCount()))
+        return refusal("bricks", "are not sound");
+    return {};
+}
+
 core::Result<void> check(const core::CapsuleCut& edit, const core::BrickGrid&)
 {
     if (!core::isSound(edit.frame))
@@ -244,6 +251,8 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
         transaction->m_wholeKeys = labelListed(programs.label, fields, before, *listed);
     } else if (const auto* relabelled = std::get_if<core::RelabelListed>(&edit)) {
         transaction->m_wholeKeys = relabelListed(programs.label, fields, before, *relabelled);
+    } else if (const auto* shut = std::get_if<core::ShutListed>(&edit)) {
+        transaction->m_wholeKeys = shutListed(programs.shut, fields, before, *shut);
     } else if (const auto* cover = std::get_if<core::CoverLabel>(&edit)) {
         transaction->m_wholeKeys = coverLabel(programs.erase, fields, before, *cover);
     } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {

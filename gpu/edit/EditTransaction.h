@@ -13,6 +13,7 @@
 #include "gpu/edit/PeelKernel.h"
 #include "gpu/edit/ScissorsKernel.h"
 #include "gpu/edit/ShrinkKernel.h"
+#include "gpu/edit/ShutKernel.h"
 #include "gpu/edit/SpreadKernel.h"
 #include "gpu/edit/ToleranceKernel.h"
 
@@ -29,6 +30,7 @@ struct EditPrograms {
         , erase(library)
         , capsule(library)
         , label(library)
+        , shut(library)
         , laser(library)
         , spread(library)
         , tolerance(library)
@@ -40,6 +42,7 @@ struct EditPrograms {
     ErasePrograms erase;
     CapsulePrograms capsule;
     LabelPrograms label;
+    ShutPrograms shut;
     LaserPrograms laser;
     SpreadPrograms spread;
     TolerancePrograms tolerance;

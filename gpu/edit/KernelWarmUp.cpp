@@ -81,7 +81,7 @@ bool KernelWarmUp::runNext()
     static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
         &KernelWarmUp::runTakingGrowth, &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser,
         &KernelWarmUp::runPeel, &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance,
-        &KernelWarmUp::runRelabelling};
+        &KernelWarmUp::runRelabelling, &KernelWarmUp::runShutting};
     if (!m_fields || m_done == runs.size())
         return false;
     (this->*runs[m_done++])();
@@ -201,6 +201,15 @@ void KernelWarmUp::runRelabelling()
         .asked =
             std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, core::RelabelListed::give)});
     run(relabel, {});
+}
+
+void KernelWarmUp::runShutting()
+{
+    // A surface that becomes a barrier.
+    core::ShutListed shut;
+    shut.bricks.push_back({.brick = 0});
+    shut.bricks.back().places.set();
+    run(shut, {});
 }
 
 } // namespace gpu

@@ -37,6 +37,7 @@ private:
     void runGrowth();
     void runTolerance();
     void runRelabelling();
+    void runShutting();
 
     EditPrograms& m_programs;
     VolumeTextures m_textures;

@@ -174,17 +174,7 @@ void Capsules::paint(const core::PaintLabel& paint, const glm::ivec3& voxel)
 
 void Capsules::shut(const core::PaintBarrier& shut, const glm::ivec3& voxel)
 {
-    std::uint32_t& word = m_fields.seedWords(shut.plane).at(voxel);
-    if (shut.erase) {
-        if (word == seedWord::barrier)
-            word = seedWord::unvisited;
-        return;
-    }
-    const std::uint32_t label = seedWord::label(word);
-    if (bears(word, label) && shut.frozen.test(label))
-        return;
-    giveBack(m_fields, shut.plane, voxel, word);
-    word = seedWord::barrier;
+    shutOrOpen(m_fields, shut.plane, shut.erase, shut.frozen, voxel);
 }
 
 } // namespace reference

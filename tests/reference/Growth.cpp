@@ -67,6 +67,22 @@ void giveBack(DenseFields& fields, std::uint8_t plane, const glm::ivec3& voxel, 
     beneath = 0;
 }
 
+void shutOrOpen(DenseFields& fields, std::uint8_t plane, bool erase, const std::bitset<256>& frozen,
+    const glm::ivec3& voxel)
+{
+    std::uint32_t& word = fields.seedWords(plane).at(voxel);
+    if (erase) {
+        if (word == seedWord::barrier)
+            word = seedWord::unvisited;
+        return;
+    }
+    const bool bears = seedWord::isMember(word) || seedWord::isPendingSeed(word);
+    if (bears && frozen.test(seedWord::label(word)))
+        return;
+    giveBack(fields, plane, voxel, word);
+    word = seedWord::barrier;
+}
+
 std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink)
 {
     auto& words = fields.seedWords(shrink.plane);

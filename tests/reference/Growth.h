@@ -7,6 +7,7 @@
 #include "tests/reference/GrowCriterion.h"
 #include "tests/reference/Passage.h"
 
+#include <bitset>
 #include <memory>
 #include <optional>
 
@@ -21,6 +22,10 @@ void eraseLabel(DenseFields& fields, const core::EraseLabel& erase);
 /// A member is about to leave: what it added to the plane is given back
 /// (core/growth/GrowthCommands.h). @param word its own
 void giveBack(DenseFields& fields, std::uint8_t plane, const glm::ivec3& voxel, std::uint32_t word);
+
+/// What core::PaintBarrier does to one voxel.
+void shutOrOpen(DenseFields& fields, std::uint8_t plane, bool erase, const std::bitset<256>& frozen,
+    const glm::ivec3& voxel);
 
 /// Takes back what a growth added (core::ShrinkGrowth). @return the generation then
 std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink);

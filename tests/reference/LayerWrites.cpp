@@ -2,6 +2,7 @@
 #include "tests/reference/LayerWrites.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/reference/Growth.h"
 
 #include <algorithm>
 
@@ -100,6 +101,17 @@ void relabelListed(DenseFields& fields, const core::RelabelListed& edit)
                 give(fields, edit.target, voxel);
             else if (asked == core::RelabelListed::take)
                 take(fields, edit.target, voxel);
+        }
+    });
+}
+
+void shutListed(DenseFields& fields, const core::ShutListed& edit)
+{
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        for (const core::ShutListed::Brick& brick : edit.bricks) {
+            if (int(brick.brick) == core::BrickGrid{fields.size()}.brickOf(voxel)
+                && brick.places[std::size_t(core::BrickGrid::offsetInBrick(voxel))])
+                shutOrOpen(fields, edit.plane, edit.erase, edit.frozen, voxel);
         }
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/growth/GrowthCommands.h"
 #include "core/sculpt/LayerWrites.h"
 #include "tests/reference/DenseFields.h"
 
@@ -14,6 +15,8 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     DenseFields& fields, const core::LabelSeen& edit);
 void labelListed(DenseFields& fields, const core::LabelListed& edit);
 void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
+/// Of growth (core/growth/GrowthCommands.h), listed in the same way.
+void shutListed(DenseFields& fields, const core::ShutListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);
 void foldLayer(DenseFields& fields, const core::FoldLayer& edit);
 

@@ -168,6 +168,14 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier& e
     return Capsules(m_codes, m_fields, edit);
 }
 
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShutListed& edit)
+{
+    if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
+        return refuse("bricks", "are not sound");
+    shutListed(m_fields, edit);
+    return Done{};
+}
+
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SpreadLabels& edit)
 {
     if (!core::isSound(edit, m_codes.size))

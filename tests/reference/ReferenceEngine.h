@@ -83,6 +83,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::ShrinkGrowth& edit);
     [[nodiscard]] core::Result<Work> begin(core::CutGrowth& edit);
     [[nodiscard]] core::Result<Work> begin(core::PaintBarrier& edit);
+    [[nodiscard]] core::Result<Work> begin(core::ShutListed& edit);
     [[nodiscard]] core::Result<Work> begin(core::SpreadLabels& edit);
     [[nodiscard]] core::Result<Work> begin(core::DrillCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);

@@ -139,4 +139,15 @@ template <class Visitor> void visitFields(Visitor& visit, WriteBack& edit)
         "whether voxels of other segments that are not locked are taken");
 }
 
+template <> inline constexpr const char* editName<SurfaceBarrier> = "surfaceBarrier";
+template <>
+inline constexpr const char* editMeaning<SurfaceBarrier> =
+    "Shuts the voxels just outside the surface to growth, so that none passes through it, or opens "
+    "them again.";
+template <class Visitor> void visitFields(Visitor& visit, SurfaceBarrier& edit)
+{
+    visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
+        "barriers there are taken away instead: the place is open to growth");
+}
+
 } // namespace core::editSchema

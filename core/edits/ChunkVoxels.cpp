@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/ChunkEdits.h"
+#include "core/edits/ChunkVoxels.h"
 
 #include "core/edits/EngineEdits.h"
 
