@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ui {
@@ -48,6 +49,7 @@ Chunks::Chunks(Workspace& workspace)
         m_wanted.reset();
         m_leaves.reset();
         m_lit.clear();
+        m_dividedAfter = std::numeric_limits<core::RowId>::max();
         if (m_look.shown) {
             m_look.shown = false;
             Q_EMIT lookChanged();
@@ -79,12 +81,31 @@ bool Chunks::isWorking() const
     return m_look.shown && division() && !m_leaves;
 }
 
+core::ChunkWorker* Chunks::worker() const
+{
+    core::EditSession* session = m_workspace.session();
+    return session ? core::ChunkWorker::of(session->engine()) : nullptr;
+}
+
+core::ChunkWorker::Stage Chunks::stage() const
+{
+    const core::ChunkWorker* its = worker();
+    // The rest is done here.
+    return (its ? its->stage() : std::nullopt)
+        .value_or(
+            core::ChunkWorker::Stage{.step = QStringLiteral("Colouring them"), .percent = 100});
+}
+
 void Chunks::follow()
 {
     const std::optional<core::ChunkDivision> now = division();
     std::shared_ptr<const core::ChunkMap> wanted;
-    if (now && m_look.shown)
+    if (now && m_look.shown) {
         wanted = m_workspace.session()->chunkMap();
+        const core::ChunkWorker* its = worker();
+        if (!wanted && its && its->lastFailure())
+            return takeBack(); // the session says why
+    }
     if (wanted != m_wanted || (now && now->segment != m_segment)) {
         m_segment = now ? now->segment : 0;
         m_wanted = std::move(wanted);
@@ -130,8 +151,12 @@ void Chunks::setLook(const Look& look)
     if (wanted.count != m_look.count)
         m_lit.clear();
     m_look = wanted;
-    if (shows)
+    if (shows) {
+        // Who asks again has it tried again.
+        if (core::ChunkWorker* its = worker(); its && m_look.shown)
+            its->forgetFailure();
         follow();
+    }
     colour();
     Q_EMIT lookChanged();
 }
@@ -271,6 +296,7 @@ void Chunks::divide(double marginMm)
         return m_workspace.say(
             tr("%1 has no voxels yet: grow, paint or import it, then divide what lies around it")
                 .arg(segment->name));
+    m_dividedAfter = core::RowId(session->history().rows().size());
     if (const auto applied =
             session->apply(core::Chunks{.segment = segment->label, .marginMm = marginMm});
         !applied)
@@ -283,16 +309,23 @@ void Chunks::divide(double marginMm)
 
 void Chunks::abort()
 {
-    core::EditSession* session = m_workspace.session();
-    if (!session || !isWorking())
+    if (!isWorking())
         return;
-    const core::RowId row = session->history().position();
-    const bool isNewest =
-        row != 0 && std::holds_alternative<core::Chunks>(session->history().row(row).edit);
+    if (core::ChunkWorker* its = worker())
+        its->cancel();
+    takeBack();
+}
+
+/// Nothing is shown, and no division stays that led to nothing.
+void Chunks::takeBack()
+{
     Look look = m_look;
     look.shown = false;
     setLook(look);
-    if (!isNewest)
+    core::EditSession* session = m_workspace.session();
+    const core::RowId row = session->history().position();
+    if (row <= m_dividedAfter
+        || !std::holds_alternative<core::Chunks>(session->history().row(row).edit))
         return;
     if (const auto undone = session->undo(); !undone)
         m_workspace.fail(undone.error());

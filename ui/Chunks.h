@@ -3,6 +3,7 @@
 
 #include "core/base/TaskThread.h"
 #include "core/document/Document.h"
+#include "core/session/ChunkWorker.h"
 #include "gpu/frame/Scene.h"
 #include "ui/ChunkLeaves.h"
 #include "ui/ChunkMembers.h"
@@ -50,6 +51,8 @@ public:
     }
     /// They are to be shown, and are being worked out.
     [[nodiscard]] bool isWorking() const;
+    /// How far that is; changes without a signal.
+    [[nodiscard]] core::ChunkWorker::Stage stage() const;
     [[nodiscard]] const Look& look() const { return m_look; }
     void setLook(const Look& look);
 
@@ -82,6 +85,8 @@ Q_SIGNALS:
 
 private:
     void follow();
+    void takeBack();
+    [[nodiscard]] core::ChunkWorker* worker() const;
     void take(const std::shared_ptr<const ChunkLeaves>& leaves);
     void countOwn();
     void colour();
@@ -95,6 +100,7 @@ private:
     std::shared_ptr<const core::ChunkMap> m_wanted; ///< of which m_leaves are, or are to be
     std::shared_ptr<const ChunkLeaves> m_leaves;
     int m_segment = 0; ///< of the division that they are of
+    core::RowId m_dividedAfter = 0; ///< later divisions are of divide()
     int m_specks = 0; ///< chunks that are never joined, and small
     std::vector<Chunk> m_chunkOfLeaf; ///< at the present count, like the next two
     std::vector<std::uint8_t> m_colourOfLeaf;

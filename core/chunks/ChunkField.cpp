@@ -7,6 +7,7 @@
 #include <array>
 #include <bitset>
 #include <cstdlib>
+#include <functional>
 
 namespace core {
 
@@ -93,9 +94,14 @@ std::vector<std::uint16_t> depths(const ChunkSource& source, const BoxWalk& box)
     return depth;
 }
 
+constexpr std::size_t voxelsBetweenReports = std::size_t(1) << 16;
+constexpr int ownerShare = 1000; ///< of an owner in what is reported
+
 /// Rule 3: buckets of a whole number each, so no order of equals matters.
+/// @param goOn told now and then how many voxels have their cost; false: it is given up
 std::vector<std::uint8_t> costsFor(const ChunkSource& source, const BoxWalk& box, Owner owner,
-    const std::vector<std::uint16_t>& depth, int noise)
+    const std::vector<std::uint16_t>& depth, int noise,
+    const std::function<bool(std::size_t)>& goOn)
 {
     const OwnerValues values = valuesOf(source, owner);
     std::vector<std::uint8_t> costs(source.owners.size(), std::uint8_t(most));
@@ -111,12 +117,15 @@ std::vector<std::uint8_t> costsFor(const ChunkSource& source, const BoxWalk& box
             buckets[0].push_back(voxel);
         }
     }
+    std::size_t settled = 0;
     for (int level = 0; level < most; ++level) {
         auto& bucket = buckets[std::size_t(level)];
         for (std::size_t i = 0; i < bucket.size(); ++i) {
             const std::size_t voxel = bucket[i];
             if (costs[voxel] != level)
                 continue;
+            if (++settled % voxelsBetweenReports == 0 && !goOn(settled))
+                return costs;
             box.forEachNeighbour(voxel, [&](std::size_t neighbour) {
                 if (source.owners[neighbour] == outside)
                     return;
@@ -155,15 +164,23 @@ Result<ChunkField> ChunkField::of(const ChunkSource& source, const Progress& pro
     for (int owner = 0; owner < outside; ++owner) {
         if (!owners.test(std::size_t(owner)))
             continue;
-        if (progress.cancelled())
+        const auto goOn = [&](std::size_t settled) {
+            const auto share = int(std::size_t(ownerShare) * settled / source.owners.size());
+            progress.report(QStringLiteral("Finding likely parts"), done * ownerShare + share,
+                int(owners.count()) * ownerShare);
+            return !progress.cancelled();
+        };
+        if (!goOn(0))
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Finding likely parts"), done++, int(owners.count()));
-        const auto costs = costsFor(source, box, Owner(owner), depth, field.m_noise);
+        const auto costs = costsFor(source, box, Owner(owner), depth, field.m_noise, goOn);
+        ++done;
         for (std::size_t voxel = 0; voxel < costs.size(); ++voxel) {
             std::uint8_t& least = source.owners[voxel] == owner ? own[voxel] : others[voxel];
             least = std::min(least, costs[voxel]);
         }
     }
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
     field.m_likelihood.resize(source.owners.size());
     for (std::size_t voxel = 0; voxel < own.size(); ++voxel)
         field.m_likelihood[voxel] = std::int16_t(int(others[voxel]) - int(own[voxel]));

@@ -65,12 +65,20 @@ std::vector<PieceJoining::Contact> contactsOf(
 
 } // namespace
 
-ChunkPieces chunkPieces(const ChunkSource& source, const ChunkField& field)
+Result<ChunkPieces> chunkPieces(
+    const ChunkSource& source, const ChunkField& field, const Progress& progress)
 {
     const BoxWalk box(source.size);
     ChunkPieces pieces;
     pieces.ofVoxel.assign(box.voxels(), ChunkPieces::none);
+    const std::size_t slice = std::size_t(source.size.x) * std::size_t(source.size.y);
     for (std::size_t voxel = 0; voxel < box.voxels(); ++voxel) {
+        if (voxel % slice == 0) {
+            if (progress.cancelled())
+                return failure(ErrorCode::Cancelled);
+            progress.report(
+                QStringLiteral("Cutting into small pieces"), int(voxel / slice), source.size.z);
+        }
         if (pieces.ofVoxel[voxel] == ChunkPieces::none
             && source.owners[voxel] != ChunkSource::outside)
             flood(source, field, box, voxel, pieces);

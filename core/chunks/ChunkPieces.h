@@ -18,6 +18,8 @@ struct ChunkPieces {
     std::vector<PieceJoining::Contact> contacts;
 };
 
-[[nodiscard]] ChunkPieces chunkPieces(const ChunkSource& source, const ChunkField& field);
+/// Errors: Cancelled.
+[[nodiscard]] Result<ChunkPieces> chunkPieces(
+    const ChunkSource& source, const ChunkField& field, const Progress& progress);
 
 } // namespace core

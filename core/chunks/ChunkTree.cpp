@@ -51,11 +51,19 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
     const Result<ChunkField> field = ChunkField::of(source, progress);
     if (!field)
         return tl::unexpected(field.error());
-    ChunkPieces cut = chunkPieces(source, *field);
+    Result<ChunkPieces> made = chunkPieces(source, *field, progress);
+    if (!made)
+        return tl::unexpected(made.error());
+    ChunkPieces& cut = *made;
     PieceJoining joining(std::move(cut.pieces), cut.contacts, field->noise());
     Holders holders(cut.owners.size());
     const std::uint32_t pieces = joining.left();
 
+    const auto report = [&] {
+        progress.report(QStringLiteral("Joining what hangs together"), int(pieces - joining.left()),
+            int(pieces));
+    };
+    report();
     // What is finer than the finest division is nobody's to choose.
     while (joining.left() > std::uint32_t(mostChunks)) {
         const auto joined = joining.next();
@@ -65,10 +73,11 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
         if (joining.left() % joinsBetweenReports == 0) {
             if (progress.cancelled())
                 return failure(ErrorCode::Cancelled);
-            progress.report(QStringLiteral("Joining what hangs together"),
-                int(pieces - joining.left()), int(pieces));
+            report();
         }
     }
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
     ChunkTree tree;
     std::vector<std::uint32_t> chunkOfPiece(std::size_t(pieces) * 2, none);
     tree.m_leafOfVoxel.assign(voxels, none);

@@ -85,6 +85,7 @@ void ToggleChunks::start(SessionState& state)
         return giveUp(state, click.error());
     m_click = *std::move(click);
     m_awaited = state.divisionRow();
+    state.chunks->forgetFailure();
     state.wantChunks();
     takeChunks(state);
 }
@@ -93,8 +94,10 @@ void ToggleChunks::takeChunks(SessionState& state)
 {
     if (!m_awaited)
         return;
-    if (const std::optional<Error> why = state.chunks->whyNot(*m_awaited))
+    if (const std::optional<Error> why = state.chunks->whyNot(*m_awaited)) {
+        static_cast<void>(state.chunks->takeUntold()); // it is told here
         return giveUp(state, *why);
+    }
     if (const ChunkWorker::Map map = state.chunks->map(*m_awaited)) {
         m_awaited.reset();
         click(state, *map);

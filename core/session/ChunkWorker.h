@@ -11,7 +11,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 namespace core {
@@ -29,30 +28,47 @@ public:
     ChunkWorker(const ChunkWorker&) = delete;
     ChunkWorker& operator=(const ChunkWorker&) = delete;
 
+    /// Where the work is.
+    struct Stage {
+        QString step;
+        int percent = 0; ///< of all steps, about
+    };
+
+    /// The worker of the session that an engine is lent to; null: there is none. For whoever shows
+    /// how far it is, and calls it off.
+    [[nodiscard]] static ChunkWorker* of(const EditEngine& engine);
+
     /// Begins with the division of a row, unless it is there or under way; another one is dropped.
+    /// What failed is not tried again.
     void want(RowId row, const Chunks& edit);
     /// The chunks of a row's division; null: they are not there (yet).
     [[nodiscard]] Map map(RowId row) const;
-    /// Why they never will be.
+    /// Why they never will be: the engine's reasons, OutOfMemory, Cancelled.
     [[nodiscard]] std::optional<Error> whyNot(RowId row) const;
+    /// The same of what was wanted last.
+    [[nodiscard]] const std::optional<Error>& lastFailure() const { return m_failure; }
+    /// What failed may be tried again.
+    void forgetFailure();
+    /// None: nothing is under way.
+    [[nodiscard]] std::optional<Stage> stage() const;
+    /// What is under way is given up: it fails, which only those are told who wait for it.
+    void cancel();
 
     /// @return whether it was the answer to a question of its own
     bool take(const EngineResult& result);
     /// @return whether want() led to something since it was called last
     bool collect();
+    /// A failure that nobody was told of yet; it is told of now.
+    [[nodiscard]] std::optional<Error> takeUntold();
 
 private:
-    /// From the questions to the answer; the thread's from the last answered question on.
-    struct Job {
-        OwnedBox owned;
-        std::vector<std::uint16_t> codes{};
-        std::size_t questions = 0; ///< that are not answered
-        Progress progress{};
-        std::optional<Result<Map>> outcome{}; ///< under m_mutex
-    };
+    struct Job;
 
+    [[nodiscard]] Result<void> begin(const Chunks& edit);
     void ask(const std::shared_ptr<Job>& job);
     void workOut(Job& job);
+    [[nodiscard]] Result<Map> mapOf(Job& job) const;
+    void fail(const Error& error);
     void drop();
 
     EditEngine& m_engine;
@@ -62,9 +78,9 @@ private:
     std::shared_ptr<Job> m_job; ///< under way
     Map m_map;
     std::optional<Error> m_failure;
+    bool m_isUntold = false; ///< m_failure
     bool m_news = false; ///< that collect() has not told of
     std::map<Ticket, std::shared_ptr<Job>> m_asked;
-    mutable std::mutex m_mutex;
     TaskThread m_thread; ///< last: it uses all of the above
 };
 

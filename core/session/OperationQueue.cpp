@@ -159,6 +159,9 @@ bool OperationQueue::collect()
         m_state.tell(DocumentChange::What::Chunks);
         if (m_started)
             m_operations.front()->takeChunks(m_state);
+        // Nobody waited for them, or nobody of the session's.
+        if (const std::optional<Error> why = m_state.chunks->takeUntold())
+            m_state.fail(*why);
     }
     return !results.empty() || !reports.empty() || !sequels.empty() || haveChunks;
 }

@@ -27,6 +27,8 @@ namespace ui {
 
 namespace {
 
+constexpr int askingMs = 100;
+
 QLabel* smallLabel(const QString& text, QWidget* parent)
 {
     auto* label = new QLabel(text, parent);
@@ -96,19 +98,27 @@ void ChunksPanel::buildDividing()
         [this] { m_workspace.chunks().divide(m_margin->value()); });
 
     m_waiting = new QWidget(this);
-    auto* waiting = new QHBoxLayout(m_waiting);
+    auto* waiting = new QGridLayout(m_waiting);
     waiting->setContentsMargins(0, 0, 0, 0);
     waiting->setSpacing(theme::smallPadding);
-    auto* bar = new QProgressBar(m_waiting);
-    bar->setObjectName(QStringLiteral("chunksProgress"));
-    bar->setRange(0, 0); // nobody knows how long
-    bar->setTextVisible(false);
-    m_abort = new QPushButton(tr("Abort"), m_waiting);
-    m_abort->setObjectName(QStringLiteral("chunksAbort"));
-    waiting->addWidget(bar, 1);
-    waiting->addWidget(m_abort);
+    waiting->setColumnStretch(0, 1);
+    m_progress = new QProgressBar(m_waiting);
+    m_progress->setObjectName(QStringLiteral("chunksProgress"));
+    m_progress->setRange(0, 100);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(6);
+    m_step = smallLabel({}, m_waiting);
+    m_step->setObjectName(QStringLiteral("chunksStep"));
+    m_step->setProperty("role", QStringLiteral("secondary"));
+    auto* abort = new QPushButton(tr("Abort"), m_waiting);
+    abort->setObjectName(QStringLiteral("chunksAbort"));
+    waiting->addWidget(m_step, 0, 0);
+    waiting->addWidget(m_progress, 1, 0);
+    waiting->addWidget(abort, 0, 1, 2, 1);
     layout()->addWidget(m_waiting);
-    connect(m_abort, &QPushButton::clicked, &m_workspace.chunks(), &Chunks::abort);
+    connect(abort, &QPushButton::clicked, &m_workspace.chunks(), &Chunks::abort);
+    m_asking.setInterval(askingMs);
+    connect(&m_asking, &QTimer::timeout, this, &ChunksPanel::showStage);
 }
 
 void ChunksPanel::buildLook()
@@ -160,9 +170,10 @@ void ChunksPanel::buildLook()
     grid->addWidget(smallLabel(tr("In 3D"), m_looks), 2, 0);
     grid->addWidget(m_bodies, 2, 1, 1, 2);
     column->addLayout(grid);
-    m_hint = smallLabel(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
-                           "segment's. A plane of the panel Clipping lets you look inside."),
-        m_looks);
+    m_hint =
+        smallLabel(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
+                      "segment's. A plane of the panel Clipping lets you look inside."),
+            m_looks);
     m_hint->setProperty("role", QStringLiteral("secondary"));
     column->addWidget(m_hint);
     layout()->addWidget(m_looks);
@@ -202,6 +213,12 @@ void ChunksPanel::show()
                  "or taken away with a click.")
                   .arg(active->name));
     m_waiting->setVisible(chunks.isWorking());
+    if (!chunks.isWorking()) {
+        m_asking.stop();
+    } else if (!m_asking.isActive()) {
+        showStage();
+        m_asking.start();
+    }
     m_looks->setVisible(divided && !chunks.isWorking());
     if (divided) {
         const Chunks::Look& look = chunks.look();
@@ -221,6 +238,13 @@ void ChunksPanel::show()
                 : tr("%1 is divided").arg(divided->name));
     }
     Q_EMIT summaryChanged(summary());
+}
+
+void ChunksPanel::showStage()
+{
+    const core::ChunkWorker::Stage stage = m_workspace.chunks().stage();
+    m_progress->setValue(stage.percent);
+    m_step->setText(tr("%1 · %2 %").arg(stage.step).arg(stage.percent));
 }
 
 void ChunksPanel::takeLook()

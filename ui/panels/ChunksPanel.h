@@ -3,6 +3,8 @@
 
 #include "ui/panels/Panel.h"
 
+#include <QTimer>
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
@@ -30,6 +32,7 @@ private:
     void buildDividing();
     void buildLook();
     void show();
+    void showStage();
     void takeLook();
 
     Workspace& m_workspace;
@@ -37,7 +40,9 @@ private:
     QDoubleSpinBox* m_margin = nullptr;
     QPushButton* m_divide = nullptr;
     QWidget* m_waiting = nullptr; ///< while chunks are being worked out
-    QPushButton* m_abort = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_step = nullptr;
+    QTimer m_asking; ///< how far it is, while it is waited for
     QWidget* m_looks = nullptr; ///< of a division
     QCheckBox* m_shown = nullptr;
     QLabel* m_state = nullptr;

@@ -4,6 +4,7 @@
 #include "core/chunks/BoxWalk.h"
 
 #include <QElapsedTimer>
+#include <QSet>
 #include <QTest>
 
 #include <algorithm>
@@ -246,6 +247,48 @@ private Q_SLOTS:
         QCOMPARE(tree.finest(), ChunkTree::mostChunks);
         QCOMPARE(tree.fewest(), 1);
         checkDivision(tree, box, 10);
+    }
+
+    /// The work tells how far it is, never less than before in a step, and is given up at any one.
+    void tellsHowFarItIs()
+    {
+        std::mt19937 random(4);
+        const Box box(
+            {60, 60, 60}, [](const glm::dvec3& at) { return std::uint8_t(at.x < 30 ? 0 : 1); },
+            [&](const glm::dvec3&) { return int(random() % 4000U); });
+        QStringList steps;
+        double last = 0.0;
+        bool grows = true;
+        int reports = 0;
+        const auto watch = [&](const QString& step, int done, int total) {
+            ++reports;
+            const double now = double(done) / total;
+            if (steps.isEmpty() || steps.last() != step) {
+                steps.append(step);
+                last = 0.0;
+            }
+            grows = grows && now >= last && now <= 1.0;
+            last = now;
+        };
+        const core::Progress watched(watch);
+        QVERIFY(ChunkTree::of(box.source(), watched));
+        QCOMPARE(steps.size(), 3);
+        QCOMPARE(QSet<QString>(steps.begin(), steps.end()).size(), 3);
+        QVERIFY(grows);
+        QVERIFY(reports > 60);
+        for (const QString& wanted : steps) {
+            core::Progress* called = nullptr;
+            int after = 0;
+            core::Progress cancelled([&](const QString& step, int, int) {
+                after += called->cancelled() ? 1 : 0;
+                if (step == wanted)
+                    called->cancel();
+            });
+            called = &cancelled;
+            const auto tree = ChunkTree::of(box.source(), cancelled);
+            QVERIFY2(!tree && tree.error().code == core::ErrorCode::Cancelled, qPrintable(wanted));
+            QVERIFY2(after <= 1, qPrintable(QStringLiteral("%1: %2").arg(wanted).arg(after)));
+        }
     }
 
     void refusesAnotherSize()

@@ -2,11 +2,13 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/EditJson.h"
+#include "core/session/ChunkWorker.h"
 #include "core/session/EditSession.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionFile.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/reference/RefusingEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/TestVolumes.h"
@@ -227,6 +229,61 @@ private Q_SLOTS:
         QVERIFY(bench.tried(toTheOther).contains(QStringLiteral("nothing is divided")));
         QCOMPARE(bench.tried(Chunks{.segment = 2}), QString());
         QCOMPARE(bench.session->document().chunks->id, 2);
+    }
+
+    /// What cannot be worked out is told once, and to whoever clicks; then it may be tried again.
+    void whatFailsIsTold()
+    {
+        const Lobes lobes;
+        reference::RefusingEngine engine;
+        const auto session = *EditSession::create(engine, lobes.volume, {});
+        QStringList told;
+        session->setErrorListener(
+            [&told](const Error& error) { told += error.arguments.join(QLatin1Char(' ')); });
+        QVERIFY(session->apply(lobes.mask({{1}, {3}})) && session->settle());
+        QVERIFY(session->apply(Chunks{.segment = 1, .marginMm = 9.0}) && session->settle());
+        const ChunkWorker* worker = ChunkWorker::of(engine);
+        QVERIFY(worker && !worker->stage() && !worker->lastFailure());
+        QVERIFY(!session->chunkMap());
+        QVERIFY(worker->stage());
+        QVERIFY(!session->settle());
+        QCOMPARE(told, QStringList{QStringLiteral("no room for codes")});
+        QVERIFY(!worker->stage() && worker->lastFailure());
+        QVERIFY(!session->chunkMap());
+        QVERIFY(session->settle());
+        QCOMPARE(told.size(), 1);
+
+        QVERIFY(session->apply(click({inSecond}, 8)));
+        const Result<void> clicked = session->settle();
+        QVERIFY(!clicked && clicked.error().code == ErrorCode::OutOfMemory);
+        QCOMPARE(told.size(), 2);
+        engine.refuses = false;
+        QVERIFY(session->apply(click({inSecond}, 8)) && session->settle());
+        QVERIFY(session->chunkMap());
+        QCOMPARE(session->history().rows().size(), std::size_t(3));
+        QCOMPARE(told.size(), 2);
+    }
+
+    void whatIsCalledOffIsNotTold()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
+        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 9.0}), QString());
+        ChunkWorker* worker = ChunkWorker::of(bench.engine);
+        QVERIFY(!bench.session->chunkMap() && worker->stage());
+        worker->cancel();
+        QVERIFY(!worker->stage());
+        QVERIFY(bench.session->settle());
+        QVERIFY(!bench.session->chunkMap());
+        worker->forgetFailure();
+        QVERIFY(bench.map());
+        // Who waits for it is told.
+        worker->forgetFailure();
+        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 10.0}), QString());
+        QVERIFY(bench.session->apply(click({inOrgan}, 8)));
+        worker->cancel();
+        const Result<void> clicked = bench.session->settle();
+        QVERIFY(!clicked && clicked.error().code == ErrorCode::Cancelled);
     }
 
     /// The paper's first stage: a lobe that was missed comes with a click, a leak goes with one.

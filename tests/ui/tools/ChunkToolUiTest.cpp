@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
+#include "tests/reference/RefusingEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/Pen.h"
 #include "tests/support/SurfaceCases.h"
@@ -16,6 +17,7 @@
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QtTest>
@@ -227,6 +229,86 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.position(), before);
         QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().division());
+    }
+
+    /// The engine cannot read the box: it is said why, and Divide works once it can.
+    void aDivisionThatFailsIsTakenBack()
+    {
+        reference::RefusingEngine engine;
+        ChunkFixture fixture;
+        fixture.workspace.setSession(
+            *core::EditSession::create(engine, test::smallHead::volume(), {}));
+        fixture.apply(ball());
+        fixture.workspace.setActiveSegment(1);
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        const core::RowId before = fixture.position();
+        auto* divide = fixture.find<QPushButton>("divide");
+        const auto isWaiting = [&fixture] {
+            return fixture.find<QProgressBar>("chunksProgress")->isVisibleTo(&fixture.panel);
+        };
+        divide->click();
+        fixture.session().poll(); // the row
+        fixture.session().poll();
+        QCoreApplication::processEvents();
+        QTRY_COMPARE(failed.size(), 1);
+        QCOMPARE(failed.last().first().value<core::Error>().code, core::ErrorCode::OutOfMemory);
+        QVERIFY(!fixture.chunks().isWorking() && !isWaiting());
+        QTRY_COMPARE(fixture.position(), before);
+        QVERIFY(!fixture.chunks().division() && !fixture.chunks().look().shown);
+        QVERIFY(divide->isEnabled());
+
+        QVERIFY(!fixture.session().settle()); // it returns that failure, too
+        engine.refuses = false;
+        divide->click();
+        fixture.await();
+        QVERIFY(fixture.chunks().areas() && !isWaiting());
+        QCOMPARE(failed.size(), 1);
+        // What a recipe, say, divided stays, though it is not shown.
+        fixture.chunks().setLook({});
+        fixture.apply(core::Chunks{.segment = 1, .marginMm = 4.0});
+        engine.refuses = true;
+        fixture.find<QCheckBox>("chunksShown")->setChecked(true);
+        QVERIFY(!fixture.session().settle());
+        QCOMPARE(failed.size(), 2);
+        QVERIFY(!fixture.chunks().isWorking());
+        QVERIFY(!fixture.find<QCheckBox>("chunksShown")->isChecked());
+    }
+
+    /// What it was to be made of is gone by the time it is its turn.
+    void aSegmentThatLosesItsVoxelsIsNotDivided()
+    {
+        ChunkFixture fixture;
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        QVERIFY(fixture.session().undo()); // the ball; it waits for the engine
+        fixture.find<QPushButton>("divide")->click();
+        static_cast<void>(fixture.session().settle());
+        QCoreApplication::processEvents();
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().division());
+        QVERIFY(!fixture.find<QProgressBar>("chunksProgress")->isVisibleTo(&fixture.panel));
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.find<QPushButton>("divide")->click();
+        fixture.settle();
+        fixture.await();
+    }
+
+    void thePanelTellsHowFarItIs()
+    {
+        ChunkFixture fixture;
+        fixture.chunks().divide(marginMm);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.chunks().isWorking());
+        const auto* bar = fixture.find<QProgressBar>("chunksProgress");
+        const auto* step = fixture.find<QLabel>("chunksStep");
+        QVERIFY(bar->isVisibleTo(&fixture.panel) && step->isVisibleTo(&fixture.panel));
+        QVERIFY(bar->maximum() == 100 && bar->minimum() == 0);
+        QVERIFY2(step->text().endsWith(QStringLiteral(" %")), qPrintable(step->text()));
+        // The panel asks while it waits, the map is not taken in meanwhile.
+        QTRY_VERIFY(bar->value() >= 65);
+        QVERIFY2(!step->text().contains(QStringLiteral("Fetching")), qPrintable(step->text()));
+        fixture.await();
+        QVERIFY(!bar->isVisibleTo(&fixture.panel));
     }
 
     void aClickOnASliceIsTheEditOfARecipe()
