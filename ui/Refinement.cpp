@@ -119,7 +119,7 @@ QString Refinement::caution() const
         known ? m_workspace.session()->document().segment(known->segment) : nullptr;
     if (!segment || !known->differs)
         return {};
-    return tr("surface of %1 not written back").arg(segment->name);
+    return tr("%1 differs from its surface").arg(segment->name);
 }
 
 void Refinement::addContour(std::vector<glm::dvec3> pointsLps)

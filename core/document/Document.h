@@ -65,7 +65,8 @@ struct Growth {
 /// The surface of one segment while it is refined (core/refine); its mesh is the session's.
 struct RefinedSurface {
     int segment = 0; ///< label
-    /// It was changed since it was laid or written back: the segment does not hold that.
+    /// It was changed since it was laid or written back, or an edit wrote to its segment since: the
+    /// segment does not hold what it encloses.
     bool differs = false;
     bool operator==(const RefinedSurface&) const = default;
 };

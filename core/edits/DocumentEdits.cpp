@@ -352,6 +352,25 @@ requires isOneOf<E, ChunkToggle, SeedStroke, GrowSteps, ShrinkSteps, ChangeInter
     return false;
 }
 
+/// Whether it is a segment's voxels that an edit is about. What growth does to it is not known
+/// before; nor what others take from it.
+bool writesTo(const Edit& edit, int segment)
+{
+    return std::visit(
+        [segment](const auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (isOneOf<E, PaintStroke, ChunkToggle>)
+                return known.segment == segment;
+            else if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
+                return known.target.segment == segment;
+            else if constexpr (isOneOf<E, ImportMask>)
+                return known.as && known.as->number == segment;
+            else
+                return false;
+        },
+        edit);
+}
+
 } // namespace
 
 bool changesDocumentOnly(const Edit& edit)
@@ -408,7 +427,11 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
 
 Result<bool> applyToDocument(const Edit& edit, Document& document)
 {
-    return std::visit([&document](const auto& known) { return apply(known, document); }, edit);
+    const Result<bool> applied =
+        std::visit([&document](const auto& known) { return apply(known, document); }, edit);
+    if (applied && document.surface && writesTo(edit, document.surface->segment))
+        document.surface->differs = true;
+    return applied;
 }
 
 Document initialDocument(Volume volume)

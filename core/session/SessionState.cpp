@@ -38,6 +38,7 @@ RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& cha
         std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
     if (generation)
         document.growths.front().generation = *generation;
+    const std::optional<RefinedSurface> surfaceBefore = document.surface;
     // What carries an edit out has made sure that it can be.
     static_cast<void>(applyToDocument(edit, document));
     placeSegments();
@@ -50,6 +51,9 @@ RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& cha
     const RowId id = history.append(std::move(row));
     if (file)
         file->addRow(history.row(id));
+    // One that writes to its segment changes what is said of the surface.
+    if (document.surface != surfaceBefore && changedPart(edit) != DocumentChange::What::Surface)
+        tell(DocumentChange::What::Surface);
     return id;
 }
 

@@ -102,8 +102,8 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
                 segment->visible ? tr("shown") : tr("hidden"));
     case Qt::ToolTipRole:
         return data(index, UnwrittenRole).toBool()
-            ? tr("%1\n%2\nIts surface was not written back: these are the voxels before it was "
-                 "changed.")
+            ? tr("%1\n%2\nIt differs from its surface. Write the surface back, or have the "
+                 "surface follow it.")
                   .arg(segment->name, data(index, CodeTextRole).toString())
             : tr("%1\n%2").arg(segment->name, data(index, CodeTextRole).toString());
     case LabelRole:

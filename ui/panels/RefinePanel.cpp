@@ -205,7 +205,7 @@ QString RefinePanel::summary() const
     if (!surface)
         return {};
     return surface->differs
-        ? tr("not written back")
+        ? tr("differs from the segment")
         : tr("%1 vertices").arg(QLocale().toString(qulonglong(refinement.mirror().vertexCount())));
 }
 
@@ -227,7 +227,7 @@ void RefinePanel::show()
     if (surface) {
         const QString name = segment ? segment->name : QString();
         m_state->setText(surface->differs
-                ? tr("%1: the segment does not hold what the surface encloses yet").arg(name)
+                ? tr("%1: the segment does not hold what the surface encloses").arg(name)
                 : tr("Surface of %1").arg(name));
         m_state->setProperty(
             "role", surface->differs ? QStringLiteral("caution") : QStringLiteral("plain"));

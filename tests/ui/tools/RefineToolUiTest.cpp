@@ -174,7 +174,7 @@ private Q_SLOTS:
         const glm::dvec3 front(0.0, -radius, 0.0);
         draw(fixture, fixture.slice, {fixture.at(fixture.slice, front)});
         QVERIFY(write->isEnabled());
-        QCOMPARE(fixture.panel.summary(), QStringLiteral("not written back"));
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("differs from the segment"));
         QVERIFY(state->text().contains(QStringLiteral("does not hold")));
         const std::int64_t before = fixture.voxels();
         write->click();
@@ -194,6 +194,32 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.refinement().mirror().vertexCount(),
             fixture.session().surface()->vertexCount());
+    }
+
+    void whatIsPaintedSinceIsTold()
+    {
+        RefineFixture fixture;
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Other"), .rgb = 0x4080ff});
+        fixture.lay();
+        const auto differs = [&] { return fixture.session().document().surface->differs; };
+        const auto painted = [](int segment, double x) {
+            return core::PaintStroke{.segment = segment,
+                .path = {.radiusMm = 3.0, .pointsLps = {glm::dvec3(x, 0.0, 0.0)}}};
+        };
+        fixture.apply(painted(2, -16.0));
+        QVERIFY(!differs());
+        QVERIFY(fixture.refinement().caution().isEmpty());
+        fixture.apply(painted(1, radius + 2.0));
+        QVERIFY(differs());
+        QCOMPARE(fixture.refinement().caution(), QStringLiteral("Ball differs from its surface"));
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("differs from the segment"));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!differs());
+        QVERIFY(fixture.refinement().caution().isEmpty());
+        // What it already holds is no change.
+        fixture.apply(painted(1, 0.0));
+        QVERIFY(!differs());
     }
 
     void marksOnASliceAreTheEditOfARecipe()
