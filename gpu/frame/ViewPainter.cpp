@@ -75,9 +75,12 @@ void ViewPainter::draw(ViewPictures& pictures, const FrameRequest& request,
 {
     m_palette.set(request.segments);
     const auto* volume = std::get_if<VolumeScene>(&request.scene);
+    const ChunkTextures* bodies =
+        volume && m_chunks.update(volume->chunks.get(), ChunkTextures::Drawn::Bodies) ? &m_chunks
+                                                                                      : nullptr;
     if (volume && !pictures.plane.isEmpty())
         m_planePass->draw(pictures.plane, m_slice, m_volume, *volume, request.segments, m_palette,
-            target, tile, m_noVertices);
+            target, tile, m_noVertices, bodies);
     into.bind();
     if (add) {
         glEnable(GL_BLEND);
@@ -89,8 +92,7 @@ void ViewPainter::draw(ViewPictures& pictures, const FrameRequest& request,
         m_raycast.draw(m_volume, *volume, m_palette, target, tile, m_noVertices,
             {.surface = pictures.surface.isEmpty() ? nullptr : &pictures.surface,
                 .plane = pictures.plane.isEmpty() ? nullptr : &pictures.plane},
-            m_chunks.update(volume->chunks.get(), ChunkTextures::Drawn::Bodies) ? &m_chunks
-                                                                                : nullptr);
+            bodies);
         glDisable(GL_BLEND);
         return;
     }

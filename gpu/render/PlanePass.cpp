@@ -40,14 +40,15 @@ glm::vec3 colourOf(std::uint32_t rgb)
 }
 
 /// What of a slice it shows.
-SliceScene lookOf(const ScenePlane& plane)
+SliceScene lookOf(const ScenePlane& plane, const VolumeScene& scene)
 {
     return {.centreLps = plane.centreLps,
         .rightLps = plane.rightLps,
         .downLps = plane.downLps,
         .window = plane.window,
         .inverted = plane.inverted,
-        .cubic = true};
+        .cubic = true,
+        .chunks = scene.chunks};
 }
 
 /// Uniforms of planePixel.glsl.
@@ -120,15 +121,16 @@ void PlanePass::begin(PlanePicture& picture, ContourPass* contours, const Surfac
 
 void PlanePass::draw(PlanePicture& picture, SlicePass& slices, VolumeTextures& volume,
     const VolumeScene& scene, const SegmentDisplay& segments, const Palette& palette,
-    const PassTarget& target, const Tile& tile, const VertexArray& noVertices)
+    const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
+    const ChunkTextures* chunks)
 {
     const glm::ivec2 low = glm::max(tile.minimum, picture.blocks.minimum);
     const glm::ivec2 high =
         glm::min(tile.minimum + tile.size, picture.blocks.minimum + picture.blocks.size);
     if (!glm::all(glm::lessThan(low, high)))
         return;
-    Program& program =
-        slices.prepareOnPlane(volume, lookOf(*scene.plane), segments, palette, target);
+    Program& program = slices.prepareOnPlane(
+        volume, lookOf(*scene.plane, scene), segments, palette, target, chunks);
     setPlane(program, volume, scene, target);
     const bool lines = !picture.contour.isEmpty();
     (lines ? picture.contour.cover : m_noContour).bindUnit(23);

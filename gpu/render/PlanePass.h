@@ -11,6 +11,7 @@
 
 namespace gpu {
 
+class ChunkTextures;
 class Palette;
 class SlicePass;
 class SurfaceBuffers;
@@ -29,8 +30,9 @@ struct PlanePicture {
 };
 
 /// Draws the cutting plane (seed B §4.1, §5.1, §5.2) with the ray caster's camera, whatever hides
-/// it: in each pixel what SlicePass shows where the pixel's ray meets the rectangle, its rim, and
-/// over both the line where the surface that is being refined meets it.
+/// it: in each pixel what SlicePass shows where the pixel's ray meets the rectangle, chunks that
+/// the scene shows included, its rim, and over both the line where the surface that is being
+/// refined meets it.
 class PlanePass {
 public:
     PlanePass();
@@ -39,10 +41,11 @@ public:
     /// @param scene has a plane @param contours null: none is drawn
     void begin(PlanePicture& picture, ContourPass* contours, const SurfaceBuffers& surface,
         const VolumeScene& scene, const PassTarget& target);
-    /// Draws a tile of it. Throws ShaderError.
+    /// Draws a tile of it. Throws ShaderError. @param chunks of the scene; null: none to be drawn
     void draw(PlanePicture& picture, SlicePass& slices, VolumeTextures& volume,
         const VolumeScene& scene, const SegmentDisplay& segments, const Palette& palette,
-        const PassTarget& target, const Tile& tile, const VertexArray& noVertices);
+        const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
+        const ChunkTextures* chunks);
 
 private:
     Texture2D m_noContour; ///< one texel

@@ -63,10 +63,11 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
 }
 
 Program& SlicePass::prepareOnPlane(VolumeTextures& volume, const SliceScene& look,
-    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target)
+    const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
+    const ChunkTextures* chunks)
 {
     return prepareForm(
-        target.cubic ? CubicOnPlane : OnPlane, volume, look, segments, palette, target, nullptr);
+        target.cubic ? CubicOnPlane : OnPlane, volume, look, segments, palette, target, chunks);
 }
 
 Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const SliceScene& scene,
@@ -101,7 +102,8 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
         variant += chunked;
     Program& program = programFor(form, variant);
     if (chunks)
-        chunks->bind(program, *scene.chunks, ChunkTextures::Drawn::Areas);
+        chunks->bind(program, *scene.chunks,
+            (form & OnPlane) != 0 ? ChunkTextures::Drawn::Bodies : ChunkTextures::Drawn::Areas);
     if ((variant & atTolerance) != 0)
         program.set("toleranceLabel", unsigned(segments.atTolerance->label))
             .set("tolerance", unsigned(segments.atTolerance->tolerance));

@@ -30,9 +30,11 @@ public:
         const Palette& palette, const PassTarget& target, const ChunkTextures* chunks = nullptr);
     /// Likewise what a cutting plane of the 3D view shows (planePixel.glsl).
     /// @param look of a slice; where it lies is not looked at
+    /// @param chunks of the look, in the colours of bodies; null: none to be drawn
     /// @return to be told where the plane is seen, and used
     [[nodiscard]] Program& prepareOnPlane(VolumeTextures& volume, const SliceScene& look,
-        const SegmentDisplay& segments, const Palette& palette, const PassTarget& target);
+        const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
+        const ChunkTextures* chunks);
 
 private:
     static constexpr unsigned variants = 128;

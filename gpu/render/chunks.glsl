@@ -1,6 +1,6 @@
 // Chunks of a box (core/chunks) as translucent bodies: faces where a ray goes from one into another,
 // and the section where it enters the box or is clipped. What lies behind tissue shines through
-// faintly.
+// faintly; nothing does through the cutting plane, which shows its own section.
 
 /* Textures */
 layout(binding = 24) uniform usampler3D chunkLeaves; // of their box
@@ -14,6 +14,7 @@ uniform float chunkOpacity;
 
 const float chunkBehind = 0.25;
 const float chunkCellSide = 8.0;
+const float chunkTie = 0.02; // mm: as far behind the plane is not behind it
 const float chunkEnough = 0.04; // what is let through less does not count
 
 vec4 chunkBodyAt(vec3 place)
@@ -72,7 +73,16 @@ vec3 withChunks(Ray ray, vec3 seen)
     const float entry = max(max(enter.x, enter.y), enter.z);
     const float first = max(ray.first, entry);
     const float last = min(ray.last, min(min(leave.x, leave.y), leave.z));
-    const float solid = solidFrom + 3.0 * stepMm;
+    float solid = solidFrom + 3.0 * stepMm;
+    float open = 1.0; // so much no plane hides of what lies behind
+    float openGate = 1.0; // and of the section
+#if SHEETS
+    const vec2 plane = planeHere(); // t
+    const bool planeSeen = plane.y <= solid;
+    open = planeSeen ? 1.0 - plane.x : 1.0;
+    openGate = planeSeen && first > plane.y - chunkTie ? open : 1.0;
+    solid = planeSeen && plane.x >= 0.5 ? min(solid, plane.y + chunkTie) : solid;
+#endif
     const vec3 toViewer = -ray.world;
 
     // What is before matter, and what behind; a: lets through.
@@ -86,7 +96,7 @@ vec3 withChunks(Ray ray, vec3 seen)
     {
         const float line = smoothstep(0.20, 0.34, nearness);
         const float share
-            = first < last ? min(chunkOpacity * (1.4 + 1.2 * line), 1.0) * now.a : 0.0;
+            = first < last ? min(chunkOpacity * (1.4 + 1.2 * line), 1.0) * now.a * openGate : 0.0;
         const vec4 face = vec4(now.rgb * share * mix(0.92, 0.7, line), 1.0 - share);
         const bool hidden = first > solid;
         front = hidden ? front : face;
@@ -137,6 +147,6 @@ vec3 withChunks(Ray ray, vec3 seen)
         if (t >= last || front.a < chunkEnough || behind.a < chunkEnough)
             break;
     }
-    const vec3 back = mix(seen, behind.rgb + behind.a * seen, chunkBehind);
+    const vec3 back = mix(seen, behind.rgb + behind.a * seen, chunkBehind * open);
     return front.rgb + front.a * back;
 }

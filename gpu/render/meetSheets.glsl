@@ -50,6 +50,14 @@ void findSheets()
     nextSheetAt = nearSheet.at;
 }
 
+/// How much of the pixel the cutting plane takes, and where it is met (t).
+vec2 planeHere()
+{
+    const ivec2 pixel = ivec2(gl_FragCoord.xy) * planeThere;
+    const float cover = texelFetch(planeColours, pixel, 0).a;
+    return vec2(cover, cover > 0.0 ? texelFetch(planeWays, pixel, 0).r : nowhere);
+}
+
 /// Behind it nothing is seen; nowhere: there is none.
 float opaqueSheetAt()
 {

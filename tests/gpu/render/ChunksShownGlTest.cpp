@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
+#include "tests/support/ViewRays.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -281,6 +283,112 @@ private Q_SLOTS:
         QVERIFY(over.b < wall.b * 8 / 10);
         QVERIFY2(through.b < wall.b && through.b > wall.b * 8 / 10,
             qPrintable(QString("%1 of %2").arg(through.b).arg(wall.b)));
+    }
+
+    /// The cutting plane shows them as a slice does, with everything above it clipped.
+    void thePlaneShowsThemAsASlice_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::newRow("surface") << int(RenderMode::Surface);
+        QTest::newRow("DVR") << int(RenderMode::Dvr);
+        QTest::newRow("X-ray") << int(RenderMode::Xray);
+    }
+    void thePlaneShowsThemAsASlice()
+    {
+        QFETCH(int, mode);
+        // Grey values that differ from place to place, and nothing that the 3D view would show.
+        m_fixture->open(test::centredGeometry(glm::ivec3(side)),
+            [](const glm::dvec3& lps) { return 400.0 + 6.0 * lps.x; });
+        const auto leafAt = [](const glm::ivec3& at) {
+            return at.x < 6 ? 0 : 1 + (at.x / 10 + at.z / 9) % 2;
+        };
+        const auto chunks = chunksOf(box3d, leafAt);
+        chunks->argb = {0xFFE6553C, 0x5A3F7FE0};
+        ScenePlane plane;
+        plane.downLps = {0.0, 0.0, -1.0};
+        plane.halfSizeMm = {20.0, 20.0};
+        plane.window = {400.0, 500.0};
+        plane.rimWidthPixels = 0.0f;
+        VolumeScene view = fromFront(chunks);
+        view.mode = RenderMode(mode);
+        view.plane = plane;
+        view.clip.planes[0] = {.pointLps = plane.centreLps, .normalLps = {0, -1, 0}, .on = true};
+        const Frame seen = m_fixture->draw(view, size3d);
+        const Frame slice = m_fixture->draw(SliceScene{.centreLps = plane.centreLps,
+                                                .rightLps = plane.rightLps,
+                                                .downLps = plane.downLps,
+                                                .mmPerPixel = 0.5,
+                                                .window = plane.window,
+                                                .chunks = chunks},
+            size3d);
+        int compared = 0;
+        int tinted = 0;
+        int beside = 0; // by more than one of the eight pictures that are averaged
+        int inside = 0;
+        double worst = 0.0;
+        for (int y = 9; y < size3d.y - 9; ++y) {
+            for (int x = 9; x < size3d.x - 9; ++x) {
+                const glm::ivec3 expected = test::pixel(slice, x, y);
+                const glm::ivec3 rgb = test::pixel(seen, x, y);
+                beside += test::apart(rgb, expected) > 5 ? 1 : 0;
+                tinted += expected.r != expected.b ? 1 : 0;
+                ++compared;
+                // Well inside of a chunk: its colour over the grey value, as told.
+                const glm::ivec3 voxel(x / 2, side / 2, (size3d.y - 1 - y) / 2);
+                const glm::ivec3 at = voxel - box3d.minimum;
+                const auto leafOr = [&](const glm::ivec3& place) {
+                    const bool isOut = glm::any(glm::lessThan(place, glm::ivec3(0)))
+                        || glm::any(glm::greaterThanEqual(place, box3d.maximum - box3d.minimum));
+                    return isOut ? 0 : leafAt(place);
+                };
+                const int leaf = leafOr(at);
+                bool isInside = true;
+                for (int dz = -1; dz <= 1; ++dz)
+                    for (int dx = -1; dx <= 1; ++dx)
+                        isInside = isInside && leafOr(at + glm::ivec3(dx, 0, dz)) == leaf;
+                if (!isInside)
+                    continue;
+                const double lps = (x + 0.5 - size3d.x / 2.0) * 0.5;
+                const double grey = 255.0 * (6.0 * lps + 250.0) / 499.0;
+                const std::uint32_t argb = leaf == 0 ? 0 : chunks->argb[std::size_t(leaf - 1)];
+                const double share = 0.25 * double(argb >> 24) / 255.0;
+                const glm::dvec3 wanted = glm::dvec3(grey) * (1.0 - share)
+                    + share * glm::dvec3(argb >> 16 & 255, argb >> 8 & 255, argb & 255);
+                const glm::dvec3 off = glm::abs(glm::dvec3(rgb) - wanted);
+                worst = std::max({worst, off.x, off.y, off.z});
+                ++inside;
+            }
+        }
+        qInfo("%d pixels, %d tinted, %d unlike the slice's; %d inside of chunks, off by %.2f",
+            compared, tinted, beside, inside, worst);
+        QVERIFY(compared > 5000 && tinted > 1500 && inside > 3000);
+        QVERIFY2(beside <= compared / 200, qPrintable(QString::number(beside)));
+        QVERIFY2(worst < 3.0, qPrintable(QString::number(worst)));
+    }
+
+    /// What lies before a plane is seen before it, what lies behind an opaque one is not.
+    void thePlaneHidesWhatLiesBehind()
+    {
+        openEmpty();
+        VolumeScene view = fromFront(nullptr);
+        ScenePlane plane;
+        plane.downLps = {0.0, 0.0, -1.0};
+        plane.halfSizeMm = {20.0, 20.0};
+        plane.window = {0.0, 1000.0};
+        view.plane = plane;
+        const glm::ivec3 own = at3d(m_fixture->draw(view, size3d), 20, 20);
+        QVERIFY(own.r > 100 && own.r == own.b);
+        view.chunks = chunksOf(
+            {.minimum = {8, 30, 12}, .maximum = {40, 42, 36}}, [](const glm::ivec3&) { return 1; });
+        QVERIFY(test::apart(at3d(m_fixture->draw(view, size3d), 20, 20), own) <= 1);
+        view.plane->opacity = 0.4f;
+        const glm::ivec3 through = at3d(m_fixture->draw(view, size3d), 20, 20);
+        QVERIFY2(through.r > through.b + 8, qPrintable(QString::number(through.r - through.b)));
+        view.plane->opacity = 1.0f;
+        view.chunks = chunksOf(
+            {.minimum = {8, 4, 12}, .maximum = {40, 14, 36}}, [](const glm::ivec3&) { return 1; });
+        const glm::ivec3 before = at3d(m_fixture->draw(view, size3d), 20, 20);
+        QVERIFY2(before.r > before.b + 30, qPrintable(QString::number(before.r - before.b)));
     }
 
     void atTheVolumesBorder()
