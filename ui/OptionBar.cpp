@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/OptionBar.h"
 
+#include "ui/Refinement.h"
 #include "ui/Theme.h"
 #include "ui/tools/Tool.h"
 #include "ui/widgets/FittingLabel.h"
@@ -53,12 +54,16 @@ OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget
     // The first to give way: a tool's options never make the window wider.
     m_keys->setMinimumWidth(1);
     m_keys->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_keys->setObjectName(QStringLiteral("toolKeys"));
+    m_keys->setParts(QStringLiteral(" · "));
     m_keys->setProperty("role", QStringLiteral("secondary"));
     m_keys->setFont(theme::smallFont());
     m_keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_layout->addWidget(m_keys, 8);
     connect(&workspace, &Workspace::activeToolChanged, this, &OptionBar::showTool);
     connect(&workspace, &Workspace::sessionChanged, this, &OptionBar::showTool);
+    // Each way of refining has its own.
+    connect(&workspace.refinement(), &Refinement::settingsChanged, this, &OptionBar::showKeys);
     showTool();
 }
 
@@ -126,11 +131,7 @@ void OptionBar::showTool()
         tool = nullptr;
     m_tool->setText(tool ? tool->name() : QString());
     m_tool->setVisible(tool != nullptr);
-    m_keys->setText(tool           ? tool->keys()
-            : m_workspace.volume() ? QStringLiteral("left grey scale · middle pan · right "
-                                                    "zoom · wheel slices · Shift crosshair")
-                                   : QString());
-    m_keys->setToolTip(m_keys->text());
+    showKeys();
     if (!tool)
         return;
     m_options = tool->createOptions(this);
@@ -138,6 +139,16 @@ void OptionBar::showTool()
         m_layout->insertWidget(m_layout->indexOf(m_tool) + 1, m_options);
         m_options->show();
     }
+}
+
+void OptionBar::showKeys()
+{
+    const Tool* tool = m_workspace.activeTool();
+    m_keys->setText(!m_workspace.volume() ? QString()
+            : tool                        ? tool->keys()
+                                          : QStringLiteral("left grey scale · middle pan · right "
+                                                                                  "zoom · wheel slices · Shift crosshair"));
+    m_keys->setToolTip(m_keys->text());
 }
 
 } // namespace ui

@@ -12,6 +12,8 @@ class QToolButton;
 
 namespace ui {
 
+class FittingLabel;
+
 /// Above the views: undo and redo with the name of what they concern (where the options leave room
 /// for it), the active tool's few options, and at the right what its modifier keys do.
 class OptionBar : public QFrame {
@@ -27,6 +29,7 @@ protected:
 private:
     QToolButton* addAction(QAction& action);
     void showTool();
+    void showKeys();
     void showNames();
 
     Workspace& m_workspace;
@@ -34,7 +37,7 @@ private:
     QList<QToolButton*> m_steps; ///< undo and redo
     QLabel* m_tool;
     QWidget* m_options = nullptr;
-    QLabel* m_keys;
+    FittingLabel* m_keys;
 };
 
 } // namespace ui

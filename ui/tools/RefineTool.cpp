@@ -84,7 +84,20 @@ QString RefineTool::target() const
 
 QString RefineTool::keys() const
 {
-    return tr("[ ] radius · Ctrl the other way · Esc cancels");
+    switch (m_workspace.refinement().settings().mode) {
+    case Refinement::Mode::Mark:
+        return tr("[ ] radius · Ctrl unmarks · Esc cancels");
+    case Refinement::Mode::Sphere:
+        return tr("[ ] radius · Ctrl outwards · Esc cancels");
+    case Refinement::Mode::Template:
+        return tr("Esc takes back · back to the start: closed");
+    case Refinement::Mode::Scrape:
+    case Refinement::Mode::Drag:
+    case Refinement::Mode::Attract:
+    case Refinement::Mode::Smooth:
+        break;
+    }
+    return tr("[ ] radius · Esc cancels");
 }
 
 QWidget* RefineTool::createOptions(QWidget* parent)

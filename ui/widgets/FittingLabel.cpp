@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -36,11 +38,21 @@ void FittingLabel::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setPen(palette().color(foregroundRole()));
-    const QRect room = contentsRect();
-    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
-    // A letter or two tell nothing.
-    if (shown == text() || shown.size() > leastLetters)
-        painter.drawText(room, int(alignment()), shown);
+    painter.drawText(contentsRect(), int(alignment()), shownText());
+}
+
+QString FittingLabel::shownText() const
+{
+    const int room = contentsRect().width();
+    if (m_separator.isEmpty()) {
+        const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room);
+        // A letter or two tell nothing.
+        return shown == text() || shown.size() > leastLetters ? shown : QString();
+    }
+    QString shown = text();
+    while (!shown.isEmpty() && fontMetrics().horizontalAdvance(shown) > room)
+        shown.truncate(std::max(0, int(shown.lastIndexOf(m_separator))));
+    return shown;
 }
 
 } // namespace ui

@@ -12,10 +12,17 @@ class FittingLabel : public QLabel {
 
 public:
     explicit FittingLabel(Qt::Alignment alignment, QWidget* parent = nullptr);
+    /// Cut between such parts only, without a mark: as many of the first ones as fit.
+    void setParts(const QString& separator) { m_separator = separator; }
+    /// What of the text is to be seen.
+    [[nodiscard]] QString shownText() const;
 
 protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+
+private:
+    QString m_separator; ///< empty: cut anywhere
 };
 
 } // namespace ui

@@ -8,6 +8,7 @@
 #include "ui/panels/RefinePanel.h"
 #include "ui/tools/RefineTool.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QJsonDocument>
 #include <QLabel>
@@ -153,6 +154,48 @@ class RefineToolUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// What the option bar says of keys is of the mode, and whole as far as it is there.
+    void keysAreThoseOfTheMode()
+    {
+        RefineFixture fixture;
+        fixture.window.resize(1280, 720);
+        fixture.workspace.setActiveTool(&fixture.tool);
+        const auto* keys = fixture.window.findChild<ui::FittingLabel*>(QStringLiteral("toolKeys"));
+        QVERIFY(keys);
+        const QString separator = QStringLiteral(" · ");
+        for (const Mode mode : {Mode::Mark, Mode::Sphere, Mode::Scrape, Mode::Drag, Mode::Template,
+                 Mode::Attract, Mode::Smooth}) {
+            fixture.set(mode, 6.0);
+            QCoreApplication::processEvents();
+            const bool sized = mode != Mode::Template;
+            QCOMPARE(keys->text().contains(QStringLiteral("radius")), sized);
+            QVERIFY(keys->text().contains(QStringLiteral("Esc")));
+            QCOMPARE(keys->text().contains(QStringLiteral("Ctrl")),
+                mode == Mode::Mark || mode == Mode::Sphere);
+            const QString shown = keys->shownText();
+            qInfo("mode %d: %d pixels for %s: %s", int(mode), keys->width(),
+                qUtf8Printable(keys->text()), qUtf8Printable(shown));
+            QVERIFY2(shown.isEmpty() || shown == keys->text()
+                    || keys->text().startsWith(shown + separator),
+                qPrintable(shown));
+        }
+        // Where there is room for some of it, that is what is seen.
+        ui::FittingLabel label(Qt::AlignLeft);
+        label.setParts(separator);
+        label.setText(QStringLiteral("[ ] radius · Ctrl unmarks · Esc cancels"));
+        const auto advance = [&label](const char* text) {
+            return label.fontMetrics().horizontalAdvance(QString::fromUtf8(text));
+        };
+        label.resize(advance("[ ] radius · Ctrl unmarks · Esc cancels") + 1, 20);
+        QCOMPARE(label.shownText(), label.text());
+        label.resize(advance("[ ] radius · Ctrl unmarks · Esc") + 1, 20);
+        QCOMPARE(label.shownText(), QStringLiteral("[ ] radius · Ctrl unmarks"));
+        label.resize(advance("[ ] radius"), 20);
+        QCOMPARE(label.shownText(), QStringLiteral("[ ] radius"));
+        label.resize(advance("[ ] radi"), 20);
+        QCOMPARE(label.shownText(), QString());
+    }
+
     void thePanelLaysAndWritesBack()
     {
         RefineFixture fixture;
