@@ -79,7 +79,7 @@ public:
     void lay(int vertices);
     void writeBack();
     void followMask();
-    /// Growth does not pass through it from now on; with @p erase it does again.
+    /// Growth does not pass through the surface from now on; with @p erase it does again.
     void makeBarrier(bool erase);
     void drop();
     void changeMarks(core::ChangeMarks::Way way);

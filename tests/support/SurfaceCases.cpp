@@ -107,6 +107,21 @@ std::vector<StrokeCase> surfaceCases()
     add("follow what did not change", {ball, lay}, core::FollowMask{});
     add("remove the surface", {ball, lay, push}, core::DropSurface{});
     add("delete the segment of a surface", {ball, lay, push}, core::RemoveSegment{.segment = 1});
+    const core::Edit shut = core::SurfaceBarrier{};
+    const core::Edit opened = core::SurfaceBarrier{.erase = true};
+    const core::Edit seeds = core::SeedStroke{.segment = 1, .pointsLps = {at({0, 0, 0})}};
+    const core::Edit grow = core::GrowSteps{
+        .criteria = {.lower = -2000, .upper = 4000, .connectivity = 26, .overwriteUnlocked = true},
+        .steps = {}};
+    add("barrier around the surface", {ball, lay, push}, shut);
+    add("barrier around the surface again", {ball, lay, push, shut}, shut);
+    add("barrier around the surface through what has grown", {ball, beside, seeds, grow, lay, push},
+        shut);
+    add("growth within the surface", {ball, beside, lay, push, seeds, shut}, grow);
+    add("open barrier around the surface", {ball, lay, push, seeds, shut, grow}, opened);
+    add("open no barrier around the surface", {ball, lay, push}, opened);
+    add("growth out of an opened surface", {ball, lay, push, seeds, shut, grow, opened},
+        core::ResumeGrowth{});
     add("paint beside a surface", {ball, lay, push}, paint);
     return cases;
 }

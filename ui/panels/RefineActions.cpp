@@ -41,6 +41,12 @@ QStringList addRefineActions(Actions& actions, Workspace& workspace)
             "refine.follow", Actions::tr("Follow mask"), {},
             [&refinement] { refinement.followMask(); }, hasSurface),
         add(
+            "refine.barrier", Actions::tr("Make surface a barrier"), {},
+            [&refinement] { refinement.makeBarrier(false); }, hasSurface),
+        add(
+            "refine.openBarrier", Actions::tr("Open barrier around surface"), {},
+            [&refinement] { refinement.makeBarrier(true); }, hasSurface),
+        add(
             "refine.drop", Actions::tr("Remove surface"), {}, [&refinement] { refinement.drop(); },
             hasSurface),
         QString(), marks("refine.growMarks", Actions::tr("Grow marks"), Way::Grow),

@@ -5,6 +5,8 @@
 #include "tests/support/SurfaceCases.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "ui/Actions.h"
+#include "ui/panels/RefineActions.h"
 #include "ui/panels/RefinePanel.h"
 #include "ui/tools/RefineTool.h"
 #include "ui/views/ViewGrid.h"
@@ -242,7 +244,8 @@ private Q_SLOTS:
     void whatIsPaintedSinceIsTold()
     {
         RefineFixture fixture;
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Other"), .rgb = 0x4080ff});
+        fixture.apply(
+            core::AddSegment{.name = QStringLiteral("Other"), .rgb = 0x4080ff, .code = {}});
         fixture.lay();
         const auto differs = [&] { return fixture.session().document().surface->differs; };
         const auto painted = [](int segment, double x) {
@@ -263,6 +266,56 @@ private Q_SLOTS:
         // What it already holds is no change.
         fixture.apply(painted(1, 0.0));
         QVERIFY(!differs());
+    }
+
+    void theSurfaceBecomesABarrier()
+    {
+        RefineFixture fixture;
+        QWidget host;
+        ui::Actions actions(host);
+        const QStringList names = ui::addRefineActions(actions, fixture.workspace);
+        for (const char* id : {"refine.barrier", "refine.openBarrier"}) {
+            QVERIFY(names.contains(QLatin1String(id)));
+            actions.refresh();
+            QVERIFY(!actions[QLatin1String(id)].isEnabled());
+        }
+        auto* shut = fixture.panel.findChild<QPushButton*>(QStringLiteral("surfaceBarrier"));
+        auto* open = fixture.panel.findChild<QPushButton*>(QStringLiteral("openSurfaceBarrier"));
+        QVERIFY(!shut->isVisibleTo(&fixture.panel));
+        fixture.lay();
+        QVERIFY(shut->isVisibleTo(&fixture.panel) && shut->isEnabled() && open->isEnabled());
+        QVERIFY(!shut->toolTip().isEmpty() && !open->toolTip().isEmpty());
+        QVERIFY2(fixture.panel.minimumSizeHint().width() <= 280,
+            qPrintable(QString::number(fixture.panel.minimumSizeHint().width())));
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Within"), .rgb = 1, .code = {}});
+        fixture.apply(core::SeedStroke{.segment = 2, .pointsLps = {glm::dvec3(0.0)}});
+        const std::int64_t held = fixture.voxels();
+
+        shut->click();
+        fixture.settle();
+        QVERIFY(std::holds_alternative<core::SurfaceBarrier>(fixture.lastRow().edit));
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Barrier around surface, ")));
+        QCOMPARE(fixture.voxels(), held);
+        core::GrowSteps grow;
+        grow.criteria = {.lower = -3000, .upper = 3000, .connectivity = 26};
+        grow.criteria.overwriteUnlocked = true;
+        fixture.apply(grow);
+        const auto within = [&fixture] { return fixture.session().document().segment(2)->voxels; };
+        const std::int64_t enclosed = within();
+        QVERIFY(std::abs(double(enclosed - held)) < 0.01 * double(held)); // it was only laid
+
+        actions.refresh();
+        QVERIFY(actions[QStringLiteral("refine.barrier")].isEnabled());
+        actions[QStringLiteral("refine.openBarrier")].trigger();
+        fixture.settle();
+        QCOMPARE(canonical(fixture.lastRow().edit), canonical(core::SurfaceBarrier{.erase = true}));
+        fixture.apply(core::ResumeGrowth{});
+        QVERIFY(within() > 2 * enclosed);
+        // There is nothing left to open.
+        const core::RowId row = fixture.lastRow().id;
+        open->click();
+        fixture.settle();
+        QCOMPARE(fixture.lastRow().id, row);
     }
 
     void marksOnASliceAreTheEditOfARecipe()
