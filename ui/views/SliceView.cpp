@@ -85,7 +85,8 @@ SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& ax
     connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&SliceView::update));
     connect(&workspace.refinement(), &Refinement::lookChanged, this, [this] { requestFrame(); });
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
-    connect(&workspace.chunks(), &Chunks::pictureChanged, this, [this] { requestFrame(); });
+    // As urgent as the 3D view's, which takes longer: else that would come first.
+    connect(&workspace.chunks(), &Chunks::pictureChanged, this, &SliceView::requestMovingFrame);
     connect(&workspace.plane(), &CuttingPlane::changed, this, qOverload<>(&SliceView::update));
     openVolume();
 }

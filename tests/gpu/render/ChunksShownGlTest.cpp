@@ -2,9 +2,12 @@
 #include "tests/support/FrameTest.h"
 #include "tests/support/ViewRays.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
+#include <array>
+#include <ctime>
 #include <functional>
 #include <memory>
 
@@ -406,6 +409,95 @@ private Q_SLOTS:
             [](const glm::ivec3&) { return 2; }));
         QVERIFY(isBlue(at3d(one, 24, 24)));
         QVERIFY(at3d(one, 26, 24).b < 5);
+    }
+
+    /// How long pictures take after a click, with all of them wanted at once; decides nothing.
+    void howLongAClickTakes_data()
+    {
+        QTest::addColumn<int>("leaves");
+        QTest::newRow("coarse") << 20;
+        QTest::newRow("fine") << 5000;
+    }
+    void howLongAClickTakes()
+    {
+        QFETCH(int, leaves);
+        constexpr int wide = 80; // 512 000 voxels
+        constexpr glm::ivec2 viewSize(600, 400);
+        m_fixture->open(test::centredGeometry({112, 96, 88}),
+            [](const glm::dvec3& lps) { return glm::dot(lps, lps) < 900.0 ? 1200.0 : 100.0; });
+        auto chunks = chunksOf({.minimum = {16, 8, 4}, .maximum = {16 + wide, 8 + wide, 4 + wide}},
+            [leaves](const glm::ivec3& at) {
+                const int along = leaves == 20 ? 3 : 17;
+                const glm::ivec3 cell = at * along / wide;
+                return 1 + std::min(leaves - 1, (cell.z * along + cell.y) * along + cell.x);
+            });
+        chunks->argb.assign(std::size_t(leaves), 0);
+        for (std::size_t leaf = 0; leaf < chunks->argb.size(); ++leaf)
+            chunks->argb[leaf] = 0x5A000000U | (std::uint32_t(leaf) * 0x3FA91BU & 0xFFFFFFU);
+        std::vector<int> shown; // views whose picture came
+        m_fixture->scheduler.setListener(
+            [&shown](const Frame& frame) { shown.push_back(frame.view); });
+        const auto request = [&] {
+            for (int view = 0; view < 4; ++view) {
+                FrameRequest wanted{.view = view, .sizePixels = viewSize};
+                if (view == 3) {
+                    VolumeScene scene = fromFront(chunks);
+                    scene.heightMm = 130.0;
+                    wanted.scene = scene;
+                } else {
+                    SliceScene scene;
+                    scene.mmPerPixel = 0.25;
+                    scene.window = {.centre = 1000.0, .width = 1000.0};
+                    scene.chunks = chunks;
+                    wanted.scene = scene;
+                }
+                wanted.interacting = true;
+                m_fixture->scheduler.request(wanted);
+            }
+        };
+        request();
+        while (std::count(shown.begin(), shown.end(), 3) == 0)
+            static_cast<void>(m_fixture->scheduler.work(false));
+        static constexpr std::array slices{0, 1, 2};
+        const auto median = [](std::vector<double> all) {
+            std::sort(all.begin(), all.end());
+            return all[all.size() / 2];
+        };
+        const auto isShown = [&shown](int view) {
+            return std::find(shown.begin(), shown.end(), view) != shown.end();
+        };
+        // Until the first slice, until the last one, until the 3D view, in the way of a clock; and
+        // the processor's time until the last slice, which other programs take no part in.
+        std::array<std::vector<double>, 4> times;
+        for (int click = 0; click < 12; ++click) {
+            auto clicked = std::make_shared<SceneChunks>(*chunks);
+            clicked->argb[std::size_t(click * 37 % leaves)] |= 0xFF000000U;
+            chunks = clicked;
+            shown.clear();
+            QElapsedTimer clock;
+            clock.start();
+            const std::clock_t begun = std::clock();
+            request();
+            while (times[0].size() <= std::size_t(click) || times[1].size() <= std::size_t(click)
+                || times[2].size() <= std::size_t(click)) {
+                static_cast<void>(m_fixture->scheduler.work(false));
+                const double now = double(clock.nsecsElapsed()) / 1e6;
+                const auto note = [&](std::size_t which, bool there) {
+                    if (there && times[which].size() <= std::size_t(click))
+                        times[which].push_back(now);
+                };
+                note(0, std::any_of(slices.begin(), slices.end(), isShown));
+                note(1, std::all_of(slices.begin(), slices.end(), isShown));
+                note(2, isShown(3));
+                if (times[3].size() <= std::size_t(click) && times[1].size() > std::size_t(click))
+                    times[3].push_back(1e3 * double(std::clock() - begun) / CLOCKS_PER_SEC);
+            }
+        }
+        qInfo("%d chunks of %d voxels: of three slices of %d x %d the first shows a click after "
+              "%.1f ms, the last after %.1f ms (%.1f ms of processor time), the 3D view coarsely "
+              "after %.1f ms",
+            leaves, wide * wide * wide, viewSize.x, viewSize.y, median(times[0]), median(times[1]),
+            median(times[3]), median(times[2]));
     }
 
     /// Only what is of another colour is worked out anew; it comes to what all of it does.

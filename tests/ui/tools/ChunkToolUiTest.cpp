@@ -476,6 +476,9 @@ private Q_SLOTS:
         test::Pen pen(fixture.slice);
         pen.hover(fixture.at(fixture.slice, inBone), 70000);
         QVERIFY(fixture.strength(inBone) > weak);
+        // Slices are as urgent as the 3D view, which else would be drawn before them.
+        for (const gpu::ViewId view : {fixture.slice.viewId(), fixture.view.viewId()})
+            QVERIFY(fixture.frames.lastRequest(view).interacting);
         QVERIFY(!said.isEmpty());
         const QString text = said.last().first().toString();
         const double volume = fixture.chunks().millilitres(fixture.chunkAt(inBone));
