@@ -463,7 +463,7 @@ struct ReviseStroke {
     bool removed = false;
 };
 
-using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
+using EditVariant = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
     MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
@@ -472,5 +472,20 @@ using Edit = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, Chunks, ChunkToggle,
     SurfaceBarrier>;
+
+/// Any one edit. A std::variant in all but one thing: what copies, moves and destroys it is
+/// compiled once, in Edits.cpp, instead of in every source that holds an edit.
+struct Edit : EditVariant {
+    using EditVariant::variant;
+    Edit();
+    Edit(const Edit& other);
+    Edit(Edit&& other) noexcept;
+    Edit& operator=(const Edit& other);
+    Edit& operator=(Edit&& other) noexcept;
+    ~Edit();
+    /// Not all edits compare.
+    friend bool operator==(const Edit&, const Edit&) = delete;
+    friend bool operator<(const Edit&, const Edit&) = delete;
+};
 
 } // namespace core

@@ -76,10 +76,21 @@ struct CapsuleCut {
 /// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
 /// layers and segments, whole at once; LabelListed there: a mask that comes in; RelabelListed: what
 /// a segment gets and loses, by voxel. Those of growth, ShutListed too: growth/GrowthCommands.h.
-using EngineEdit =
+using EngineEditVariant =
     std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut, MaskPeel,
         MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed, RelabelListed, CoverLabel,
         FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, ShutListed, SpreadLabels>;
+
+/// Any one of them; like Edit (core/edits/Edits.h), its copies are compiled once.
+struct EngineEdit : EngineEditVariant {
+    using EngineEditVariant::variant;
+    EngineEdit();
+    EngineEdit(const EngineEdit& other);
+    EngineEdit(EngineEdit&& other) noexcept;
+    EngineEdit& operator=(const EngineEdit& other);
+    EngineEdit& operator=(EngineEdit&& other) noexcept;
+    ~EngineEdit();
+};
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 
@@ -240,9 +251,20 @@ struct PickVoxels {
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
 };
 
-using EngineCommand = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
+using EngineCommandVariant = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
     ReadBricks, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance,
     DropTolerance, ForeseeCut, DropForesight>;
+
+/// Any one command; like Edit (core/edits/Edits.h), its copies are compiled once.
+struct EngineCommand : EngineCommandVariant {
+    using EngineCommandVariant::variant;
+    EngineCommand();
+    EngineCommand(const EngineCommand& other);
+    EngineCommand(EngineCommand&& other) noexcept;
+    EngineCommand& operator=(const EngineCommand& other);
+    EngineCommand& operator=(EngineCommand&& other) noexcept;
+    ~EngineCommand();
+};
 
 // --- Results
 // ----------------------------------------------------------------------------------------
