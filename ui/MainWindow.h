@@ -102,8 +102,8 @@ private:
     Workspace& m_workspace;
     QString m_graphics;
     Actions m_actions;
-    StudyOpener m_opener;
     std::shared_ptr<const core::EarlySlice> m_early; ///< of what is being opened
+    StudyOpener m_opener;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_sculptMenu = nullptr;

@@ -60,6 +60,7 @@ StudyOpener::StudyOpener(QObject* parent)
 
 StudyOpener::~StudyOpener()
 {
+    blockSignals(true); // who listens may be coming apart, too
     cancel();
     if (m_worker.joinable())
         m_worker.join();

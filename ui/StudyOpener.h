@@ -27,7 +27,7 @@ class StudyOpener : public QObject {
 
 public:
     explicit StudyOpener(QObject* parent = nullptr);
-    ~StudyOpener() override; ///< cancels and waits
+    ~StudyOpener() override; ///< cancels and waits; tells nobody
 
     /// A session file ends in sessionLoaded() or what openSession() says, anything else in a
     /// volume.
