@@ -26,9 +26,9 @@ for option in "$@"; do
 done
 
 {
-    installPackages build run test bench
     # A folder of its own: the option would make every other build need the peers.
-    burinBuild=$burinRoot/build/bench
+    useBuildFolder bench
+    installPackages build run test bench
     build burin_bench -- -DBURIN_BENCHMARKS=ON
     startDisplay
 } >&2

@@ -2,7 +2,7 @@
 # What run.sh, test.sh and bench.sh share. Sourced, never run.
 
 burinRoot=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-burinBuild=$burinRoot/build/release
+burinPreset=release
 export LANG=C.UTF-8 LC_ALL=C.UTF-8
 
 say() { printf '== %s\n' "$*"; }
@@ -85,6 +85,17 @@ buildJobs() {
     if [ "$memory" -lt "$processors" ]; then echo "$memory"; else echo "$processors"; fi
 }
 
+# useBuildFolder [NAME]: sets $burinBuild, by the name or the preset. The compiler is clang 14, which
+# builds Burin in a third of GCC's time, unless CXX says otherwise; its build has a folder of its own.
+useBuildFolder() {
+    burinBuild=$burinRoot/build/${1-$burinPreset}
+    if [ -n "${CXX-}" ]; then
+        burinBuild+=-$(basename "$CXX")
+    else
+        export CXX=clang++-14 CC=clang-14
+    fi
+}
+
 # build TARGET... [-- CMAKE_OPTION...]: configures $burinBuild where needed and builds these targets.
 build() {
     local cache=$burinBuild/CMakeCache.txt home targets=()
@@ -102,14 +113,23 @@ build() {
         || [ "$burinRoot/CMakePresets.json" -nt "$cache" ]; then
         say "configuring"
         mkdir -p "$burinBuild"
-        (cd "$burinRoot" && cmake --preset release -B "$burinBuild" "$@") \
+        (cd "$burinRoot" && cmake --preset "$burinPreset" -B "$burinBuild" "$@") \
             > "$burinBuild/configure.log" 2>&1 \
             || { cat "$burinBuild/configure.log" >&2; fail "cmake could not configure"; }
     fi
     say "building"
-    cmake --build "$burinBuild" --parallel "$(buildJobs)" --target "${targets[@]}" \
-        || fail "the build failed"
+    runBuild "${targets[@]}" && return
+    # A package that was updated since makes precompiled headers useless; Ninja does not see it, as
+    # the headers in packages are older than what was compiled from them.
+    local stale
+    stale=$(find "$burinBuild" -name '*.pch' ! -newer /var/lib/dpkg/status 2> /dev/null)
+    [ -n "$stale" ] || fail "the build failed"
+    say "packages have changed: building again from the headers on"
+    find "$burinBuild" -name '*.pch' -delete
+    runBuild "${targets[@]}" || fail "the build failed"
 }
+
+runBuild() { cmake --build "$burinBuild" --parallel "$(buildJobs)" --target "$@"; }
 
 # A private X server for programs that need a window; ends with the script.
 # Without -noreset it begins anew whenever its last client leaves, and turns away who comes meanwhile.

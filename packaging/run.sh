@@ -37,6 +37,7 @@ if [ -z "$screenshot" ] && [ -z "${DISPLAY-}${WAYLAND_DISPLAY-}" ]; then
   or save a picture of the window instead: packaging/run.sh --screenshot window.png"
 fi
 
+useBuildFolder
 installPackages build run
 build burin
 burin=$burinBuild/app/burin

@@ -1,31 +1,69 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test; ends with ctest's summary.
-#   packaging/test.sh          the counts of every day
-#   packaging/test.sh --long   the counts that the issues name (hours)
+# Installs what is missing, builds, and runs every test; says what each part took and which tests
+# were the slowest, and ends with ctest's summary. build/check/tests.xml holds the results (JUnit).
+#   packaging/test.sh            the counts of every day
+#   packaging/test.sh --long     the counts that the issues name, and the figures (hours)
+#   packaging/test.sh --figures  the figures and re-enactments alone
+# CXX=g++ packaging/test.sh      the same, built by another compiler, in build/check-g++
 set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-label=quick
+labels='^quick$'
 case ${1-} in
     "") ;;
-    --long) label=long ;;
-    *) fail "usage: packaging/test.sh [--long]" ;;
+    --long) labels='^(long|figures)$' ;;
+    --figures) labels='^figures$' ;;
+    *) fail "usage: packaging/test.sh [--long | --figures]" ;;
 esac
 
-installPackages build run test
-build all clang_syntax
+times=
+# timed NAME COMMAND...: runs it and notes what it took.
+timed() {
+    local name=$1 began=$SECONDS status=0
+    shift
+    "$@" || status=$?
+    times+=$(printf '%5d s  %s' $((SECONDS - began)) "$name")$'\n'
+    return $status
+}
+
+# The slowest tests, and how many functions and rows Qt Test counted.
+summarize() {
+    say "the ten slowest tests"
+    sed -n 's/.*Test *#[0-9]*: \([A-Za-z0-9_.]*\) .* \([0-9.]*\) sec.*/\2 \1/p' "$1" \
+        | sort -rn | head -10 | awk '{ printf "%7.1f s  %s\n", $1, $2 }'
+    say "functions of tests, a row of data each"
+    awk '/^Totals: / { passed += $2; failed += $4; skipped += $6 }
+        END { printf "  %d held, %d did not, %d were left out\n", passed, failed, skipped }' \
+        "$burinBuild/Testing/Temporary/LastTest.log"
+    say "what it took"
+    printf '%s' "$times"
+}
+
+burinPreset=check
+useBuildFolder
+timed "packages" installPackages build run test
+timed "product" build burin
+timed "tests" build all
+timed "second compiler" build second_compiler
 
 # Tests see neither the user's settings nor leave anything in the home folder; what they cache
-# (Mesa's compiled shaders) stays for the next run.
+# (Mesa's compiled shaders) is shared by all of them, and stays for the next run.
 home=$burinBuild/test-home
 mkdir -p "$home"/{config,data,state,cache,runtime}
 chmod 700 "$home/runtime"
 export XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_STATE_HOME=$home/state \
     XDG_CACHE_HOME=$home/cache XDG_RUNTIME_DIR=$home/runtime
-unset QT_SCALE_FACTOR QT_STYLE_OVERRIDE
+# Those that need a display start one of their own.
+unset QT_SCALE_FACTOR QT_STYLE_OVERRIDE DISPLAY WAYLAND_DISPLAY XAUTHORITY
 
-startDisplay
 say "testing"
-ctest --test-dir "$burinBuild" --label-regex "^$label\$" --output-on-failure --no-tests=error \
-    --parallel "$(buildJobs)"
+status=0
+timed "running" ctest --test-dir "$burinBuild" --label-regex "$labels" --output-on-failure \
+    --no-tests=error --parallel "$(buildJobs)" --output-junit "$burinBuild/tests.xml" \
+    > >(tee "$burinBuild/tests.log") 2>&1 || status=$?
+wait $! 2> /dev/null || true
+summarize "$burinBuild/tests.log"
+# Once more at the end, where whoever looks for the result looks first.
+sed -n '/tests passed,/p' "$burinBuild/tests.log"
+exit $status

@@ -3,6 +3,7 @@
 #include "core/session/SessionFile.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/AuditSaver.h"
 #include "ui/AuthorName.h"
 #include "ui/MainWindow.h"
@@ -194,7 +195,7 @@ private Q_SLOTS:
             ->setText(QStringLiteral("Dr. M. Muster "));
         if (wantsScreenshots()) {
             dialog.show();
-            QTest::qWait(300);
+            QVERIFY(QTest::qWaitForWindowExposed(&dialog));
             dialog.grab().save(screenshots().filePath(QStringLiteral("author.png")));
         }
         dialog.accept();
@@ -229,7 +230,12 @@ private Q_SLOTS:
         QVERIFY(timeline().popup().words().startsWith(QStringLiteral("Step 4: Drill")));
         QCOMPARE(timeline().popup().picture().size(), first.size());
         if (wantsScreenshots()) {
-            QTest::qWait(300);
+            // On the screen before that is looked at.
+            auto* popup = window().findChild<ui::KeyframePopup*>();
+            QVERIFY(QTest::qWaitForWindowExposed(popup));
+            window().repaint();
+            popup->repaint();
+            QGuiApplication::sync();
             window().screen()->grabWindow(0).save(
                 screenshots().filePath(QStringLiteral("timeline.png")));
             paintPages();
@@ -278,5 +284,5 @@ private Q_SLOTS:
     void cleanupTestCase() { m_application.reset(); }
 };
 
-QTEST_MAIN(AuditUiTest)
+BURIN_WINDOW_TEST(AuditUiTest)
 #include "AuditUiTest.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/SessionScript.h"
 #include "tests/support/SmallFileSystem.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -400,5 +401,5 @@ void CrashRecoveryTest::cleanupTestCase()
     qInfo("%d kills in the middle of a checkpoint", m_tornCheckpoints);
 }
 
-QTEST_GUILESS_MAIN(CrashRecoveryTest)
+BURIN_TEST(CrashRecoveryTest)
 #include "CrashRecoveryTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -284,5 +285,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(DamagedSessionGlTest)
+BURIN_TEST(DamagedSessionGlTest)
 #include "DamagedSessionGlTest.moc"

@@ -6,6 +6,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Chunks.h"
 #include "ui/CuttingPlane.h"
 #include "ui/DisplayState.h"
@@ -379,5 +380,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(DisplayStateUiTest)
+BURIN_WINDOW_TEST(DisplayStateUiTest)
 #include "DisplayStateUiTest.moc"

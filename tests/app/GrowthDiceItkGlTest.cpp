@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/RealGrowths.h"
 #include "tests/support/SculptStage.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -167,5 +168,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowthDiceItkGlTest)
+BURIN_TEST(GrowthDiceItkGlTest)
 #include "GrowthDiceItkGlTest.moc"

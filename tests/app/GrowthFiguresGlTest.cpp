@@ -9,6 +9,7 @@
 #include "tests/support/RealGrowths.h"
 #include "tests/support/SculptStage.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -462,5 +463,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowthFiguresGlTest)
+BURIN_TEST(GrowthFiguresGlTest)
 #include "GrowthFiguresGlTest.moc"

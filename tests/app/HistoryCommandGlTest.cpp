@@ -7,6 +7,7 @@
 #include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDateTime>
 #include <QFile>
@@ -448,5 +449,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HistoryCommandGlTest)
+BURIN_TEST(HistoryCommandGlTest)
 #include "HistoryCommandGlTest.moc"

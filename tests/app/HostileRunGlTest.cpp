@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/HostileStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -83,5 +84,5 @@ void HostileRunGlTest::oneByOne()
     check(run(folder.path()));
 }
 
-QTEST_GUILESS_MAIN(HostileRunGlTest)
+BURIN_TEST(HostileRunGlTest)
 #include "HostileRunGlTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/HostileStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -106,5 +107,5 @@ void HostileStudiesTest::besideAStudy()
     QCOMPARE(honestSlicesIn(run.output), test::honestSlices);
 }
 
-QTEST_GUILESS_MAIN(HostileStudiesTest)
+BURIN_TEST(HostileStudiesTest)
 #include "HostileStudiesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/HostileStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MessageBar.h"
 
 #include <QDir>
@@ -50,5 +51,5 @@ void HostileStudyUiTest::eachIsRefusedInWordsAndAStudyOpensAfterIt()
         std::size_t(test::honestSlices));
 }
 
-QTEST_MAIN(HostileStudyUiTest)
+BURIN_WINDOW_TEST(HostileStudyUiTest)
 #include "HostileStudyUiTest.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -207,5 +209,5 @@ void HouseTest::ownFilesKeepTheRules()
     QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QLatin1Char('\n'))));
 }
 
-QTEST_GUILESS_MAIN(HouseTest)
+BURIN_TEST(HouseTest)
 #include "HouseTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -145,5 +146,5 @@ void InfoCommandTest::failuresAreOneLine()
     QCOMPARE(burin({QStringLiteral("info"), QStringLiteral("--what")}).exitCode, 2);
 }
 
-QTEST_GUILESS_MAIN(InfoCommandTest)
+BURIN_TEST(InfoCommandTest)
 #include "InfoCommandTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/ApplicationFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Actions.h"
 
 #include <QAction>
@@ -31,5 +32,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(KeysUiTest)
+BURIN_WINDOW_TEST(KeysUiTest)
 #include "KeysUiTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/Pen.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Workspace.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
@@ -27,9 +28,7 @@ private Q_SLOTS:
             return QTest::qWaitFor(condition, test::ApplicationFixture::patience);
         };
         const auto drawn = [&] {
-            QTest::qWait(300);
-            return wait(
-                [&] { return fixture.session().idle() && fixture.window().views().refined(); });
+            return test::waitUntilDrawn(fixture.window(), fixture.workspace());
         };
         if (qEnvironmentVariableIsSet("BURIN_SCREENSHOTS")) {
             Q_EMIT fixture.window().demonstrationAsked();
@@ -46,7 +45,7 @@ private Q_SLOTS:
             }
         };
         take(Qt::Key_T);
-        QTest::qWait(100);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         test::look(fixture.window().grab(), "drill-window.png");
         take(Qt::Key_A);
         const ui::Tool* tool = fixture.workspace().activeTool();
@@ -58,7 +57,9 @@ private Q_SLOTS:
         test::Pen pen(view);
         const QImage before = view.grab().toImage();
         pen.hover(middle + aside, 1000);
-        QTest::qWait(600);
+        QVERIFY(fixture.session().settle()); // what it meets is asked for
+        QTRY_VERIFY_WITH_TIMEOUT(
+            view.grab().toImage() != before, test::ApplicationFixture::patience);
         test::look(fixture.window().grab(), "laser-window.png");
         test::look(view.grab(), "laser-footprint.png");
         QVERIFY(view.grab().toImage() != before);
@@ -83,5 +84,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(LaserUiTest)
+BURIN_WINDOW_TEST(LaserUiTest)
 #include "LaserUiTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/Pen.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/Tool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
@@ -200,5 +201,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(LongStrokeUiTest)
+BURIN_WINDOW_TEST(LongStrokeUiTest)
 #include "LongStrokeUiTest.moc"

@@ -2,9 +2,11 @@
 #include "app/Application.h"
 #include "core/edits/EditJson.h"
 #include "core/export/ExportFormats.h"
+#include "tests/support/ApplicationFixture.h"
 #include "tests/support/Pen.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MainWindow.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/dialogs/ExportDialog.h"
@@ -155,8 +157,9 @@ public:
         const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
         if (folder.isEmpty())
             return;
-        QTest::qWait(300); // what the last edit changed is asked for by now
-        wait([this] { return m_window.views().refined(); }, "the views are not refined");
+        if (!test::waitUntilDrawn(m_window, workspace(), patience))
+            qFatal("the views are not refined");
+        // Panels count what a step changed 120 ms after it (GenerationSection), and tell nobody.
         QTest::qWait(200);
         m_window.grab().save(QDir(folder).filePath(text(name) + text(".png")));
     }
@@ -384,5 +387,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(MainJobUiTest)
+BURIN_WINDOW_TEST(MainJobUiTest)
 #include "MainJobUiTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/ManualWindow.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Chunks.h"
 #include "ui/Refinement.h"
 #include "ui/dialogs/ExportDialog.h"
@@ -133,6 +134,8 @@ private:
     /// The window, with what floats over it.
     void keep(const char* name)
     {
+        // Panels count what a step changed 120 ms after it (GenerationSection, ToleranceSection),
+        // and tell nobody.
         QTest::qWait(300);
         QPixmap picture = window().grab();
         if (const QWidget& popup = timeline().popup(); popup.isVisible()) {
@@ -169,7 +172,8 @@ private Q_SLOTS:
         for (int row = 0; row < 3; ++row)
             QVERIFY(wait([&] { return !list->topLevelItem(row)->icon(0).isNull(); }));
         list->setCurrentItem(list->topLevelItem(0));
-        QTest::qWait(300);
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         save(dialog.grab(), "study-browser.png");
     }
 
@@ -209,7 +213,7 @@ private Q_SLOTS:
         QLineEdit* file = dialog.findChild<QLineEdit*>(QStringLiteral("exportFile"));
         const QSignalBlocker quiet(file);
         file->setText(QStringLiteral("/home/jane/masks/head-seg.dcm"));
-        QTest::qWait(300);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         save(dialog.grab(), "export-verdict.png");
     }
 
@@ -333,5 +337,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ManualPicturesUiTest)
+BURIN_WINDOW_TEST(ManualPicturesUiTest)
 #include "ManualPicturesUiTest.moc"

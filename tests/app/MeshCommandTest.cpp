@@ -2,6 +2,7 @@
 #include "core/meshfile/MeshReader.h"
 #include "tests/support/BurinProgram.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -148,5 +149,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(MeshCommandTest)
+BURIN_TEST(MeshCommandTest)
 #include "MeshCommandTest.moc"

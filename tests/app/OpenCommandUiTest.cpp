@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
+
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -124,5 +126,5 @@ void OpenCommandUiTest::screenshotOfTheDemonstration()
 
 // A client of the display itself: a server that loses its last client begins anew, and turns away
 // who comes meanwhile (Qt aborts then).
-QTEST_MAIN(OpenCommandUiTest)
+BURIN_WINDOW_TEST(OpenCommandUiTest)
 #include "OpenCommandUiTest.moc"

@@ -7,6 +7,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MainWindow.h"
 #include "ui/MessageBar.h"
 
@@ -248,5 +249,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(OpenSessionUiTest)
+BURIN_WINDOW_TEST(OpenSessionUiTest)
 #include "OpenSessionUiTest.moc"

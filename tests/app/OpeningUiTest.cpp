@@ -4,6 +4,7 @@
 #include "tests/support/ImageFiles.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/LoadingBar.h"
 #include "ui/RecentStudies.h"
 #include "ui/StartPage.h"
@@ -157,5 +158,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(OpeningUiTest)
+BURIN_WINDOW_TEST(OpeningUiTest)
 #include "OpeningUiTest.moc"

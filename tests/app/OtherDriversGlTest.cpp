@@ -6,6 +6,7 @@
 #include "tests/support/BurinProgram.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QScopeGuard>
 #include <QTemporaryDir>
@@ -152,5 +153,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(OtherDriversGlTest)
+BURIN_TEST(OtherDriversGlTest)
 #include "OtherDriversGlTest.moc"

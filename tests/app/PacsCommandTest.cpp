@@ -2,6 +2,7 @@
 #include "tests/support/BurinProgram.h"
 #include "tests/support/PacsServers.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/PacsSources.h"
 
 #include <QDir>
@@ -181,5 +182,5 @@ void PacsCommandTest::wrongArguments()
     QVERIFY(!outcome.complaint.contains(word("secret")));
 }
 
-QTEST_GUILESS_MAIN(PacsCommandTest)
+BURIN_TEST(PacsCommandTest)
 #include "PacsCommandTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/MarkedSeries.h"
 #include "tests/support/SessionFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -40,7 +41,7 @@ QJsonObject recipe(const QTemporaryDir& folder)
                     {key("heightMm"), 60}, {key("orthographic"), true}}},
             {key("mask"), QJsonObject{{key("shape"), key("circle")}, {key("radiusMm"), 4}}},
             {key("depthMm"), 6}, {key("surface"), QJsonObject{{key("threshold"), -2000}}},
-            {key("samples"), QJsonArray{QJsonArray{0, 0, 1.0, 0.0}}}},
+            {key("samples"), QJsonArray{QJsonValue(QJsonArray{0, 0, 1.0, 0.0})}}},
         QJsonObject{{key("edit"), key("layerToSegment")}, {key("layer"), 1}, {key("segment"), 1}}};
     return {{key("edits"), edits}, {key("export"), exports}};
 }
@@ -163,5 +164,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PatientPrivacyGlTest)
+BURIN_TEST(PatientPrivacyGlTest)
 #include "PatientPrivacyGlTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/ImageFiles.h"
 #include "tests/support/OpenedVolume.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -181,5 +182,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PicturesCommandGlTest)
+BURIN_TEST(PicturesCommandGlTest)
 #include "PicturesCommandGlTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/GpuEngine.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/StatusLine.h"
 #include "ui/Theme.h"
 #include "ui/tools/PickQuestion.h"
@@ -328,7 +329,7 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
         return all;
     };
     std::vector<QImage> untouched;
-    std::vector<QImage> left;
+    std::vector<QImage> edited;
     {
         RealWindow real(patient(test::headFirstSupine()), file);
         QVERIFY(real.waitUntilRefined());
@@ -353,18 +354,18 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
         real.workspace.setCrosshairLps(place);
         real.window.views().volume().resetView();
         QVERIFY(real.waitUntilRefined());
-        left = pictures(real);
+        edited = pictures(real);
     }
-    QVERIFY(left[0] != untouched[0]);
-    QVERIFY(left[1] != untouched[1]);
+    QVERIFY(edited[0] != untouched[0]);
+    QVERIFY(edited[1] != untouched[1]);
     RealWindow real(patient(test::headFirstSupine()), file);
     QVERIFY(real.waitUntilRefined());
     const auto continued = pictures(real);
-    for (std::size_t view = 0; view < left.size(); ++view) {
-        QCOMPARE(continued[view].size(), left[view].size());
-        QVERIFY2(continued[view] == left[view], qPrintable(QString::number(view)));
+    for (std::size_t view = 0; view < edited.size(); ++view) {
+        QCOMPARE(continued[view].size(), edited[view].size());
+        QVERIFY2(continued[view] == edited[view], qPrintable(QString::number(view)));
     }
 }
 
-QTEST_MAIN(PicturesUiTest)
+BURIN_WINDOW_TEST(PicturesUiTest)
 #include "PicturesUiTest.moc"

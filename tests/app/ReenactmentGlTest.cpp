@@ -8,6 +8,7 @@
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SculptStage.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -472,5 +473,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReenactmentGlTest)
+BURIN_TEST(ReenactmentGlTest)
 #include "ReenactmentGlTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/SurfaceCases.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -26,7 +27,8 @@ class RefineCommandGlTest : public QObject, protected test::CommandFixture {
     [[nodiscard]] static QJsonObject on(const glm::dvec3& placeLps, double radiusMm)
     {
         return {{key("radiusMm"), radiusMm},
-            {key("pointsLps"), QJsonArray{QJsonArray{placeLps.x, placeLps.y, placeLps.z}}}};
+            {key("pointsLps"),
+                QJsonArray{QJsonValue(QJsonArray{placeLps.x, placeLps.y, placeLps.z})}}};
     }
 
 private Q_SLOTS:
@@ -80,5 +82,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RefineCommandGlTest)
+BURIN_TEST(RefineCommandGlTest)
 #include "RefineCommandGlTest.moc"

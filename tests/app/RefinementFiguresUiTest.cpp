@@ -2,6 +2,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/FigurePanels.h"
 #include "tests/support/ManualWindow.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/CuttingPlane.h"
 #include "ui/Refinement.h"
 #include "ui/tools/RefineTool.h"
@@ -174,8 +175,10 @@ private Q_SLOTS:
         refinement.addContour(lobe(across));
         QVERIFY(waitUntilDrawn());
         panels.push_back(panel(stage));
+        QSignalSpy moved(&refinement, &ui::Refinement::changed);
         refinement.previewTemplate();
-        QTest::qWait(2000);
+        // A preview stays open and tells nobody that it is done: until it has come to rest.
+        while (moved.wait(2000)) { }
         QVERIFY(wait([this] { return window().views().refined(); }));
         panels.push_back(panel(stage));
         refinement.takeTemplate();
@@ -185,5 +188,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(RefinementFiguresUiTest)
+BURIN_WINDOW_TEST(RefinementFiguresUiTest)
 #include "RefinementFiguresUiTest.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/FigurePanels.h"
 #include "tests/support/SculptStage.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -123,5 +124,5 @@ private Q_SLOTS:
     void lung() { draw("7", false, {0.35, -1.0, 0.2}, "refine-lung.png"); }
 };
 
-QTEST_GUILESS_MAIN(RefinementTableFiguresGlTest)
+BURIN_TEST(RefinementTableFiguresGlTest)
 #include "RefinementTableFiguresGlTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/reenactment/SurfaceRobot.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -208,5 +209,5 @@ void RefinementTableTest::cleanupTestCase()
         qInfo("%s", qPrintable(line));
 }
 
-QTEST_GUILESS_MAIN(RefinementTableTest)
+BURIN_TEST(RefinementTableTest)
 #include "RefinementTableTest.moc"

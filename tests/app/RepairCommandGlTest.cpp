@@ -4,6 +4,7 @@
 #include "tests/support/DefectiveSeries.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -115,5 +116,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RepairCommandGlTest)
+BURIN_TEST(RepairCommandGlTest)
 #include "RepairCommandGlTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -139,5 +140,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReplayCommandGlTest)
+BURIN_TEST(ReplayCommandGlTest)
 #include "ReplayCommandGlTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -65,5 +66,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RunChunksGlTest)
+BURIN_TEST(RunChunksGlTest)
 #include "RunChunksGlTest.moc"

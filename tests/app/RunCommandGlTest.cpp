@@ -7,6 +7,7 @@
 #include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/InitialDisplay.h"
 
 #include <QDir>
@@ -479,5 +480,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RunCommandGlTest)
+BURIN_TEST(RunCommandGlTest)
 #include "RunCommandGlTest.moc"

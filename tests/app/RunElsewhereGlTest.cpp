@@ -2,6 +2,7 @@
 #include "tests/support/CommandFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -93,5 +94,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RunElsewhereGlTest)
+BURIN_TEST(RunElsewhereGlTest)
 #include "RunElsewhereGlTest.moc"

@@ -7,6 +7,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -75,8 +76,8 @@ void RunOracleTest::runsAlike_data()
         addReal("ct_lidc0314_lower", -950, -500); // lung
     test::Random random(4);
     for (int number = 0; number < 5; ++number) {
-        const glm::ivec3 size(test::randomInt(random, 20, 90), test::randomInt(random, 20, 90),
-            test::randomInt(random, 20, 70));
+        const glm::ivec3 size{test::randomInt(random, 20, 90), test::randomInt(random, 20, 90),
+            test::randomInt(random, 20, 70)};
         Document document = test::randomDocument(size, random, false);
         const test::Codes codes = number % 2 ? test::balls(size, 12, random)
                                              : test::noiseVolume(size, test::tissueCode, random);
@@ -156,5 +157,5 @@ void RunOracleTest::runsAlike()
     QVERIFY((*session)->history().rows().back().statistics.voxelsChanged > 100);
 }
 
-QTEST_GUILESS_MAIN(RunOracleTest)
+BURIN_TEST(RunOracleTest)
 #include "RunOracleTest.moc"

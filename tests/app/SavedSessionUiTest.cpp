@@ -4,7 +4,9 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/SessionSaver.h"
+#include "ui/views/ViewGrid.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -96,7 +98,7 @@ private Q_SLOTS:
         QVERIFY2(bar().contains(QStringLiteral("The study is no longer at ")), qPrintable(bar()));
         QVERIFY2(bar().contains(QStringLiteral("Its images are taken from with.burin")),
             qPrintable(bar()));
-        QTest::qWait(2000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), patience);
         look(window().grab(), "images-from-session.png");
         edit(test::drillAt(3));
 
@@ -218,7 +220,7 @@ private Q_SLOTS:
             nobody.emplace();
         open(path("case/ct"));
         QVERIFY2(bar().contains(QStringLiteral("Steps stay in memory only")), qPrintable(bar()));
-        QTest::qWait(1500);
+        QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), patience);
         if (!readOnly) // nobody may not write pictures either
             look(window().grab(), "no-state-folder.png");
         // Nothing done, nothing to ask.
@@ -272,5 +274,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SavedSessionUiTest)
+BURIN_WINDOW_TEST(SavedSessionUiTest)
 #include "SavedSessionUiTest.moc"

@@ -8,10 +8,12 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/ReadOnlyMark.h"
 #include "ui/RecentStudies.h"
 #include "ui/SessionOffers.h"
 #include "ui/SessionSaver.h"
+#include "ui/views/ViewGrid.h"
 
 #include <QApplication>
 #include <QDir>
@@ -78,7 +80,7 @@ private Q_SLOTS:
             qPrintable(bar()));
         QVERIFY2(bar().contains(QStringLiteral("The 6 rows before it are open in s (recovered)")),
             qPrintable(bar()));
-        QTest::qWait(200); // for the layout
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         look(window().grab(), "damaged.png");
         // Nothing was done: it leaves nothing.
         window().closeStudy();
@@ -167,6 +169,7 @@ private Q_SLOTS:
             first.waitForFinished();
         });
         QTRY_VERIFY_WITH_TIMEOUT(core::isSessionInUse(file), patience);
+        // The other program tells nobody when it has written what it writes on opening.
         QTest::qWait(500);
         const QByteArray before = test::fingerprint(file);
         open(file);
@@ -174,7 +177,7 @@ private Q_SLOTS:
         QVERIFY(window().windowTitle().contains(QStringLiteral("(read-only)")));
         QVERIFY2(
             bar().contains(QStringLiteral("s.burin is open in another window")), qPrintable(bar()));
-        QTest::qWait(1500);
+        QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), patience);
         look(window().grab(), "second-window.png");
         QCOMPARE(session().history().rows().size(), rows);
         const auto refused = session().apply(test::drillAt(0));
@@ -396,5 +399,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SessionLifeUiTest)
+BURIN_WINDOW_TEST(SessionLifeUiTest)
 #include "SessionLifeUiTest.moc"

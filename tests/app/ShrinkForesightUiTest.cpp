@@ -2,6 +2,7 @@
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Workspace.h"
 #include "ui/tools/ShrinkForesight.h"
 #include "ui/tools/ShrinkTool.h"
@@ -62,8 +63,7 @@ private Q_SLOTS:
         fixture.workspace().setActiveTool(tool);
         ui::ViewGrid& views = fixture.window().views();
         const auto drawn = [&] {
-            QTest::qWait(300);
-            return wait([&] { return fixture.session().idle() && views.refined(); });
+            return test::waitUntilDrawn(fixture.window(), fixture.workspace());
         };
         // Through the shell's front, which the 3D view looks at.
         const glm::dvec3 place = test::seedInBone(1).pointsLps.front() + glm::dvec3(3.0, 0.0, 0.0);
@@ -108,5 +108,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ShrinkForesightUiTest)
+BURIN_WINDOW_TEST(ShrinkForesightUiTest)
 #include "ShrinkForesightUiTest.moc"

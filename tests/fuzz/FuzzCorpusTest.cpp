@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/FuzzTargets.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDirIterator>
 #include <QFile>
@@ -73,5 +74,5 @@ void FuzzCorpusTest::everyFolderIsATarget()
     }
 }
 
-QTEST_GUILESS_MAIN(FuzzCorpusTest)
+BURIN_TEST(FuzzCorpusTest)
 #include "FuzzCorpusTest.moc"

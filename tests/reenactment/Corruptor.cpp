@@ -232,7 +232,7 @@ private:
         const glm::dvec3 way = glm::normalize(deepest > 0.5 ? inside - from : from - centre);
         const double neck = m_scale * place.within(2.0, 4.0);
         const glm::dvec3 end = from + (deepest + 3.0 * m_scale) * way;
-        return [=, this, arrival = arrivalFrom(end, inside)](
+        return [=, arrival = arrivalFrom(end, inside)](
                    const glm::ivec3& voxel, std::size_t at, double size) {
             const glm::dvec3 here(voxel);
             const double part = std::clamp(

@@ -6,12 +6,17 @@
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
 #include "ui/MessageBar.h"
+#include "ui/views/ViewGrid.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace test {
 
@@ -77,6 +82,36 @@ std::size_t writeSession(const QString& file, const QString& study)
         static_cast<void>(made->settle());
     }
     return made->history().rows().size();
+}
+
+bool waitUntilDrawn(ui::MainWindow& window, ui::Workspace& workspace, int patienceMs)
+{
+    // The pointer may have been moved, panels may have been shown: what comes of that goes first.
+    QGuiApplication::sync();
+    QCoreApplication::sendPostedEvents();
+    if (!workspace.session()->settle())
+        return false;
+    // An edit is not part of a scene: a view takes its picture for new until the next one comes.
+    // Another threshold and grey scale, by less than a picture can show, are another scene, and
+    // what comes of that was asked for after the edit was done.
+    const ui::ViewGrid& views = window.views();
+    const ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+    const core::WindowLevel grey = workspace.windowLevel();
+    constexpr double upwards = std::numeric_limits<double>::infinity();
+    ui::Workspace::VolumeDisplay other = display;
+    other.surfaceThreshold = std::nextafter(display.surfaceThreshold, upwards);
+    workspace.setVolumeDisplay(other);
+    workspace.setWindowLevel({std::nextafter(grey.centre, upwards), grey.width});
+    const bool came = QTest::qWaitFor(
+        [&views] {
+            const auto all = views.views();
+            return std::all_of(all.begin(), all.end(),
+                [](const ui::ImageView* view) { return !view->isVisible() || view->quality(); });
+        },
+        patienceMs);
+    workspace.setVolumeDisplay(display);
+    workspace.setWindowLevel(grey);
+    return came && QTest::qWaitFor([&views] { return views.refined(); }, patienceMs);
 }
 
 void look(const QPixmap& picture, const char* name)

@@ -60,6 +60,11 @@ void press(QWidget& dialog, const QString& text);
 /// A session with the steps of manyEdits(), closed. @return how many
 std::size_t writeSession(const QString& file, const QString& study);
 
+/// Waits for all that was asked of the session so far, and until every view shows a picture of it
+/// that is drawn to the end. @return whether that came, without an error of the session
+[[nodiscard]] bool waitUntilDrawn(ui::MainWindow& window, ui::Workspace& workspace,
+    int patienceMs = ApplicationFixture::patience);
+
 /// For people who want to look: the folder is named by BURIN_SCREENSHOTS.
 void look(const QPixmap& picture, const char* name);
 

@@ -43,7 +43,7 @@ class Scene {
 public:
     Scene(const QByteArray& name, std::uint32_t seed)
         : m_random(seed)
-        , m_size(randomInt(m_random, 3, 40), randomInt(m_random, 3, 40), randomInt(m_random, 3, 40))
+        , m_size{randomInt(m_random, 3, 40), randomInt(m_random, 3, 40), randomInt(m_random, 3, 40)}
         , m_document(randomDocument(m_size, m_random, false))
         , m_made{name,
               m_random() % 3 ? balls(m_size, 6, m_random)

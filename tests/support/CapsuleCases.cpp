@@ -132,8 +132,8 @@ void disturb(core::CapsuleFrame& frame, Random& random)
 EngineCase randomPainting(int number)
 {
     Random random(std::uint32_t(15000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     Scene scene("random brush " + QByteArray::number(number), std::uint32_t(16000 + number), size,
         random() % 2);
     std::vector<EngineStep>& steps = scene.made.steps;
@@ -200,7 +200,7 @@ core::BrushPath randomPath(const core::Document& document, Random& random)
         const int axis = randomInt(random, 0, 2);
         path.normalLps = random() % 3
             ? glm::normalize(glm::cross(direction[(axis + 1) % 3], direction[(axis + 2) % 3]))
-            : glm::dvec3(randomUnit(random), randomUnit(random) - 0.5, randomUnit(random) + 0.01);
+            : glm::dvec3{randomUnit(random), randomUnit(random) - 0.5, randomUnit(random) + 0.01};
     }
     path.pointsLps.push_back(randomPoint(geometry, random, 0.1));
     for (int i = randomInt(random, 0, 6); i > 0; --i) {
@@ -402,8 +402,8 @@ std::vector<EngineCase> carveCases(int randomCount)
     std::vector<EngineCase> cases;
     for (int number = 0; number < randomCount; ++number) {
         Random random(std::uint32_t(17000 + number));
-        const glm::ivec3 size(
-            randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32));
+        const glm::ivec3 size{
+            randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32)};
         Scene scene("random carving " + QByteArray::number(number), std::uint32_t(18000 + number),
             size, random() % 2);
         for (const bool restore : {false, true}) {

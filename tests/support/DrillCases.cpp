@@ -118,8 +118,8 @@ Bytes randomCoverage(const glm::ivec3& size, Random& random)
 EngineCase randomDrilling(int number)
 {
     Random random(std::uint32_t(5000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     Scene scene("random drill " + QByteArray::number(number), std::uint32_t(6000 + number), size,
         random() % 2);
     scene.made.codes = randomCodes(size, random);
@@ -279,8 +279,8 @@ std::vector<EngineCase> pickCases(int randomCount)
     std::vector<EngineCase> cases;
     for (int number = 0; number < randomCount; ++number) {
         Random random(std::uint32_t(9000 + number));
-        const glm::ivec3 size(
-            randomInt(random, 1, 30), randomInt(random, 1, 30), randomInt(random, 1, 30));
+        const glm::ivec3 size{
+            randomInt(random, 1, 30), randomInt(random, 1, 30), randomInt(random, 1, 30)};
         Scene scene("picks " + QByteArray::number(number), std::uint32_t(9500 + number), size);
         scene.made.codes = randomCodes(size, random);
         std::vector<EngineStep>& steps = scene.made.steps;

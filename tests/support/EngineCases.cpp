@@ -81,12 +81,16 @@ core::Document randomDocument(const glm::ivec3& size, Random& random, bool shear
     glm::dvec3 z = glm::cross(x, y);
     if (sheared)
         z = glm::normalize(z + 0.3 * y);
+    // One after the other: compilers differ in the order of a call's arguments.
+    const glm::dvec3 originLps = 100.0 * randomDirection(random);
     const auto spacing = [&] { return 0.4 + 1.8 * randomUnit(random); };
+    const double ofSlices = spacing();
+    const double ofRows = spacing();
+    const double ofColumns = spacing();
     core::Volume volume;
     volume.geometry.size = size;
-    volume.geometry.indexToWorld =
-        glm::dmat4(glm::dvec4(x * spacing(), 0.0), glm::dvec4(y * spacing(), 0.0),
-            glm::dvec4(z * spacing(), 0.0), glm::dvec4(100.0 * randomDirection(random), 1.0));
+    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(x * ofColumns, 0.0),
+        glm::dvec4(y * ofRows, 0.0), glm::dvec4(z * ofSlices, 0.0), glm::dvec4(originLps, 1.0));
     core::Document document;
     document.volumes.push_back(volume);
     document.layers.push_back({.id = 1, .name = QStringLiteral("Sculpt 1")});
@@ -99,7 +103,7 @@ std::vector<glm::dvec2> randomOutline(double reachMm, Random& random)
     std::vector<glm::dvec2> outline;
     for (int i = randomInt(random, 2, 9); i > 0; --i)
         outline.push_back(
-            2.0 * reachMm * glm::dvec2(randomUnit(random) - 0.5, randomUnit(random) - 0.5));
+            2.0 * reachMm * glm::dvec2{randomUnit(random) - 0.5, randomUnit(random) - 0.5});
     // Whatever those are, the corner at the end keeps it from being too small.
     const glm::dvec2 last = outline.back();
     outline.push_back(last + glm::dvec2(reachMm + 1.5, 0.0));

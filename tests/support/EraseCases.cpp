@@ -46,8 +46,8 @@ EngineStep painted(const Bytes& labels, std::uint8_t plane)
 EngineCase randomErasing(int number)
 {
     Random random(std::uint32_t(12000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     EngineCase made{
         "random erasing " + QByteArray::number(number), noiseVolume(size, tissueCode, random), {}};
     const std::array<std::uint8_t, 4> labels{1, 2, 254, 255};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QProcess>
 #include <QTest>
@@ -75,11 +76,12 @@ void FailingLogSelfTest::endsAsExpected()
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("BURIN_SELF_TEST_CHILD"), QStringLiteral("1"));
     child.setProcessEnvironment(environment);
-    child.start(QCoreApplication::applicationFilePath(), {function});
+    child.start(
+        QCoreApplication::applicationFilePath(), {QStringLiteral("FailingLogSelfTest"), function});
     QVERIFY(child.waitForFinished());
     QCOMPARE(child.exitStatus(), QProcess::NormalExit);
     QCOMPARE(child.exitCode(), failures);
 }
 
-QTEST_GUILESS_MAIN(FailingLogSelfTest)
+BURIN_TEST(FailingLogSelfTest)
 #include "FailingLogSelfTest.moc"

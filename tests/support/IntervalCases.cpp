@@ -24,8 +24,8 @@ EngineStep command(core::EngineCommand known)
 EngineCase randomMoves(int number)
 {
     Random random(std::uint32_t(27000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 4, 36), randomInt(random, 4, 36), randomInt(random, 4, 36));
+    const glm::ivec3 size{
+        randomInt(random, 4, 36), randomInt(random, 4, 36), randomInt(random, 4, 36)};
     const core::Document document = randomDocument(size, random, false);
     EngineCase made{"random moves of the interval " + QByteArray::number(number),
         random() % 3 ? balls(size, 6, random) : noiseVolume(size, tissueCode, random), {}};

@@ -90,7 +90,7 @@ void disturb(LaserCut& cut, Random& random)
         frame.maxDepth /= 9;
         break;
     case 8:
-        cut.mask.first += glm::ivec2(randomInt(random, -9, 9), randomInt(random, -9, 9));
+        cut.mask.first += glm::ivec2{randomInt(random, -9, 9), randomInt(random, -9, 9)};
         break;
     default:
         break;
@@ -100,8 +100,8 @@ void disturb(LaserCut& cut, Random& random)
 EngineCase randomLasering(int number)
 {
     Random random(std::uint32_t(31000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 26), randomInt(random, 1, 26), randomInt(random, 1, 26));
+    const glm::ivec3 size{
+        randomInt(random, 1, 26), randomInt(random, 1, 26), randomInt(random, 1, 26)};
     core::Document scene = randomDocument(size, random, random() % 2);
     if (random() % 4 == 0) { // slices far apart
         glm::dmat4& affine = scene.volumes.front().geometry.indexToWorld;

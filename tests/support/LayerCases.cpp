@@ -62,8 +62,8 @@ void appendStroke(EngineCase& made, const core::Document& document, Random& rand
 EngineCase randomMuting(int number)
 {
     Random random(std::uint32_t(14000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     const core::Document document = randomDocument(size, random, random() % 2);
     EngineCase made{"random muting " + QByteArray::number(number),
         random() % 2 ? shells(size) : balls(size, 5, random), {}};

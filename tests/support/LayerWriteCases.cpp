@@ -79,8 +79,8 @@ LabelListed randomList(const glm::ivec3& size, std::uint8_t plane, Random& rando
 EngineCase randomWrites(int number)
 {
     Random random(std::uint32_t(21000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     EngineCase made{"random layer writes " + QByteArray::number(number),
         noiseVolume(size, tissueCode, random), {}};
     made.steps.push_back(put(noise(size, random, {0, 127, 128, 255}), core::Field::Coverage, 1));

@@ -98,7 +98,7 @@ Body vessel(Random& random, double least)
 {
     Body body{.name = "vessel"};
     double radius = between(random, least, 9.0);
-    glm::dvec3 place(4.0, between(random, 18.0, 34.0), between(random, 30.0, 66.0));
+    glm::dvec3 place{4.0, between(random, 18.0, 34.0), between(random, 30.0, 66.0)};
     body.seed = glm::ivec3(place + 0.5) + glm::ivec3(2, 0, 0);
     for (int part = 0; part < 4; ++part) {
         const double y = between(random, -6.0, 6.0);

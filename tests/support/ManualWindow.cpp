@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/ManualWindow.h"
 
+#include "tests/support/ApplicationFixture.h"
 #include "ui/PanelSection.h"
 #include "ui/panels/Panel.h"
-#include "ui/views/ViewGrid.h"
 
 #include <QDir>
 #include <QSettings>
@@ -45,8 +45,7 @@ bool ManualWindow::wait(const std::function<bool()>& condition)
 
 bool ManualWindow::waitUntilDrawn()
 {
-    QTest::qWait(2500); // a busy machine needs that long to know that its pictures are old
-    return wait([this] { return session().idle() && window().views().refined(); });
+    return test::waitUntilDrawn(window(), workspace(), patience);
 }
 
 void ManualWindow::apply(const core::Edit& edit)

@@ -52,7 +52,7 @@ Codes randomRooms(const glm::ivec3& size, Random& random)
 EngineCase randomCase(int number)
 {
     Random random(std::uint32_t(91000 + number));
-    glm::ivec3 size(randomInt(random, 6, 44), randomInt(random, 6, 44), randomInt(random, 6, 44));
+    glm::ivec3 size{randomInt(random, 6, 44), randomInt(random, 6, 44), randomInt(random, 6, 44)};
     if (random() % 5 == 0)
         size[int(random() % 3)] = randomInt(random, 1, 3); // as a picture is
     const core::Document document = randomDocument(size, random, false);

@@ -54,8 +54,8 @@ void appendPeel(std::vector<EngineStep>& steps, const core::MaskPeel& peel, std:
 EngineCase randomPeeling(int number)
 {
     Random random(std::uint32_t(21000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32));
+    const glm::ivec3 size{
+        randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32)};
     const double finest = 0.5 + randomUnit(random);
     const glm::dvec3 spacing = random() % 3 == 0 ? glm::dvec3(finest, finest, 8.0 * finest)
         : random() % 2                           ? glm::dvec3(finest, finest, 5.0 * finest)
@@ -152,8 +152,8 @@ std::vector<EngineCase> scissorsCases(int randomCount)
     std::vector<EngineCase> cases;
     for (int number = 0; number < randomCount; ++number) {
         Random random(std::uint32_t(23000 + number));
-        const glm::ivec3 size(
-            randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32));
+        const glm::ivec3 size{
+            randomInt(random, 1, 32), randomInt(random, 1, 32), randomInt(random, 1, 32)};
         const glm::dvec3 spacing(1.0, 1.0, random() % 3 ? 1.0 : 8.0);
         const core::Document scene = document(size, random, spacing);
         EngineCase made{

@@ -278,7 +278,7 @@ private:
         std::vector<HiddenSide> sides;
         for (int i = between(0, 2); i > 0; --i)
             sides.push_back(beyond(randomDrill().view.targetLps,
-                glm::dvec3(between(-10, 10), between(1, 10), between(-10, 10))));
+                glm::dvec3{between(-10, 10), between(1, 10), between(-10, 10)}));
         if (!sides.empty())
             seen.hidden = sides;
         return seen;
@@ -303,8 +303,8 @@ private:
     }
     Edit randomPiece(const Document& document)
     {
-        const auto turn = [this] { return glm::dvec3(between(-90, 90), between(-90, 90), 12.5); };
-        const auto away = [this] { return glm::dvec3(between(-40, 40), 3.25, between(-9, 9)); };
+        const auto turn = [this] { return glm::dvec3{between(-90, 90), between(-90, 90), 12.5}; };
+        const auto away = [this] { return glm::dvec3{between(-40, 40), 3.25, between(-9, 9)}; };
         const int dice = document.pieces.empty() ? between(0, 29) : between(0, 99);
         if (dice < 15)
             return CutPiece{.layer = any(document.layers).id, .name = randomName()};
@@ -327,8 +327,8 @@ private:
         const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
         SeedStroke stroke{.segment = segment, .pointsLps = {}};
         for (int i = between(1, 4); i > 0; --i) {
-            const glm::dvec3 voxel(between(0, geometry.size.x - 1), between(0, geometry.size.y - 1),
-                between(0, geometry.size.z - 1));
+            const glm::dvec3 voxel{between(0, geometry.size.x - 1), between(0, geometry.size.y - 1),
+                between(0, geometry.size.z - 1)};
             stroke.pointsLps.push_back(geometry.toWorld(voxel));
         }
         if (chance(30) && !m_sketched.empty())
@@ -418,7 +418,7 @@ private:
         DrillStroke stroke = drillAt(between(-120, 120) / 10.0);
         const glm::dvec3 middle = stroke.view.targetLps;
         if (chance(40)) // from another side
-            stroke.view.eyeLps = middle + glm::dvec3(between(-200, 200), between(50, 200), 30);
+            stroke.view.eyeLps = middle + glm::dvec3{between(-200, 200), between(50, 200), 30};
         for (PenSample& sample : stroke.samples)
             sample.yMm += between(-60, 60) / 10.0;
         stroke.mask.radiusMm = between(10, 70) / 10.0;
@@ -472,7 +472,7 @@ private:
         glm::dvec3 at = drill.view.targetLps
             + glm::dvec3(drill.samples.front().xMm, -between(6, 15), drill.samples.front().yMm);
         for (int i = between(1, 4); i > 0; --i) {
-            at += glm::dvec3(between(-60, 60), between(-60, 60), between(-30, 30)) / 10.0;
+            at += glm::dvec3{between(-60, 60), between(-60, 60), between(-30, 30)} / 10.0;
             path.pointsLps.push_back(at);
         }
         if (chance(40)) {

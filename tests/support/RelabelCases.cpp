@@ -82,8 +82,8 @@ core::ReadCodes randomBox(const glm::ivec3& size, Random& random)
 EngineCase randomRelabelling(int number)
 {
     Random random(std::uint32_t(64000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     EngineCase made{"random relabelling " + QByteArray::number(number),
         noiseVolume(size, tissueCode, random), {}};
     if (random() % 3)

@@ -102,8 +102,8 @@ void appendPainted(
 EngineCase randomCase(int number)
 {
     Random random(std::uint32_t(91000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 4, 48), randomInt(random, 4, 30), randomInt(random, 3, 24));
+    const glm::ivec3 size{
+        randomInt(random, 4, 48), randomInt(random, 4, 30), randomInt(random, 3, 24)};
     EngineCase made{"random groups of seeds " + QByteArray::number(number),
         random() % 4 ? tissues(size, randomInt(random, 3, 14), randomInt(random, 0, 60), random)
                      : noiseVolume(size, random() % 2 ? 65535 : 900, random),

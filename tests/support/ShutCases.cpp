@@ -76,8 +76,8 @@ core::GrowBurst randomBurst(std::uint8_t plane, Random& random)
 EngineCase randomShutting(int number)
 {
     Random random(std::uint32_t(71000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40));
+    const glm::ivec3 size{
+        randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
     EngineCase made{
         "random shutting " + QByteArray::number(number), noiseVolume(size, tissueCode, random), {}};
     if (random() % 3)

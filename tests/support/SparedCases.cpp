@@ -72,8 +72,8 @@ std::vector<EngineCase> sparedCases(int randomCount)
     std::vector<EngineCase> cases;
     for (int number = 0; number < randomCount; ++number) {
         Random random(std::uint32_t(26000 + number));
-        const glm::ivec3 size(
-            randomInt(random, 8, 40), randomInt(random, 8, 40), randomInt(random, 8, 40));
+        const glm::ivec3 size{
+            randomInt(random, 8, 40), randomInt(random, 8, 40), randomInt(random, 8, 40)};
         const core::Document scene = randomDocument(size, random, number % 2 != 0);
         EngineCase made{"spared labels " + QByteArray::number(number),
             number % 3 ? balls(size, 4, random) : constantVolume(size, tissueCode), {}};

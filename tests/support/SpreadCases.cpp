@@ -117,8 +117,8 @@ EngineCase randomSpreading(int number)
 {
     Random random(std::uint32_t(26000 + number));
     const bool small = random() % 4 == 0;
-    const glm::ivec3 size(randomInt(random, 1, small ? 6 : 48), randomInt(random, 2, 40),
-        randomInt(random, 1, small ? 40 : 36));
+    const glm::ivec3 size{randomInt(random, 1, small ? 6 : 48), randomInt(random, 2, 40),
+        randomInt(random, 1, small ? 40 : 36)};
     EngineCase made{
         "random growing from seeds " + QByteArray::number(number), randomCodes(size, random), {}};
     const std::array<std::uint8_t, 6> some{1, 2, 3, 254, 255, 0};

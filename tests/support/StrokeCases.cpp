@@ -285,8 +285,8 @@ core::AddBookmark bookmarkOf(const core::DrillStroke& stroke)
 StrokeCase randomLists(int number)
 {
     Random random(std::uint32_t(3700 + number));
-    const glm::ivec3 extent(
-        randomInt(random, 3, 40), randomInt(random, 3, 40), randomInt(random, 3, 30));
+    const glm::ivec3 extent{
+        randomInt(random, 3, 40), randomInt(random, 3, 40), randomInt(random, 3, 30)};
     const core::Document scene = randomDocument(extent, random, number % 2);
     StrokeCase made{"random lists " + QByteArray::number(number),
         loaded(scene, number % 3 ? balls(extent, 5, random) : shells(extent)),
@@ -973,8 +973,8 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         cases.push_back(randomLists(number));
     for (int number = 0; number < randomCount; ++number) {
         Random own(std::uint32_t(700 + number));
-        const glm::ivec3 extent(
-            randomInt(own, 3, 40), randomInt(own, 3, 40), randomInt(own, 3, 30));
+        const glm::ivec3 extent{
+            randomInt(own, 3, 40), randomInt(own, 3, 40), randomInt(own, 3, 30)};
         const core::Document scene = randomDocument(extent, own, number % 2);
         StrokeCase made{"random stroke " + QByteArray::number(number),
             loaded(scene, number % 3 ? balls(extent, 5, own) : shells(extent)),

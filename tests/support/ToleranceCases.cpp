@@ -137,8 +137,8 @@ EngineCase randomTracing(int number)
 {
     Random random(std::uint32_t(42000 + number));
     const bool small = random() % 4 == 0;
-    const glm::ivec3 size(randomInt(random, 1, small ? 9 : 50), randomInt(random, 1, 40),
-        randomInt(random, 1, small ? 40 : 34));
+    const glm::ivec3 size{randomInt(random, 1, small ? 9 : 50), randomInt(random, 1, 40),
+        randomInt(random, 1, small ? 40 : 34)};
     ToleranceScene scene = randomToleranceScene(size, random);
     EngineCase made{"random tracing " + QByteArray::number(number), scene.codes, {}};
     for (EngineCommand& command : scene.commands)

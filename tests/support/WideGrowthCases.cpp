@@ -14,8 +14,8 @@ using core::GrowBurst;
 EngineCase wide(int number)
 {
     Random random(std::uint32_t(81000 + number));
-    const glm::ivec3 size(
-        randomInt(random, 20, 70), randomInt(random, 18, 60), randomInt(random, 18, 50));
+    const glm::ivec3 size{
+        randomInt(random, 20, 70), randomInt(random, 18, 60), randomInt(random, 18, 50)};
     EngineCase made{"wide front " + QByteArray::number(number),
         random() % 3 ? noiseVolume(size, 1000, random) : balls(size, 9, random), {}};
     if (random() % 2) {

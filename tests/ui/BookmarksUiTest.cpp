@@ -2,6 +2,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/BookmarkMenu.h"
 #include "ui/views/ViewGrid.h"
 
@@ -140,5 +141,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(BookmarksUiTest)
+BURIN_WINDOW_TEST(BookmarksUiTest)
 #include "BookmarksUiTest.moc"

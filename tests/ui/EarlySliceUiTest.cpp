@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/LoadingBar.h"
 #include "ui/MessageBar.h"
 #include "ui/PanelSection.h"
@@ -340,9 +341,13 @@ void EarlySliceUiTest::closingTheWindowAborts()
         });
     QTRY_COMPARE(told.size(), 1);
     QVERIFY(fixture->window.close());
+    // The window's members are gone one by one when its opener ends.
+    int finished = 0;
+    connect(&fixture->window.opener(), &ui::StudyOpener::finished, this, [&] { ++finished; });
     fixture.reset();
     QVERIFY(ended);
+    QCOMPARE(finished, 0);
 }
 
-QTEST_MAIN(EarlySliceUiTest)
+BURIN_WINDOW_TEST(EarlySliceUiTest)
 #include "EarlySliceUiTest.moc"

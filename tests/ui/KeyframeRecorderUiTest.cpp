@@ -3,6 +3,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/KeyframeRecorder.h"
 #include "ui/panels/HistoryPanel.h"
 #include "ui/panels/HistoryTimeline.h"
@@ -48,7 +49,7 @@ public:
     /// A new picture of what is asked for, coarse, then refined.
     void frame(int grey = 80)
     {
-        QTest::qWait(20);
+        QCoreApplication::sendPostedEvents(); // layouts, and frames that the fixture made, go first
         gpu::Frame frame;
         const gpu::FrameRequest& request = fixture.frames.lastRequest(view().viewId());
         frame.view = view().viewId();
@@ -63,9 +64,13 @@ public:
             view().takeFrame(frame);
         }
     }
-    [[nodiscard]] std::vector<RowId> keyframes()
+    /// Once there are so many; and a moment later, since nothing tells that the worker makes no
+    /// more.
+    [[nodiscard]] std::vector<RowId> keyframes(std::size_t expected)
     {
-        QTest::qWait(60); // the worker's
+        static_cast<void>(
+            QTest::qWaitFor([this, expected] { return session().keyframes().size() >= expected; }));
+        QTest::qWait(60);
         return session().keyframes();
     }
 
@@ -105,23 +110,23 @@ private Q_SLOTS:
     void afterTheFirstStepAndThenEveryTen()
     {
         Bench bench(m_path);
-        QCOMPARE(bench.keyframes(), Rows{});
+        QCOMPARE(bench.keyframes(0), Rows{});
         bench.apply(test::drillAt(0));
-        QCOMPARE(bench.keyframes(), Rows{}); // the picture is of the time before
+        QCOMPARE(bench.keyframes(0), Rows{}); // the picture is of the time before
         bench.frame();
-        QCOMPARE(bench.keyframes(), Rows{1});
+        QCOMPARE(bench.keyframes(1), Rows{1});
         for (int i = 2; i <= 22; ++i) {
             bench.apply(test::drillAt(i - 12));
             bench.frame();
         }
-        QCOMPARE(bench.keyframes(), (Rows{1, 11, 21}));
+        QCOMPARE(bench.keyframes(3), (Rows{1, 11, 21}));
     }
 
     void aStepOfTheDocumentNeedsNoNewPicture()
     {
         Bench bench(m_path);
         bench.apply(test::addSegment("A"));
-        QCOMPARE(bench.keyframes(), Rows{1});
+        QCOMPARE(bench.keyframes(1), Rows{1});
     }
 
     void afterAMinuteOfWork()
@@ -132,12 +137,12 @@ private Q_SLOTS:
         bench.now += 59'000;
         bench.apply(test::drillAt(4));
         bench.frame();
-        QCOMPARE(bench.keyframes(), Rows{1});
+        QCOMPARE(bench.keyframes(1), Rows{1});
         bench.now += 1'000;
-        QCOMPARE(bench.keyframes(), Rows{1}); // not before something is done
+        QCOMPARE(bench.keyframes(1), Rows{1}); // not before something is done
         bench.apply(test::drillAt(-4));
         bench.frame();
-        QCOMPARE(bench.keyframes(), (Rows{1, 3}));
+        QCOMPARE(bench.keyframes(2), (Rows{1, 3}));
     }
 
     void undoAloneMakesNone()
@@ -149,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(bench.session().undo());
         QVERIFY(bench.session().settle());
         bench.frame();
-        QCOMPARE(bench.keyframes(), Rows{1});
+        QCOMPARE(bench.keyframes(1), Rows{1});
     }
 
     void theEndOfASessionIsKept()
@@ -198,7 +203,7 @@ private Q_SLOTS:
             bench.apply(test::drillAt(i - 7));
             bench.frame(40 + 10 * i);
         }
-        QCOMPARE(bench.keyframes(), (Rows{1, 11}));
+        QCOMPARE(bench.keyframes(2), (Rows{1, 11}));
         auto* timeline = bench.fixture.window.findChild<ui::HistoryTimeline*>();
         QVERIFY(timeline && timeline->isVisible());
         const auto hover = [timeline](int step) {
@@ -207,7 +212,7 @@ private Q_SLOTS:
             QMouseEvent event(QEvent::MouseMove, at, timeline->mapToGlobal(at), Qt::NoButton,
                 Qt::NoButton, Qt::NoModifier);
             QCoreApplication::sendEvent(timeline, &event);
-            QTest::qWait(80);
+            QTRY_VERIFY(!timeline->popup().picture().isNull()); // it is read elsewhere
         };
         hover(5);
         hover(13);
@@ -245,8 +250,7 @@ private Q_SLOTS:
         QVERIFY(timeline->popup().words().startsWith(QStringLiteral("Step 7:")));
         QVERIFY(bench.session().undo());
         QVERIFY(bench.session().settle());
-        QTest::qWait(20);
-        QCOMPARE(timeline->value(), 6);
+        QTRY_COMPARE(timeline->value(), 6);
         QVERIFY(!timeline->popup().isVisible());
         hover(6);
         QVERIFY(timeline->popup().words().startsWith(QStringLiteral("Step 6:")));
@@ -258,5 +262,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(KeyframeRecorderUiTest)
+BURIN_WINDOW_TEST(KeyframeRecorderUiTest)
 #include "KeyframeRecorderUiTest.moc"

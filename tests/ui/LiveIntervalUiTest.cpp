@@ -3,6 +3,7 @@
 
 #include "tests/support/FailingLog.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/SegmentActions.h"
 #include "ui/panels/GrowthPanel.h"
 #include "ui/widgets/HistogramRange.h"
@@ -236,5 +237,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(LiveIntervalUiTest)
+BURIN_WINDOW_TEST(LiveIntervalUiTest)
 #include "LiveIntervalUiTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MessageBar.h"
 #include "ui/StudyTexts.h"
 #include "ui/ToolColumn.h"
@@ -207,5 +208,5 @@ void MainWindowUiTest::openingTellsWhyNot()
     QVERIFY(fixture.workspace.volume()); // what was open stays open
 }
 
-QTEST_MAIN(MainWindowUiTest)
+BURIN_WINDOW_TEST(MainWindowUiTest)
 #include "MainWindowUiTest.moc"

@@ -5,6 +5,7 @@
 #include "core/session/EditSession.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MessageBar.h"
 
 #include <QApplication>
@@ -154,5 +155,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(MaskImporterUiTest)
+BURIN_WINDOW_TEST(MaskImporterUiTest)
 #include "MaskImporterUiTest.moc"

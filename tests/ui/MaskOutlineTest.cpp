@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/MaskOutline.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -73,5 +74,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(MaskOutlineTest)
+BURIN_PLAIN_TEST(MaskOutlineTest)
 #include "MaskOutlineTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/PanelColumn.h"
 #include "ui/PanelSection.h"
 #include "ui/panels/ClippingPanel.h"
@@ -11,6 +12,7 @@
 #include "ui/views/ViewGrid.h"
 
 #include <QAbstractSpinBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -37,7 +39,7 @@ struct PanelsFixture : test::WindowFixture {
                  new ui::ClippingPanel(workspace, window.views().volume())})
             window.addPanel(panel);
         window.showPanels(true);
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
     }
     [[nodiscard]] ui::PanelSection& section(const char* id)
     {
@@ -56,7 +58,7 @@ struct PanelsFixture : test::WindowFixture {
     {
         auto* button = section(id).findChild<QToolButton*>(QStringLiteral("floatPanel"));
         QTest::mouseClick(button, Qt::LeftButton);
-        QTest::qWait(20);
+        QCoreApplication::sendPostedEvents();
     }
     /// Top to bottom.
     [[nodiscard]] QStringList docked()
@@ -153,7 +155,7 @@ private Q_SLOTS:
             QVERIFY(session.apply(core::ChangeSegment{
                 .segment = 1, .name = QStringLiteral("Left ventricle, version %1").arg(place)}));
         QVERIFY(session.settle());
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents();
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
         QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
         const auto* list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
@@ -161,10 +163,9 @@ private Q_SLOTS:
             qPrintable(QString::number(list->height())));
         // Where there is room, the timeline is there.
         fixture.window.resize(1280, 1000);
-        QTest::qWait(50);
         const auto* timeline =
             fixture.window.findChild<QWidget*>(QStringLiteral("historyTimeline"));
-        QVERIFY(timeline->isVisible());
+        QTRY_VERIFY(timeline->isVisible());
     }
 
     /// With more than fits the column scrolls, and its bar takes nothing from the panels.
@@ -176,9 +177,9 @@ private Q_SLOTS:
                 core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
         QVERIFY(fixture.workspace.session()->settle());
         fixture.trigger("view.dvr");
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents();
+        QTRY_VERIFY(fixture.column().verticalScrollBar()->isVisible());
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
-        QVERIFY(fixture.column().verticalScrollBar()->isVisible());
         QVERIFY(fixture.column().widget()->width() <= fixture.column().viewport()->width());
         QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
     }
@@ -203,10 +204,9 @@ private Q_SLOTS:
         QCOMPARE(fixture.docked(), all);
         fixture.clickPlace("GrowthPanel");
         growth.close();
-        QTest::qWait(20);
-        QVERIFY(!growth.isFloating());
+        QTRY_VERIFY(!growth.isFloating());
         QVERIFY(growth.isVisible());
-        QCOMPARE(fixture.docked(), all);
+        QTRY_COMPARE(fixture.docked(), all);
     }
 
     void aDragOfTheHeaderTakesItOut()
@@ -277,31 +277,34 @@ private Q_SLOTS:
             fixture.window.restoreLayout(); // nothing kept yet: all in the column
             QCOMPARE(fixture.docked().size(), 6);
             fixture.clickPlace("HistoryPanel");
+            // What the window system tells of its first size must not come after the second.
+            QVERIFY(QTest::qWaitForWindowExposed(&fixture.section("HistoryPanel")));
             fixture.section("HistoryPanel").resize(333, 222);
             fixture.section("GrowthPanel").setFolded(true);
             QVERIFY(fixture.section("LayersPanel").isFolded());
             fixture.section("LayersPanel").setFolded(false);
             fixture.trigger("panel.VolumePanel");
             fixture.window.resize(1111, 777);
-            QTest::qWait(50);
+            QGuiApplication::sync();
+            QCOMPARE(fixture.window.size(), QSize(1111, 777));
             width = fixture.column().width();
             fixture.window.close();
         }
         PanelsFixture fixture(QSize(1200, 800));
         QCOMPARE(fixture.docked().size(), 6);
         fixture.window.restoreLayout();
-        QTest::qWait(50);
-        QCOMPARE(fixture.window.size(), QSize(1111, 777));
+        QVERIFY(QTest::qWaitForWindowExposed(&fixture.section("HistoryPanel")));
+        QTRY_COMPARE(fixture.window.size(), QSize(1111, 777));
         QVERIFY(fixture.section("HistoryPanel").isFloating());
         QVERIFY(fixture.section("HistoryPanel").isVisible());
-        QCOMPARE(fixture.section("HistoryPanel").size(), QSize(333, 222));
+        QTRY_COMPARE(fixture.section("HistoryPanel").size(), QSize(333, 222));
         QVERIFY(fixture.section("GrowthPanel").isFolded());
         QVERIFY(!fixture.section("LayersPanel").isFolded());
         QCOMPARE(fixture.docked(),
             ids({"SegmentsPanel", "GrowthPanel", "LayersPanel", "ClippingPanel"}));
-        QCOMPARE(fixture.column().width(), width);
+        QTRY_COMPARE(fixture.column().width(), width);
     }
 };
 
-QTEST_MAIN(PanelsUiTest)
+BURIN_WINDOW_TEST(PanelsUiTest)
 #include "PanelsUiTest.moc"

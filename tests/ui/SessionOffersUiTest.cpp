@@ -5,6 +5,7 @@
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/SessionOffers.h"
 #include "ui/StartPage.h"
 
@@ -296,7 +297,7 @@ private Q_SLOTS:
         window.window.offerSessionsIn(m_folder->path());
         QVERIFY(changed.wait(patience));
         QCOMPARE(offers.count(), sessions);
-        QTest::qWait(50); // for the layout
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         const auto& page = *window.window.findChild<ui::StartPage*>();
         for (const QPushButton* button : page.findChildren<QPushButton*>()) {
             if (button->isVisible())
@@ -313,5 +314,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SessionOffersUiTest)
+BURIN_WINDOW_TEST(SessionOffersUiTest)
 #include "SessionOffersUiTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/TabWalk.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/TabOrder.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/dialogs/ExportDialog.h"
@@ -73,5 +74,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TabOrderUiTest)
+BURIN_WINDOW_TEST(TabOrderUiTest)
 #include "TabOrderUiTest.moc"

@@ -4,6 +4,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -194,5 +195,5 @@ private:
     core::Volume m_volume;
 };
 
-QTEST_GUILESS_MAIN(UnpackedArchiveTest)
+BURIN_TEST(UnpackedArchiveTest)
 #include "UnpackedArchiveTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/Sha256.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QtTest>
@@ -51,5 +52,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(Sha256Test)
+BURIN_TEST(Sha256Test)
 #include "Sha256Test.moc"

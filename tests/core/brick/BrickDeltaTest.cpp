@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickDelta.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTest>
@@ -210,5 +211,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BrickDeltaTest)
+BURIN_TEST(BrickDeltaTest)
 #include "BrickDeltaTest.moc"

@@ -2,6 +2,7 @@
 #include "core/brick/BrickDelta.h"
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -346,5 +347,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowthDeltaTest)
+BURIN_TEST(GrowthDeltaTest)
 #include "GrowthDeltaTest.moc"

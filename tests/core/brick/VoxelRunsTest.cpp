@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -110,5 +111,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(VoxelRunsTest)
+BURIN_TEST(VoxelRunsTest)
 #include "VoxelRunsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkColours.h"
 #include "core/chunks/BoxWalk.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -71,5 +72,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ChunkColoursTest)
+BURIN_TEST(ChunkColoursTest)
 #include "ChunkColoursTest.moc"

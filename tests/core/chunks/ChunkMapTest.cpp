@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkMap.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -105,5 +106,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ChunkMapTest)
+BURIN_TEST(ChunkMapTest)
 #include "ChunkMapTest.moc"

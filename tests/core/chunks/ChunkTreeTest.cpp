@@ -2,6 +2,7 @@
 #include "core/chunks/ChunkTree.h"
 
 #include "core/chunks/BoxWalk.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QSet>
@@ -300,5 +301,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ChunkTreeTest)
+BURIN_TEST(ChunkTreeTest)
 #include "ChunkTreeTest.moc"

@@ -2,6 +2,7 @@
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -166,5 +167,5 @@ void DemoStudyTest::cancelLeavesNothing()
     QCOMPARE(study.error().code, core::ErrorCode::Cancelled);
 }
 
-QTEST_GUILESS_MAIN(DemoStudyTest)
+BURIN_TEST(DemoStudyTest)
 #include "DemoStudyTest.moc"

@@ -4,6 +4,7 @@
 #include "core/dicom/Rle.h"
 #include "core/dicom/StoredBits.h"
 #include "core/dicom/TransferSyntax.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -187,5 +188,5 @@ void CompressedPixelsTest::unknownSyntaxIsUnknown()
     QVERIFY(core::transferSyntax(QStringLiteral("1.2.840.10008.1.2.2")).bigEndian);
 }
 
-QTEST_GUILESS_MAIN(CompressedPixelsTest)
+BURIN_TEST(CompressedPixelsTest)
 #include "CompressedPixelsTest.moc"

@@ -5,6 +5,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/HostileDicom.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -37,8 +38,8 @@ QString decodeWeakly(std::span<const std::uint8_t> parameters, std::span<const s
 
 core::WorkerProgram weakDecoder()
 {
-    return {
-        .path = QStringLiteral("/proc/self/exe"), .arguments = {QString::fromLatin1(weakOption)}};
+    return {.path = QStringLiteral("/proc/self/exe"),
+        .arguments = {QStringLiteral("FencedFramesTest"), QString::fromLatin1(weakOption)}};
 }
 
 /// Puts four bytes behind the JPEG image of a file, into its fragment.
@@ -173,13 +174,16 @@ void FencedFramesTest::insideAndOutsideGiveTheSame()
     QVERIFY(outside->codes == inside->codes);
 }
 
-int main(int argc, char** argv)
+namespace {
+
+int runFencedFrames(int argc, char** argv)
 {
     if (argc == 2 && std::strcmp(argv[1], weakOption) == 0)
         return core::runDecodeWorker(core::readyCodecs, decodeWeakly);
-    QCoreApplication application(argc, argv);
-    FencedFramesTest test;
-    return QTest::qExec(&test, argc, argv);
+    return test::runTest<FencedFramesTest, QCoreApplication>(argc, argv);
 }
 
+} // namespace
+
+BURIN_TEST_RUN(FencedFramesTest, runFencedFrames)
 #include "FencedFramesTest.moc"

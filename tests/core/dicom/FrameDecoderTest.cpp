@@ -6,6 +6,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QDirIterator>
@@ -183,5 +184,5 @@ void FrameDecoderTest::damagedBytesNeverCrash()
     QVERIFY(opened < rounds);
 }
 
-QTEST_GUILESS_MAIN(FrameDecoderTest)
+BURIN_TEST(FrameDecoderTest)
 #include "FrameDecoderTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -104,5 +105,5 @@ void HonestHeadersTest::costOfAHeader()
         double(byDcmtk) / rounds / 1e3, double(open) / rounds / 1e3, double(walk) / rounds / 1e3);
 }
 
-QTEST_GUILESS_MAIN(HonestHeadersTest)
+BURIN_TEST(HonestHeadersTest)
 #include "HonestHeadersTest.moc"

@@ -4,6 +4,7 @@
 #include "core/study/StudyLoader.h"
 #include "core/study/VolumeFacts.h"
 #include "tests/support/OpenedVolume.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrleerg.h>
@@ -266,5 +267,5 @@ void MultiframeTest::tornFramesAreJoined()
     QVERIFY(!core::encodedFrame(torn, 0, 2, core::PixelCoding::Rle));
 }
 
-QTEST_GUILESS_MAIN(MultiframeTest)
+BURIN_TEST(MultiframeTest)
 #include "MultiframeTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -194,5 +195,5 @@ void PixelMeaningTest::sharedParametricMap()
         QByteArray("ef41ff13cf378171c7ee25198c75e2b70764e3789664f17dd6df40163ec37284"));
 }
 
-QTEST_GUILESS_MAIN(PixelMeaningTest)
+BURIN_TEST(PixelMeaningTest)
 #include "PixelMeaningTest.moc"

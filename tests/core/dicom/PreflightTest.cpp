@@ -9,6 +9,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/HostileDicom.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcistrmb.h>
@@ -449,5 +450,5 @@ void PreflightTest::dcmtkNestsNoDeeper()
     QVERIFY2(passed > 0 && passed < rounds, qPrintable(QString::number(passed)));
 }
 
-QTEST_GUILESS_MAIN(PreflightTest)
+BURIN_TEST(PreflightTest)
 #include "PreflightTest.moc"

@@ -2,6 +2,7 @@
 #include "core/dicom/SeriesSplit.h"
 
 #include "core/dicom/ApartImage.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -153,5 +154,5 @@ void SeriesSplitTest::noSlicesAreNamed()
     QVERIFY2(why->reason.contains(reason), qPrintable(why->reason));
 }
 
-QTEST_GUILESS_MAIN(SeriesSplitTest)
+BURIN_TEST(SeriesSplitTest)
 #include "SeriesSplitTest.moc"

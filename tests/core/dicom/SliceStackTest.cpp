@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -262,5 +263,5 @@ void SliceStackTest::planesAreCandidates()
     }
 }
 
-QTEST_GUILESS_MAIN(SliceStackTest)
+BURIN_TEST(SliceStackTest)
 #include "SliceStackTest.moc"

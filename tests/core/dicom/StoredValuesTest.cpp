@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -208,5 +209,5 @@ void StoredValuesTest::unitIsHounsfieldOnlyForCt()
     QCOMPARE(test::openVolume(path(QStringLiteral("us"))).volume.unit, QString());
 }
 
-QTEST_GUILESS_MAIN(StoredValuesTest)
+BURIN_TEST(StoredValuesTest)
 #include "StoredValuesTest.moc"

@@ -2,6 +2,7 @@
 #include "core/dicom/TimePoints.h"
 
 #include "core/dicom/PhaseAttributes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -175,5 +176,5 @@ void TimePointsTest::timesOfDayAreReadable()
     QCOMPARE(core::phaseText(time, QStringLiteral("noon")), QStringLiteral("acquired at noon"));
 }
 
-QTEST_GUILESS_MAIN(TimePointsTest)
+BURIN_TEST(TimePointsTest)
 #include "TimePointsTest.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/SyntheticSeries.h"
 #include "tests/support/VerifyResult.h"
 #include "tests/support/WebServer.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/ErrorText.h"
 
 #include <QDir>
@@ -628,5 +629,5 @@ void DicomWebFaultsTest::storageIsWhole()
     QCOMPARE(int(whole), 9);
 }
 
-QTEST_GUILESS_MAIN(DicomWebFaultsTest)
+BURIN_TEST(DicomWebFaultsTest)
 #include "DicomWebFaultsTest.moc"

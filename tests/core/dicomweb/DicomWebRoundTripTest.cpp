@@ -11,6 +11,7 @@
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
 #include "tests/support/VerifyResult.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/ErrorText.h"
 
 #include <QDir>
@@ -284,5 +285,5 @@ void DicomWebRoundTripTest::tls()
     VERIFY_ERROR(core::echoNode(node, core::Progress()), ErrorCode::InvalidField);
 }
 
-QTEST_GUILESS_MAIN(DicomWebRoundTripTest)
+BURIN_TEST(DicomWebRoundTripTest)
 #include "DicomWebRoundTripTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicomweb/MultipartReader.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -165,5 +166,5 @@ void MultipartReaderTest::boundaries()
     QCOMPARE(core::MultipartReader::boundaryOf(type).value_or(QByteArray()), boundary);
 }
 
-QTEST_GUILESS_MAIN(MultipartReaderTest)
+BURIN_TEST(MultipartReaderTest)
 #include "MultipartReaderTest.moc"

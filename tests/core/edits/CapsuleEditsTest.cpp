@@ -4,6 +4,7 @@
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -378,5 +379,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(CapsuleEditsTest)
+BURIN_TEST(CapsuleEditsTest)
 #include "CapsuleEditsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -337,5 +338,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(DocumentEditsTest)
+BURIN_TEST(DocumentEditsTest)
 #include "DocumentEditsTest.moc"

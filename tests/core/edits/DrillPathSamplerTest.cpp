@@ -6,6 +6,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -163,5 +164,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(DrillPathSamplerTest)
+BURIN_PLAIN_TEST(DrillPathSamplerTest)
 #include "DrillPathSamplerTest.moc"

@@ -2,6 +2,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditDocumentation.h"
 #include "core/edits/EditQuantise.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -257,8 +258,8 @@ private Q_SLOTS:
         row("whole number out of range", "pressureExponent", 9);
         row("layer zero", "layer", 0);
         row("no samples", "samples", QJsonArray());
-        row("pressure above one", "samples", QJsonArray{QJsonArray{0, 0, 1.01, 0}});
-        row("three numbers in a sample", "samples", QJsonArray{QJsonArray{0, 0, 1}});
+        row("pressure above one", "samples", QJsonArray{QJsonValue(QJsonArray{0, 0, 1.01, 0})});
+        row("three numbers in a sample", "samples", QJsonArray{QJsonValue(QJsonArray{0, 0, 1})});
         row("time runs backwards", "samples",
             QJsonArray{QJsonArray{0, 0, 1, 1}, QJsonArray{0, 0, 1, 0.5}});
     }
@@ -424,5 +425,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(EditJsonTest)
+BURIN_TEST(EditJsonTest)
 #include "EditJsonTest.moc"

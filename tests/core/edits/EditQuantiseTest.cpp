@@ -2,6 +2,7 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EditSchema.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -185,5 +186,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(EditQuantiseTest)
+BURIN_TEST(EditQuantiseTest)
 #include "EditQuantiseTest.moc"

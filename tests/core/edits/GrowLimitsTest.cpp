@@ -8,6 +8,7 @@
 #include "core/session/RecentGrowth.h"
 #include "core/session/RowReach.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -271,5 +272,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowLimitsTest)
+BURIN_TEST(GrowLimitsTest)
 #include "GrowLimitsTest.moc"

@@ -3,6 +3,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
 #include "core/recipe/Recipe.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -239,5 +240,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowthEditsTest)
+BURIN_TEST(GrowthEditsTest)
 #include "GrowthEditsTest.moc"

@@ -3,6 +3,7 @@
 #include "core/edits/EngineEdits.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -24,13 +25,13 @@ private Q_SLOTS:
         const int count = test::longRun() ? 2000 : 100;
         for (int number = 0; number < count; ++number) {
             test::Random random{std::uint32_t(500 + number)};
-            const glm::ivec3 size(test::randomInt(random, 1, 700), test::randomInt(random, 1, 512),
-                test::randomInt(random, 1, 300));
+            const glm::ivec3 size{test::randomInt(random, 1, 700), test::randomInt(random, 1, 512),
+                test::randomInt(random, 1, 300)};
             Document document = test::randomDocument(size, random, number % 2 != 0);
             const VolumeGeometry& geometry = document.volumes.front().geometry;
             SegmentSeen seen{.target = {.name = QStringLiteral("X")}};
-            const glm::dvec3 normal(test::randomUnit(random), test::randomUnit(random),
-                test::randomUnit(random) + 0.01);
+            const glm::dvec3 normal{test::randomUnit(random), test::randomUnit(random),
+                test::randomUnit(random) + 0.01};
             const glm::dvec3 at(test::randomVoxel(random, size));
             seen.hidden = {{test::beyond(geometry.toWorld(at), normal)}};
             const Result<LabelSeen> made = labelSeen(seen, document);
@@ -105,5 +106,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(LayerEditsTest)
+BURIN_TEST(LayerEditsTest)
 #include "LayerEditsTest.moc"

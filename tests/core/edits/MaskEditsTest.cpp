@@ -4,6 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EngineEdits.h"
 #include "tests/reference/LayerWrites.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -159,5 +160,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(MaskEditsTest)
+BURIN_TEST(MaskEditsTest)
 #include "MaskEditsTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/PickRays.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -122,5 +123,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PickRaysTest)
+BURIN_TEST(PickRaysTest)
 #include "PickRaysTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/SculptEdits.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -58,5 +59,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SculptEditsTest)
+BURIN_TEST(SculptEditsTest)
 #include "SculptEditsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EngineEdits.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -64,5 +65,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SpreadEditsTest)
+BURIN_TEST(SpreadEditsTest)
 #include "SpreadEditsTest.moc"

@@ -5,6 +5,7 @@
 #include "core/edits/EngineEdits.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>
 #include <QtTest>
@@ -166,5 +167,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(ToolMasksTest)
+BURIN_PLAIN_TEST(ToolMasksTest)
 #include "ToolMasksTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -111,5 +112,5 @@ void DelayedEngineTest::delayChangesNothing()
     }
 }
 
-QTEST_GUILESS_MAIN(DelayedEngineTest)
+BURIN_TEST(DelayedEngineTest)
 #include "DelayedEngineTest.moc"

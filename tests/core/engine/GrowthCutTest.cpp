@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/GrowthCut.h"
 #include "core/growth/NarrowestCut.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -92,5 +93,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(GrowthCutTest)
+BURIN_PLAIN_TEST(GrowthCutTest)
 #include "GrowthCutTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -303,5 +304,5 @@ void ReferenceBeneathTest::nothingStaleComesBack()
         labels(), tellsHeld ? (Labels{4, 4, 4, 4, 0, 0, 0, 0}) : (Labels{4, 0, 0, 0, 0, 0, 0, 0}));
 }
 
-QTEST_GUILESS_MAIN(ReferenceBeneathTest)
+BURIN_TEST(ReferenceBeneathTest)
 #include "ReferenceBeneathTest.moc"

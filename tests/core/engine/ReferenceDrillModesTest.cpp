@@ -5,6 +5,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QtTest>
@@ -308,5 +309,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReferenceDrillModesTest)
+BURIN_TEST(ReferenceDrillModesTest)
 #include "ReferenceDrillModesTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -280,5 +281,5 @@ void ReferenceDrillTest::portionsMakeNoDifference()
     }
 }
 
-QTEST_GUILESS_MAIN(ReferenceDrillTest)
+BURIN_TEST(ReferenceDrillTest)
 #include "ReferenceDrillTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -178,5 +179,5 @@ void ReferenceEngineTest::casesAreWorthRunning()
     QVERIFY2(picks > 0.8, qPrintable(QString::number(picks)));
 }
 
-QTEST_GUILESS_MAIN(ReferenceEngineTest)
+BURIN_TEST(ReferenceEngineTest)
 #include "ReferenceEngineTest.moc"

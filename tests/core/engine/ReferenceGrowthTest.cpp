@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -150,8 +151,8 @@ void ReferenceGrowthTest::isBreadthFirst()
 {
     QFETCH(int, seed);
     test::Random random(std::uint32_t(300 + seed));
-    const glm::ivec3 size(test::randomInt(random, 1, 30), test::randomInt(random, 1, 30),
-        test::randomInt(random, 1, 30));
+    const glm::ivec3 size{test::randomInt(random, 1, 30), test::randomInt(random, 1, 30),
+        test::randomInt(random, 1, 30)};
     const Codes codes =
         seed % 2 ? test::balls(size, 5, random) : test::noiseVolume(size, test::tissueCode, random);
     const int low = test::randomInt(random, 0, 500);
@@ -196,8 +197,8 @@ void ReferenceGrowthTest::followsTheRuleLiterally()
 {
     for (int seed = 0; seed < (test::longRun() ? 200 : 30); ++seed) {
         test::Random random(std::uint32_t(40 + seed));
-        const glm::ivec3 size(test::randomInt(random, 1, 20), test::randomInt(random, 1, 20),
-            test::randomInt(random, 1, 20));
+        const glm::ivec3 size{test::randomInt(random, 1, 20), test::randomInt(random, 1, 20),
+            test::randomInt(random, 1, 20)};
         const Codes codes = test::noiseVolume(size, 9, random);
         test::Bytes labels{size, {}};
         for (std::size_t i = 0; i < codes.values.size(); ++i)
@@ -395,8 +396,8 @@ void ReferenceGrowthTest::shrinkingIsTheInverse()
 {
     QFETCH(int, seed);
     test::Random random(std::uint32_t(700 + seed));
-    const glm::ivec3 size(test::randomInt(random, 4, 24), test::randomInt(random, 4, 24),
-        test::randomInt(random, 4, 24));
+    const glm::ivec3 size{test::randomInt(random, 4, 24), test::randomInt(random, 4, 24),
+        test::randomInt(random, 4, 24)};
     const Codes codes = test::balls(size, 5, random);
     test::Bytes labels{size, {}};
     for (std::size_t i = 0; i < codes.values.size(); ++i)
@@ -562,5 +563,5 @@ void ReferenceGrowthTest::anErasedLabelNeverGrowsAgain()
         QVERIFY(seedWord::isMember(word) && seedWord::label(word) == 4);
 }
 
-QTEST_GUILESS_MAIN(ReferenceGrowthTest)
+BURIN_TEST(ReferenceGrowthTest)
 #include "ReferenceGrowthTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -70,8 +71,8 @@ std::vector<std::uint32_t> wordsOf(const ReferenceEngine& engine)
 
 ReferenceIntervalTest::Scene ReferenceIntervalTest::randomScene(test::Random& random, int labels)
 {
-    const glm::ivec3 size(test::randomInt(random, 3, 20), test::randomInt(random, 3, 20),
-        test::randomInt(random, 3, 20));
+    const glm::ivec3 size{test::randomInt(random, 3, 20), test::randomInt(random, 3, 20),
+        test::randomInt(random, 3, 20)};
     Scene scene{.codes = random() % 2 ? test::balls(size, 5, random)
                                       : test::noiseVolume(size, test::tissueCode, random),
         .held = {size, {}},
@@ -288,5 +289,5 @@ void ReferenceIntervalTest::barriersLeaveWhatIsLockedOrPainted()
         QCOMPARE(wordsOf(*engine)[at], seedWord::barrier);
 }
 
-QTEST_GUILESS_MAIN(ReferenceIntervalTest)
+BURIN_TEST(ReferenceIntervalTest)
 #include "ReferenceIntervalTest.moc"

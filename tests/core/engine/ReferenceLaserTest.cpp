@@ -7,6 +7,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineConformance.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>
 #include <QtTest>
@@ -394,5 +395,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReferenceLaserTest)
+BURIN_TEST(ReferenceLaserTest)
 #include "ReferenceLaserTest.moc"

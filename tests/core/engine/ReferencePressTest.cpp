@@ -6,6 +6,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -337,5 +338,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReferencePressTest)
+BURIN_TEST(ReferencePressTest)
 #include "ReferencePressTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineConformance.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -135,5 +136,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReferenceSeedGroupsTest)
+BURIN_TEST(ReferenceSeedGroupsTest)
 #include "ReferenceSeedGroupsTest.moc"

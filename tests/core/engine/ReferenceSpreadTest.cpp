@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineConformance.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -76,8 +77,8 @@ private Q_SLOTS:
     {
         for (int number = 0; number < 40; ++number) {
             test::Random random(std::uint32_t(77000 + number));
-            const glm::ivec3 size(test::randomInt(random, 2, 14), test::randomInt(random, 1, 12),
-                test::randomInt(random, 1, 12));
+            const glm::ivec3 size{test::randomInt(random, 2, 14), test::randomInt(random, 1, 12),
+                test::randomInt(random, 1, 12)};
             const test::Codes codes = test::noiseVolume(size, number % 2 ? 40 : 65535, random);
             test::Bytes held{size, std::vector<std::uint8_t>(codes.values.size(), 0)};
             for (std::uint8_t& label : held.values)
@@ -154,5 +155,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReferenceSpreadTest)
+BURIN_TEST(ReferenceSpreadTest)
 #include "ReferenceSpreadTest.moc"

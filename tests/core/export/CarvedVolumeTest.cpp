@@ -4,6 +4,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -366,5 +367,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(CarvedVolumeTest)
+BURIN_TEST(CarvedVolumeTest)
 #include "CarvedVolumeTest.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/MarkedSeries.h"
 #include "tests/support/Python.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -349,5 +350,5 @@ void DeidentifiedExportTest::aNameThatWasLeftIsFound()
     }
 }
 
-QTEST_GUILESS_MAIN(DeidentifiedExportTest)
+BURIN_TEST(DeidentifiedExportTest)
 #include "DeidentifiedExportTest.moc"

@@ -2,6 +2,7 @@
 #include "core/export/CheckExport.h"
 #include "tests/support/AlterDicom.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -483,5 +484,5 @@ void ExportFaultsTest::faultOfTheVolumeIsCaught()
     }
 }
 
-QTEST_GUILESS_MAIN(ExportFaultsTest)
+BURIN_TEST(ExportFaultsTest)
 #include "ExportFaultsTest.moc"

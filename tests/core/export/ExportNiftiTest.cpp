@@ -6,6 +6,7 @@
 #include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -243,5 +244,5 @@ void ExportNiftiTest::choices()
     QVERIFY(!core::exportChoices(document, growing)[3].remarks.contains(unwritten));
 }
 
-QTEST_GUILESS_MAIN(ExportNiftiTest)
+BURIN_TEST(ExportNiftiTest)
 #include "ExportNiftiTest.moc"

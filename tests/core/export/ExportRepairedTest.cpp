@@ -8,6 +8,7 @@
 #include "tests/support/Affine.h"
 #include "tests/support/DefectiveSeries.h"
 #include "tests/support/OpenedVolume.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -297,5 +298,5 @@ void ExportRepairedTest::carvedSeriesIsRefused()
     QVERIFY(!WayBack::of(WayBack::of(loaded.volume)->slices()));
 }
 
-QTEST_GUILESS_MAIN(ExportRepairedTest)
+BURIN_TEST(ExportRepairedTest)
 #include "ExportRepairedTest.moc"

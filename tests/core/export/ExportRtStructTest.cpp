@@ -6,6 +6,7 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -390,5 +391,5 @@ void ExportRtStructTest::faultInTheFileIsCaught()
     QVERIFY(!checked.error().arguments.value(1).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(ExportRtStructTest)
+BURIN_TEST(ExportRtStructTest)
 #include "ExportRtStructTest.moc"

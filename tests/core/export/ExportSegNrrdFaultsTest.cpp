@@ -3,6 +3,7 @@
 #include "core/nrrd/NrrdHeader.h"
 #include "core/nrrd/NrrdReader.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -153,5 +154,5 @@ void ExportSegNrrdFaultsTest::faultInTheFileIsCaught()
     QVERIFY(!checked.error().arguments.value(1).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(ExportSegNrrdFaultsTest)
+BURIN_TEST(ExportSegNrrdFaultsTest)
 #include "ExportSegNrrdFaultsTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/peers/ItkNrrd.h"
 #include "tests/support/Affine.h"
 #include "tests/support/LabelledSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -66,5 +67,5 @@ void ExportSegNrrdItkTest::itkSeesTheSame()
     QCOMPARE(word("Segmentation_ReferenceImageExtentOffset"), QStringLiteral("0 0 0"));
 }
 
-QTEST_GUILESS_MAIN(ExportSegNrrdItkTest)
+BURIN_TEST(ExportSegNrrdItkTest)
 #include "ExportSegNrrdItkTest.moc"

@@ -5,6 +5,7 @@
 #include "core/nrrd/NrrdWriter.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -425,5 +426,5 @@ void ExportSegNrrdTest::whatWasThereStays()
     QCOMPARE(on.fileCount(), 1);
 }
 
-QTEST_GUILESS_MAIN(ExportSegNrrdTest)
+BURIN_TEST(ExportSegNrrdTest)
 #include "ExportSegNrrdTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -90,5 +91,5 @@ void ExportSegPeerTest::thousandFrames()
     QVERIFY(bytes("deflated.dcm") < bytes("ours.dcm") / 4);
 }
 
-QTEST_GUILESS_MAIN(ExportSegPeerTest)
+BURIN_TEST(ExportSegPeerTest)
 #include "ExportSegPeerTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -485,5 +486,5 @@ void ExportSegTest::uidsAreNewEachTime()
         QVERIFY(uid.startsWith(QStringLiteral("2.25.")) && uid.size() <= 64);
 }
 
-QTEST_GUILESS_MAIN(ExportSegTest)
+BURIN_TEST(ExportSegTest)
 #include "ExportSegTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -37,7 +38,7 @@ core::Segment segmentOf(int label, const char* name)
 
 QJsonArray asJson(const core::CodedConcept& code)
 {
-    return {QJsonArray{code.scheme, code.value, code.meaning}};
+    return {QJsonValue(QJsonArray{code.scheme, code.value, code.meaning})};
 }
 
 QString messageOf(const core::Error& error)
@@ -416,5 +417,5 @@ void ExportSegTypesTest::aByteThatIsWrongIsFound()
     QVERIFY(checked.error().arguments.value(1).contains(QStringLiteral("voxels are not as drawn")));
 }
 
-QTEST_GUILESS_MAIN(ExportSegTypesTest)
+BURIN_TEST(ExportSegTypesTest)
 #include "ExportSegTypesTest.moc"

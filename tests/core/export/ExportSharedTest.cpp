@@ -3,6 +3,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/Python.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -241,5 +242,5 @@ void ExportSharedTest::imagesWithoutUids()
     QCOMPARE(facts["sha256"].toString(), sha256Of(labels));
 }
 
-QTEST_GUILESS_MAIN(ExportSharedTest)
+BURIN_TEST(ExportSharedTest)
 #include "ExportSharedTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/Python.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -269,5 +270,5 @@ void ExportStatisticsTest::withoutValuesNothingIsWritten()
     QVERIFY(!QFile::exists(request.file));
 }
 
-QTEST_GUILESS_MAIN(ExportStatisticsTest)
+BURIN_TEST(ExportStatisticsTest)
 #include "ExportStatisticsTest.moc"

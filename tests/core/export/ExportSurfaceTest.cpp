@@ -7,6 +7,7 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/LabelledSeries.h"
 #include "tests/support/Python.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -348,5 +349,5 @@ void ExportSurfaceTest::faultInTheFileIsCaught()
     QCOMPARE(checked.error().arguments.value(0), on.file(name));
 }
 
-QTEST_GUILESS_MAIN(ExportSurfaceTest)
+BURIN_TEST(ExportSurfaceTest)
 #include "ExportSurfaceTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/Python.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -89,5 +90,5 @@ void ScreenshotExportTest::existingFileIsRefused()
     QCOMPARE(again.error().code, core::ErrorCode::FileExists);
 }
 
-QTEST_GUILESS_MAIN(ScreenshotExportTest)
+BURIN_TEST(ScreenshotExportTest)
 #include "ScreenshotExportTest.moc"

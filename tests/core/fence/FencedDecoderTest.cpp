@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fence/FencedDecoder.h"
 #include "core/fence/FenceProtocol.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -139,7 +140,8 @@ int babbleOn(std::string_view how)
 WorkerProgram selfAs(const char* option, const char* how = "")
 {
     return {.path = QStringLiteral("/proc/self/exe"),
-        .arguments = {QString::fromLatin1(option), QString::fromLatin1(how)}};
+        .arguments = {QStringLiteral("FencedDecoderTest"), QString::fromLatin1(option),
+            QString::fromLatin1(how)}};
 }
 
 /// Processes that this one started and that are there.
@@ -429,15 +431,18 @@ void FencedDecoderTest::insideWorksTheSame()
     QVERIFY(childProcesses().empty());
 }
 
-int main(int argc, char** argv)
+namespace {
+
+int runFencedDecoder(int argc, char** argv)
 {
     if (argc == 3 && std::strcmp(argv[1], misbehave) == 0)
         return runDecodeWorker([] {}, misbehaved);
     if (argc == 3 && std::strcmp(argv[1], babble) == 0)
         return babbleOn(argv[2]);
-    QCoreApplication application(argc, argv);
-    FencedDecoderTest test;
-    return QTest::qExec(&test, argc, argv);
+    return test::runTest<FencedDecoderTest, QCoreApplication>(argc, argv);
 }
 
+} // namespace
+
+BURIN_TEST_RUN(FencedDecoderTest, runFencedDecoder)
 #include "FencedDecoderTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -288,15 +289,15 @@ private Q_SLOTS:
     {
         QFETCH(int, number);
         test::Random random(std::uint32_t(4400 + number));
-        const glm::ivec3 size(test::randomInt(random, 1, 26), test::randomInt(random, 5, 26),
-            test::randomInt(random, 5, 26));
+        const glm::ivec3 size{test::randomInt(random, 1, 26), test::randomInt(random, 5, 26),
+            test::randomInt(random, 5, 26)};
         Codes codes = test::balls(size, 4, random);
         for (int i = 0; i < 6; ++i) {
             const glm::ivec3 from = test::randomVoxel(random, size);
             forEachVoxel(from, glm::min(from + test::randomInt(random, 0, 6), size - 1),
                 [&](const glm::ivec3& voxel) { codes.at(voxel) = i % 2 ? 5 : 0; });
         }
-        const glm::ivec3 spacing(16, test::randomInt(random, 16, 30), random() % 2 ? 16 : 37);
+        const glm::ivec3 spacing{16, test::randomInt(random, 16, 30), random() % 2 ? 16 : 37};
         GrowBurst burst = rolling(1.0 + 2.5 * test::randomUnit(random),
             std::array<int, 3>{6, 18, 26}[random() % 3], spacing);
         std::vector<glm::ivec3> seeds;
@@ -393,5 +394,5 @@ private:
     int m_same = 0;
 };
 
-QTEST_GUILESS_MAIN(PassageTest)
+BURIN_TEST(PassageTest)
 #include "PassageTest.moc"

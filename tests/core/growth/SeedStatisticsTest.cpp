@@ -2,6 +2,7 @@
 #include "core/growth/SeedStatistics.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -82,5 +83,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SeedStatisticsTest)
+BURIN_TEST(SeedStatisticsTest)
 #include "SeedStatisticsTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/ToleranceScene.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -63,8 +64,8 @@ private Q_SLOTS:
     {
         QFETCH(int, number);
         test::Random random(std::uint32_t(41000 + number));
-        const glm::ivec3 size(test::randomInt(random, 1, 24), test::randomInt(random, 1, 20),
-            test::randomInt(random, 1, 18));
+        const glm::ivec3 size{test::randomInt(random, 1, 24), test::randomInt(random, 1, 20),
+            test::randomInt(random, 1, 18)};
         const test::ToleranceScene scene = test::randomToleranceScene(size, random);
         reference::ReferenceEngine engine;
         QVERIFY(engine.openVolume(scene.codes.size, scene.codes.values));
@@ -178,5 +179,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ToleranceTest)
+BURIN_TEST(ToleranceTest)
 #include "ToleranceTest.moc"

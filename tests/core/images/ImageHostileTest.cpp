@@ -5,6 +5,7 @@
 #include "tests/support/ImageFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -320,5 +321,5 @@ void ImageHostileTest::pngThatLies()
     QVERIFY2(!text.isEmpty() && text.contains(says), qPrintable(text));
 }
 
-QTEST_GUILESS_MAIN(ImageHostileTest)
+BURIN_TEST(ImageHostileTest)
 #include "ImageHostileTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/ImageFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -95,5 +96,5 @@ void ImageStackItkTest::filesOfAFolder()
     compare(m_folder->path(), files);
 }
 
-QTEST_GUILESS_MAIN(ImageStackItkTest)
+BURIN_TEST(ImageStackItkTest)
 #include "ImageStackItkTest.moc"

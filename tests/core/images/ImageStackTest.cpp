@@ -7,6 +7,7 @@
 #include "tests/support/ImageFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -452,5 +453,5 @@ void ImageStackTest::picturesThatAreNotRead()
     QVERIFY2(text.contains(file) && text.contains(says), qPrintable(text));
 }
 
-QTEST_GUILESS_MAIN(ImageStackTest)
+BURIN_TEST(ImageStackTest)
 #include "ImageStackTest.moc"

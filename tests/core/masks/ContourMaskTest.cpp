@@ -3,6 +3,7 @@
 #include "core/masks/PolygonFill.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -304,5 +305,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ContourMaskTest)
+BURIN_TEST(ContourMaskTest)
 #include "ContourMaskTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/SmallSeries.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -357,5 +358,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(LabelMaskTest)
+BURIN_TEST(LabelMaskTest)
 #include "LabelMaskTest.moc"

@@ -2,6 +2,7 @@
 #include "core/export/ExportMask.h"
 #include "core/masks/MaskOnVolume.h"
 #include "tests/support/SmallSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -278,5 +279,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SegMaskTest)
+BURIN_TEST(SegMaskTest)
 #include "SegMaskTest.moc"

@@ -2,6 +2,7 @@
 #include "core/masks/MaskOnVolume.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -200,5 +201,5 @@ private:
     core::Volume m_volume;
 };
 
-QTEST_GUILESS_MAIN(SharedMasksTest)
+BURIN_TEST(SharedMasksTest)
 #include "SharedMasksTest.moc"

@@ -2,6 +2,7 @@
 #include "core/masks/SurfaceFill.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/surface/SegmentSurface.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -181,8 +182,8 @@ private Q_SLOTS:
     {
         std::mt19937 random(13);
         for (int number = 0; number < 30; ++number) {
-            const glm::ivec3 size(
-                2 + int(random() % 9), 2 + int(random() % 9), int(1 + random() % 9));
+            const glm::ivec3 size{
+                2 + int(random() % 9), 2 + int(random() % 9), int(1 + random() % 9)};
             Filled labels(std::size_t(size.x * size.y * size.z));
             for (int& label : labels)
                 label = random() % 3 == 0;
@@ -269,5 +270,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SurfaceFillTest)
+BURIN_TEST(SurfaceFillTest)
 #include "SurfaceFillTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/meshfile/MeshReader.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDataStream>
 #include <QFile>
@@ -202,5 +203,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(MeshReaderTest)
+BURIN_TEST(MeshReaderTest)
 #include "MeshReaderTest.moc"

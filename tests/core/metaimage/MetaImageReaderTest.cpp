@@ -4,6 +4,7 @@
 #include "tests/support/NrrdFiles.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -281,5 +282,5 @@ void MetaImageReaderTest::masksAreCheckedAgainstTheFile()
     compareMasks(soundFile(), soundFile().replace("-12 34", "-11 34"));
 }
 
-QTEST_GUILESS_MAIN(MetaImageReaderTest)
+BURIN_TEST(MetaImageReaderTest)
 #include "MetaImageReaderTest.moc"

@@ -3,6 +3,7 @@
 
 #include "core/metrics/SegmentPairs.h"
 #include "core/volume/UnevenSlices.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -260,5 +261,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(MaskComparisonTest)
+BURIN_TEST(MaskComparisonTest)
 #include "MaskComparisonTest.moc"

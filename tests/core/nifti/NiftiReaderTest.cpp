@@ -2,6 +2,7 @@
 #include "core/nifti/NiftiHeader.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -426,5 +427,5 @@ void NiftiReaderTest::nextToDicomOnlyByName()
     QVERIFY(core::loadVolume(data.source + QStringLiteral("/labels.nii.gz")));
 }
 
-QTEST_GUILESS_MAIN(NiftiReaderTest)
+BURIN_TEST(NiftiReaderTest)
 #include "NiftiReaderTest.moc"

@@ -3,6 +3,7 @@
 
 #include "tests/support/Affine.h"
 #include "tests/support/Python.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -167,5 +168,5 @@ void NiftiWriterTest::fullDiskLeavesNothing()
     QCOMPARE(refused.error().code, core::ErrorCode::FileUnwritable);
 }
 
-QTEST_GUILESS_MAIN(NiftiWriterTest)
+BURIN_TEST(NiftiWriterTest)
 #include "NiftiWriterTest.moc"

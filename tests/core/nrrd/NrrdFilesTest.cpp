@@ -4,6 +4,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -243,5 +244,5 @@ void NrrdFilesTest::randomBytesAreSurvived()
     compareRandomBytes({soundFile(), detached, text, packed}, 7, test::longRun() ? 20000 : 1500);
 }
 
-QTEST_GUILESS_MAIN(NrrdFilesTest)
+BURIN_TEST(NrrdFilesTest)
 #include "NrrdFilesTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/VolumeFiles.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QJsonArray>
@@ -291,5 +292,5 @@ void NrrdReaderTest::masksAreCheckedAgainstTheFile()
     compareMasks(soundFile(), soundFile().replace("(-12,", "(-11,"));
 }
 
-QTEST_GUILESS_MAIN(NrrdReaderTest)
+BURIN_TEST(NrrdReaderTest)
 #include "NrrdReaderTest.moc"

@@ -2,6 +2,7 @@
 #include "core/nrrd/NrrdWriter.h"
 #include "core/nrrd/NrrdHeader.h"
 #include "core/nrrd/NrrdReader.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -139,5 +140,5 @@ void NrrdWriterTest::aFullDiskIsNamed()
     QVERIFY(!refused.error().arguments.value(1).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(NrrdWriterTest)
+BURIN_TEST(NrrdWriterTest)
 #include "NrrdWriterTest.moc"

@@ -10,6 +10,7 @@
 #include "tests/support/SmallFileSystem.h"
 #include "tests/support/SyntheticSeries.h"
 #include "tests/support/VerifyResult.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/ErrorText.h"
 
 #include <QDir>
@@ -421,5 +422,5 @@ void PacsFaultsTest::filesThatAreNoneAreNotSent()
     VERIFY_ERROR(core::sendFiles(nobody, {path}, core::Progress()), ErrorCode::UnsupportedFormat);
 }
 
-QTEST_GUILESS_MAIN(PacsFaultsTest)
+BURIN_TEST(PacsFaultsTest)
 #include "PacsFaultsTest.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
 #include "tests/support/VerifyResult.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -195,5 +196,5 @@ void PacsRoundTripTest::maskComesBack()
     QCOMPARE(came.getDataset()->compare(*sent.getDataset()), 0);
 }
 
-QTEST_GUILESS_MAIN(PacsRoundTripTest)
+BURIN_TEST(PacsRoundTripTest)
 #include "PacsRoundTripTest.moc"

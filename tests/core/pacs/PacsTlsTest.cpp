@@ -6,6 +6,7 @@
 #include "tests/support/PacsServers.h"
 #include "tests/support/SyntheticSeries.h"
 #include "tests/support/VerifyResult.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/ErrorText.h"
 
 #include <QDir>
@@ -125,5 +126,5 @@ void PacsTlsTest::filesThatAreNone()
     }
 }
 
-QTEST_GUILESS_MAIN(PacsTlsTest)
+BURIN_TEST(PacsTlsTest)
 #include "PacsTlsTest.moc"

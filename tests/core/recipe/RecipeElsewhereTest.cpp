@@ -3,6 +3,7 @@
 #include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -163,5 +164,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RecipeElsewhereTest)
+BURIN_TEST(RecipeElsewhereTest)
 #include "RecipeElsewhereTest.moc"

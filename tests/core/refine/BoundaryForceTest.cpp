@@ -3,6 +3,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/ShapedMask.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -78,7 +79,7 @@ void BoundaryForceTest::aBallDoesNotShrink()
     constexpr int count = 2000;
     for (int i = 0; i < count; ++i) {
         const glm::dvec3 way = glm::normalize(
-            glm::dvec3(test::randomUnit(random), test::randomUnit(random), test::randomUnit(random))
+            glm::dvec3{test::randomUnit(random), test::randomUnit(random), test::randomUnit(random)}
             - 0.5);
         const auto off = force.alongNormalMm(made.lps(middle + 15.0 * way), way);
         QVERIFY(off.has_value());
@@ -198,5 +199,5 @@ void BoundaryForceTest::onlyYellowFollows()
     QCOMPARE(force.forceMm(point), glm::dvec3(0.0));
 }
 
-QTEST_GUILESS_MAIN(BoundaryForceTest)
+BURIN_TEST(BoundaryForceTest)
 #include "BoundaryForceTest.moc"

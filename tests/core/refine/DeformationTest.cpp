@@ -5,6 +5,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/ShapedMask.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -294,5 +295,5 @@ void DeformationTest::afterRestructuring()
     edit.commit();
 }
 
-QTEST_GUILESS_MAIN(DeformationTest)
+BURIN_TEST(DeformationTest)
 #include "DeformationTest.moc"

@@ -11,6 +11,7 @@
 #include "tests/support/ShapedMask.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -307,5 +308,5 @@ void InitialFitTest::nothing()
     QVERIFY(!cancelled && cancelled.error().code == core::ErrorCode::Cancelled);
 }
 
-QTEST_GUILESS_MAIN(InitialFitTest)
+BURIN_TEST(InitialFitTest)
 #include "InitialFitTest.moc"

@@ -2,6 +2,7 @@
 #include "core/refine/InternalForces.h"
 #include "core/refine/SimplexMeshEdit.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -30,8 +31,8 @@ void InternalForcesTest::onASphere()
             core::SimplexMeshEdit edit(ball);
             for (const core::VertexId id : ball.vertexIds()) {
                 const glm::dvec3 aside = 0.03 * radius
-                    * glm::dvec3(test::randomUnit(random), test::randomUnit(random),
-                        test::randomUnit(random));
+                    * glm::dvec3{test::randomUnit(random), test::randomUnit(random),
+                        test::randomUnit(random)};
                 edit.move(id, radius * glm::normalize(ball.position(id) + aside));
             }
             edit.commit();
@@ -138,5 +139,5 @@ void InternalForcesTest::neighboursInALine()
     edit.commit();
 }
 
-QTEST_GUILESS_MAIN(InternalForcesTest)
+BURIN_TEST(InternalForcesTest)
 #include "InternalForcesTest.moc"

@@ -5,6 +5,7 @@
 #include "core/refine/SimplexOperations.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -236,8 +237,8 @@ void MeshRestructuringTest::stormsKeepTheSurfaceWhole()
             if (test::randomInt(random, 0, 9) > 0)
                 continue;
             some.push_back(id);
-            const glm::dvec3 aside = glm::dvec3(test::randomUnit(random), test::randomUnit(random),
-                                         test::randomUnit(random))
+            const glm::dvec3 aside = glm::dvec3{test::randomUnit(random), test::randomUnit(random),
+                                         test::randomUnit(random)}
                 - 0.5;
             edit.move(id, mesh.position(id) + 4.0 * aside);
         }
@@ -257,5 +258,5 @@ void MeshRestructuringTest::stormsKeepTheSurfaceWhole()
     QVERIFY(core::identical(mesh, last));
 }
 
-QTEST_GUILESS_MAIN(MeshRestructuringTest)
+BURIN_TEST(MeshRestructuringTest)
 #include "MeshRestructuringTest.moc"

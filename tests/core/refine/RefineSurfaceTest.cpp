@@ -6,6 +6,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/ShapedMask.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -215,5 +216,5 @@ void RefineSurfaceTest::thinningStopsAtGreenAndAtEdges()
     QVERIFY(core::enclosedMm3(least) > 900.0);
 }
 
-QTEST_GUILESS_MAIN(RefineSurfaceTest)
+BURIN_TEST(RefineSurfaceTest)
 #include "RefineSurfaceTest.moc"

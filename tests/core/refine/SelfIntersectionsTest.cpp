@@ -4,6 +4,7 @@
 #include "core/refine/SurfaceVoxels.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -126,8 +127,8 @@ void SelfIntersectionsTest::asEveryPairTells()
                 [&](core::VertexId, const glm::dvec3& at) {
                     return at
                         + strength
-                        * (glm::dvec3(test::randomUnit(random), test::randomUnit(random),
-                               test::randomUnit(random))
+                        * (glm::dvec3{test::randomUnit(random), test::randomUnit(random),
+                               test::randomUnit(random)}
                             - 0.5);
                 });
         const auto found = core::selfIntersections(mesh, grid());
@@ -233,5 +234,5 @@ void SelfIntersectionsTest::greenStays()
     }
 }
 
-QTEST_GUILESS_MAIN(SelfIntersectionsTest)
+BURIN_TEST(SelfIntersectionsTest)
 #include "SelfIntersectionsTest.moc"

@@ -3,6 +3,7 @@
 #include "core/refine/SimplexOperations.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -388,5 +389,5 @@ void SimplexMeshTest::greenStays()
     edit.commit();
 }
 
-QTEST_GUILESS_MAIN(SimplexMeshTest)
+BURIN_TEST(SimplexMeshTest)
 #include "SimplexMeshTest.moc"

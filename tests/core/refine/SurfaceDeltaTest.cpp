@@ -2,6 +2,7 @@
 #include "core/refine/SurfaceDelta.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 #include <QtEndian>
@@ -193,5 +194,5 @@ void SurfaceDeltaTest::onlyWhatFitsIsApplied()
     QVERIFY(core::canRedo({}, core::SimplexMesh()));
 }
 
-QTEST_GUILESS_MAIN(SurfaceDeltaTest)
+BURIN_TEST(SurfaceDeltaTest)
 #include "SurfaceDeltaTest.moc"

@@ -3,6 +3,7 @@
 
 #include "core/refine/BoxMask.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -136,5 +137,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SurfaceDoubtsTest)
+BURIN_TEST(SurfaceDoubtsTest)
 #include "SurfaceDoubtsTest.moc"

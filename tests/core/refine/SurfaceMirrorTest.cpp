@@ -2,6 +2,7 @@
 #include "core/refine/SurfaceMirror.h"
 
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -63,8 +64,8 @@ private Q_SLOTS:
         QCOMPARE(mirror.faceCount(), mesh.faceCount());
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 from = 30.0
-                * glm::normalize(glm::dvec3(test::randomUnit(random) - 0.5,
-                    test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5));
+                * glm::normalize(glm::dvec3{test::randomUnit(random) - 0.5,
+                    test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5});
             const auto one = mirror.hit(from, -glm::normalize(from));
             const auto other = anew.hit(from, -glm::normalize(from));
             QCOMPARE(one.has_value(), other.has_value());
@@ -110,5 +111,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SurfaceMirrorTest)
+BURIN_TEST(SurfaceMirrorTest)
 #include "SurfaceMirrorTest.moc"

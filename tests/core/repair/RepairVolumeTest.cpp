@@ -4,6 +4,7 @@
 #include "tests/support/DefectiveSeries.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/OpenedVolume.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -382,5 +383,5 @@ void RepairVolumeTest::whatCannotBeRepairedIsSaid()
         qPrintable(test::errorText(loaded.error())));
 }
 
-QTEST_GUILESS_MAIN(RepairVolumeTest)
+BURIN_TEST(RepairVolumeTest)
 #include "RepairVolumeTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/repair/SeriesRepair.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -62,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SeriesRepairTest)
+BURIN_TEST(SeriesRepairTest)
 #include "SeriesRepairTest.moc"

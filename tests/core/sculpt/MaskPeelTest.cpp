@@ -2,6 +2,7 @@
 #include "core/sculpt/MaskPeel.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -71,7 +72,7 @@ private Q_SLOTS:
         Random random(5);
         const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 60 : 12;
         for (int round = 0; round < rounds; ++round) {
-            const glm::ivec2 size(test::randomInt(random, 1, 60), test::randomInt(random, 1, 40));
+            const glm::ivec2 size{test::randomInt(random, 1, 60), test::randomInt(random, 1, 40)};
             const double rough = round % 4 ? test::randomUnit(random) : 30.0;
             const double slope = 4.0 * test::randomUnit(random) - 2.0;
             const PeelSheet sheet = sheetOf(size, [&](double x, double y) {
@@ -180,5 +181,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(MaskPeelTest)
+BURIN_PLAIN_TEST(MaskPeelTest)
 #include "MaskPeelTest.moc"

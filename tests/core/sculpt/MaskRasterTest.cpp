@@ -2,6 +2,7 @@
 #include "core/sculpt/MaskRaster.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -149,8 +150,8 @@ private Q_SLOTS:
         for (int round = 0; round < (qEnvironmentVariableIsSet("BURIN_LONG") ? 300 : 30); ++round) {
             std::vector<MaskVertex> star;
             const int corners = test::randomInt(random, 3, 40);
-            const glm::dvec2 middle(
-                test::randomInt(random, -9000, 9000), test::randomInt(random, -9000, 9000));
+            const glm::dvec2 middle{
+                test::randomInt(random, -9000, 9000), test::randomInt(random, -9000, 9000)};
             for (int i = 0; i < corners; ++i) {
                 const double t = 2.0 * M_PI * i / corners;
                 const double r = 500.0 + 9000.0 * test::randomUnit(random);
@@ -344,5 +345,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(MaskRasterTest)
+BURIN_PLAIN_TEST(MaskRasterTest)
 #include "MaskRasterTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/reference/Radiation.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -86,8 +87,8 @@ void RadiationTest::neverHidesOrInventsAVoxel()
     const int count = test::longRun() ? 300 : 30;
     for (int seed = 0; seed < count; ++seed) {
         test::Random random{std::uint32_t(seed)};
-        const glm::ivec3 size(test::randomInt(random, 1, 24), test::randomInt(random, 1, 24),
-            test::randomInt(random, 1, 24));
+        const glm::ivec3 size{test::randomInt(random, 1, 24), test::randomInt(random, 1, 24),
+            test::randomInt(random, 1, 24)};
         Bytes coverage = filled(size);
         const int density = test::randomInt(random, 1, 60);
         const auto codes = test::balls(size, 4, random);
@@ -312,5 +313,5 @@ void RadiationTest::changesStayWithinReach()
     QVERIFY(differs);
 }
 
-QTEST_GUILESS_MAIN(RadiationTest)
+BURIN_TEST(RadiationTest)
 #include "RadiationTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/reference/SparseRadiation.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -118,11 +119,11 @@ void SparseRadiationTest::ofAFullBlockToo()
 
 void SparseRadiationTest::oneSeedReachesOne()
 {
-    for (int radius = smallestSparseRadius; radius <= greatestSparseRadius; ++radius) {
+    for (int voxels = smallestSparseRadius; voxels <= greatestSparseRadius; ++voxels) {
         const SparseFootprint footprint =
-            sparseFootprint({5.0, 6.0, 7.0}, sparseRadii(radius, {0.7, 0.7, 3.0}));
+            sparseFootprint({5.0, 6.0, 7.0}, sparseRadii(voxels, {0.7, 0.7, 3.0}));
         QCOMPARE(int(sparseByte(sparseContribution(footprint, {5, 6, 7}))), 255);
-        QCOMPARE(footprint.count.x, 2 * radius + 1);
+        QCOMPARE(footprint.count.x, 2 * voxels + 1);
         QVERIFY(footprint.count.z >= 3);
     }
 }
@@ -167,5 +168,5 @@ void SparseRadiationTest::anEmptySumIsNothing()
     QCOMPARE(int(sparseByte(0xFFFFFFFFu)), 255);
 }
 
-QTEST_GUILESS_MAIN(SparseRadiationTest)
+BURIN_TEST(SparseRadiationTest)
 #include "SparseRadiationTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QSqlDatabase>
@@ -178,5 +179,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(AuditReportTest)
+BURIN_TEST(AuditReportTest)
 #include "AuditReportTest.moc"

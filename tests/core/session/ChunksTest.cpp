@@ -12,6 +12,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -115,13 +116,15 @@ struct Bench {
     }
     [[nodiscard]] std::shared_ptr<const ChunkMap> map() const
     {
-        for (int tries = 0; tries < 20000; ++tries) {
-            if (const auto map = session->chunkMap())
-                return map;
-            session->poll();
-            QTest::qWait(1);
-        }
-        return nullptr;
+        std::shared_ptr<const ChunkMap> found;
+        const auto there = [&] {
+            found = session->chunkMap();
+            if (!found)
+                session->poll();
+            return found != nullptr;
+        };
+        static_cast<void>(QTest::qWaitFor(there, 60000));
+        return found;
     }
 
     Lobes lobes;
@@ -473,5 +476,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ChunksTest)
+BURIN_TEST(ChunksTest)
 #include "ChunksTest.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/MarkedSeries.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -123,5 +124,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(DeidentifySessionTest)
+BURIN_TEST(DeidentifySessionTest)
 #include "DeidentifySessionTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -585,5 +586,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(EditSessionTest)
+BURIN_TEST(EditSessionTest)
 #include "EditSessionTest.moc"

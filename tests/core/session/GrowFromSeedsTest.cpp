@@ -4,6 +4,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -192,5 +193,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowFromSeedsTest)
+BURIN_TEST(GrowFromSeedsTest)
 #include "GrowFromSeedsTest.moc"

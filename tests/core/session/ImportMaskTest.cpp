@@ -9,6 +9,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -286,5 +287,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(ImportMaskTest)
+BURIN_TEST(ImportMaskTest)
 #include "ImportMaskTest.moc"

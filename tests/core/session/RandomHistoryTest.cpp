@@ -2,6 +2,7 @@
 #include "tests/support/RandomHistory.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -52,5 +53,5 @@ private:
     std::map<QString, int> m_done;
 };
 
-QTEST_GUILESS_MAIN(RandomHistoryTest)
+BURIN_TEST(RandomHistoryTest)
 #include "RandomHistoryTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -107,5 +108,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RecentStepsTest)
+BURIN_TEST(RecentStepsTest)
 #include "RecentStepsTest.moc"

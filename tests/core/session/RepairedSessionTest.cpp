@@ -10,6 +10,7 @@
 #include "tests/support/DefectiveSeries.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -170,5 +171,5 @@ void RepairedSessionTest::forgedWayBackIsRefused()
     QVERIFY(!volumeFromJson(without));
 }
 
-QTEST_GUILESS_MAIN(RepairedSessionTest)
+BURIN_TEST(RepairedSessionTest)
 #include "RepairedSessionTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -311,5 +312,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RevertTest)
+BURIN_TEST(RevertTest)
 #include "RevertTest.moc"

@@ -8,6 +8,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -494,5 +495,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ReviseTest)
+BURIN_TEST(ReviseTest)
 #include "ReviseTest.moc"

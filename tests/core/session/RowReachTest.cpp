@@ -4,6 +4,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -52,8 +53,9 @@ private Q_SLOTS:
         const int count = test::longRun() ? 300 : 16;
         for (int number = 0; number < count; ++number) {
             test::Random random{std::uint32_t(4000 + number)};
-            const glm::ivec3 size(test::randomInt(random, 90, 200), test::randomInt(random, 20, 60),
-                test::randomInt(random, 20, 60));
+            const int slices = test::randomInt(random, 20, 60);
+            const int rows = test::randomInt(random, 20, 60);
+            const glm::ivec3 size(test::randomInt(random, 90, 200), rows, slices);
             const Document document = test::randomDocument(size, random, number % 2 != 0);
             const std::vector<std::uint16_t> codes = test::balls(size, 9, random).values;
             DrillStroke stroke = test::randomDrill(document, random);
@@ -208,5 +210,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RowReachTest)
+BURIN_TEST(RowReachTest)
 #include "RowReachTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/RowText.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -95,5 +96,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RowTextTest)
+BURIN_TEST(RowTextTest)
 #include "RowTextTest.moc"

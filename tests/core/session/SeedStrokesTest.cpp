@@ -10,6 +10,7 @@
 #include "tests/support/LeakPhantoms.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -308,5 +309,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SeedStrokesTest)
+BURIN_TEST(SeedStrokesTest)
 #include "SeedStrokesTest.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -473,5 +474,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionDamageTest)
+BURIN_TEST(SessionDamageTest)
 #include "SessionDamageTest.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -700,5 +701,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionFileTest)
+BURIN_TEST(SessionFileTest)
 #include "SessionFileTest.moc"

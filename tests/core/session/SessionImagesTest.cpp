@@ -19,6 +19,7 @@
 #include "tests/support/SmallFileSystem.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -511,5 +512,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionImagesTest)
+BURIN_TEST(SessionImagesTest)
 #include "SessionImagesTest.moc"

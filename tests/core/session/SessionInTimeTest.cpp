@@ -6,6 +6,7 @@
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -121,5 +122,5 @@ void SessionInTimeTest::volumesWithoutTimeSayNothing()
     QVERIFY(!source.toJson().contains(QStringLiteral("time")));
 }
 
-QTEST_MAIN(SessionInTimeTest)
+BURIN_WINDOW_TEST(SessionInTimeTest)
 #include "SessionInTimeTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SessionFiles.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -108,5 +109,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionPreviewTest)
+BURIN_TEST(SessionPreviewTest)
 #include "SessionPreviewTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/LeakPhantoms.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -164,5 +165,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SketchedSeedsTest)
+BURIN_TEST(SketchedSeedsTest)
 #include "SketchedSeedsTest.moc"

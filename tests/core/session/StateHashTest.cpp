@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/StateHash.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -173,5 +174,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(StateHashTest)
+BURIN_TEST(StateHashTest)
 #include "StateHashTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/StrokeCases.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -50,5 +51,5 @@ void StrokeHashTest::agrees()
     QVERIFY2(apart.isEmpty(), qPrintable(apart));
 }
 
-QTEST_GUILESS_MAIN(StrokeHashTest)
+BURIN_TEST(StrokeHashTest)
 #include "StrokeHashTest.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/SmallStudy.h"
 #include "tests/support/SurfaceCases.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -264,5 +265,5 @@ void SurfaceBarrierTest::withoutASurfaceItIsRefused()
     }
 }
 
-QTEST_GUILESS_MAIN(SurfaceBarrierTest)
+BURIN_TEST(SurfaceBarrierTest)
 #include "SurfaceBarrierTest.moc"

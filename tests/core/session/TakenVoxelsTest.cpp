@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -155,5 +156,5 @@ void TakenVoxelsTest::undoBringsBackWhatIsRememberedOfADeletedSegment()
     QCOMPARE(voxels(painted), 0);
 }
 
-QTEST_GUILESS_MAIN(TakenVoxelsTest)
+BURIN_TEST(TakenVoxelsTest)
 #include "TakenVoxelsTest.moc"

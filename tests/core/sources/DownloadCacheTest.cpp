@@ -2,6 +2,7 @@
 #include "core/sources/DownloadCache.h"
 
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -144,5 +145,5 @@ void DownloadCacheTest::brokenDownloadsGoWithAll()
     QVERIFY(!QFile::exists(path));
 }
 
-QTEST_GUILESS_MAIN(DownloadCacheTest)
+BURIN_TEST(DownloadCacheTest)
 #include "DownloadCacheTest.moc"

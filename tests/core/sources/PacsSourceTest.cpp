@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sources/PacsSource.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/PacsSources.h"
 
 #include <QJsonDocument>
@@ -113,5 +114,5 @@ void PacsSourceTest::namesAreNoAddresses()
     QVERIFY(!source.check().has_value());
 }
 
-QTEST_GUILESS_MAIN(PacsSourceTest)
+BURIN_TEST(PacsSourceTest)
 #include "PacsSourceTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -280,5 +281,5 @@ void EarlySliceTest::cancelledAfterItIsCancelled()
     QCOMPARE(loaded.error().code, core::ErrorCode::Cancelled);
 }
 
-QTEST_GUILESS_MAIN(EarlySliceTest)
+BURIN_TEST(EarlySliceTest)
 #include "EarlySliceTest.moc"

@@ -3,6 +3,7 @@
 #include "core/study/StudyLoader.h"
 #include "core/study/VolumeFacts.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -392,5 +393,5 @@ void SharedSeriesTest::namesInEveryScript()
     QCOMPARE(read, name);
 }
 
-QTEST_GUILESS_MAIN(SharedSeriesTest)
+BURIN_TEST(SharedSeriesTest)
 #include "SharedSeriesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -324,5 +325,5 @@ void StudyLoaderTest::directoryFileStandsForItsFolder()
     QCOMPARE(test::worstError(test::openVolume(directory.fileName()), series), 0.0);
 }
 
-QTEST_GUILESS_MAIN(StudyLoaderTest)
+BURIN_TEST(StudyLoaderTest)
 #include "StudyLoaderTest.moc"

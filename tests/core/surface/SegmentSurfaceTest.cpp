@@ -2,6 +2,7 @@
 #include "core/surface/SegmentSurface.h"
 #include "tests/support/EngineCases.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -268,5 +269,5 @@ void SegmentSurfaceTest::nothing()
     QVERIFY(surface.vertices.empty() && surface.triangles.empty());
 }
 
-QTEST_GUILESS_MAIN(SegmentSurfaceTest)
+BURIN_TEST(SegmentSurfaceTest)
 #include "SegmentSurfaceTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/SliceContours.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -161,7 +162,7 @@ void SliceContoursTest::theVeryPixelsOfNoise()
     QFETCH(int, share);
     auto random = test::Random(unsigned(share));
     for (int trial = 0; trial < 40; ++trial) {
-        const glm::ivec2 size(test::randomInt(random, 1, 24), test::randomInt(random, 1, 19));
+        const glm::ivec2 size{test::randomInt(random, 1, 24), test::randomInt(random, 1, 19)};
         std::vector<std::uint8_t> labels(std::size_t(size.x * size.y));
         int pixels = 0;
         for (auto& label : labels) {
@@ -185,5 +186,5 @@ void SliceContoursTest::theVeryPixelsOfNoise()
     }
 }
 
-QTEST_GUILESS_MAIN(SliceContoursTest)
+BURIN_TEST(SliceContoursTest)
 #include "SliceContoursTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/ClipRegion.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -42,7 +43,7 @@ public:
         const glm::dvec3 b = index(geometry.size);
         region.box = {glm::min(a, b), glm::max(a, b), between(0.0, 1.0) < 0.7};
         for (core::ClipPlane& plane : region.planes) {
-            const glm::dvec3 normal(between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0));
+            const glm::dvec3 normal{between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0)};
             plane = {geometry.toWorld(index(geometry.size)), glm::normalize(normal),
                 between(0.0, 1.0) < 0.5};
         }
@@ -156,5 +157,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ClipRegionTest)
+BURIN_TEST(ClipRegionTest)
 #include "ClipRegionTest.moc"

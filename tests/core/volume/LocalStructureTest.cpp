@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/LocalStructure.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -120,5 +121,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(LocalStructureTest)
+BURIN_TEST(LocalStructureTest)
 #include "LocalStructureTest.moc"

@@ -2,6 +2,7 @@
 #include "core/volume/SliceChain.h"
 
 #include "core/base/ParallelFor.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -80,5 +81,5 @@ void SliceChainTest::waitsForWhatIsDone()
     QCOMPARE(sum, slices);
 }
 
-QTEST_GUILESS_MAIN(SliceChainTest)
+BURIN_TEST(SliceChainTest)
 #include "SliceChainTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/EditEngineFixture.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -99,5 +100,5 @@ void ChunkClickGlTest::manyClicks()
     QVERIFY((*session)->settle());
 }
 
-QTEST_GUILESS_MAIN(ChunkClickGlTest)
+BURIN_TEST(ChunkClickGlTest)
 #include "ChunkClickGlTest.moc"

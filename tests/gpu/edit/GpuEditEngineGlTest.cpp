@@ -3,6 +3,7 @@
 
 #include "core/growth/SeedWord.h"
 #include "gpu/gl/EglContext.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -122,5 +123,5 @@ void GpuEditEngineGlTest::swapsBackAndForth()
     }
 }
 
-QTEST_GUILESS_MAIN(GpuEditEngineGlTest)
+BURIN_TEST(GpuEditEngineGlTest)
 #include "GpuEditEngineGlTest.moc"

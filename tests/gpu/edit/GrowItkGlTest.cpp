@@ -8,6 +8,7 @@
 #include "tests/support/GrowToClosure.h"
 #include "tests/support/SharedData.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -212,5 +213,5 @@ void GrowItkGlTest::realSeries()
     QCOMPARE(m_gpu.newErrors(), 0);
 }
 
-QTEST_GUILESS_MAIN(GrowItkGlTest)
+BURIN_TEST(GrowItkGlTest)
 #include "GrowItkGlTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/EngineConformance.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/LeakPhantoms.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -302,5 +303,5 @@ void LeakPhantomsGlTest::convexBodies()
     QVERIFY(patient.taken().body > 40000);
 }
 
-QTEST_MAIN(LeakPhantomsGlTest)
+BURIN_WINDOW_TEST(LeakPhantomsGlTest)
 #include "LeakPhantomsGlTest.moc"

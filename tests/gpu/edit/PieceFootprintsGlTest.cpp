@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/Radiation.h"
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -86,8 +87,8 @@ private Q_SLOTS:
         std::mt19937 random(11);
         const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : 5;
         for (int round = 0; round < rounds; ++round) {
-            const glm::ivec3 size(
-                20 + int(random() % 40), 17 + int(random() % 30), 9 + int(random() % 30));
+            const glm::ivec3 size{
+                20 + int(random() % 40), 17 + int(random() % 30), 9 + int(random() % 30)};
             m_fixture->open(test::centredGeometry(size), [](const glm::dvec3&) { return 1000.0; });
             reference::DenseFields state(size);
             for (const int layer : {1, 2, 3})
@@ -141,5 +142,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PieceFootprintsGlTest)
+BURIN_TEST(PieceFootprintsGlTest)
 #include "PieceFootprintsGlTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/RandomHistory.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -36,5 +37,5 @@ private:
     test::EditEngineFixture m_gpu;
 };
 
-QTEST_GUILESS_MAIN(RandomHistoryGlTest)
+BURIN_TEST(RandomHistoryGlTest)
 #include "RandomHistoryGlTest.moc"

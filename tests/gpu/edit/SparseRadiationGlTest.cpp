@@ -4,6 +4,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -64,11 +65,11 @@ void SparseRadiationGlTest::equalsTheOracle()
         test::Random random{std::uint32_t(100 + seed)};
         std::vector<SparseRadiationKernel::Point> points;
         for (int i = test::randomInt(random, 1, 50); i > 0; --i) {
-            const glm::dvec3 spacing(test::randomInt(random, 2, 8) / 4.0,
-                test::randomInt(random, 2, 8) / 4.0, test::randomInt(random, 2, 20) / 4.0);
-            const glm::dvec3 at(test::randomInt(random, -2000, 12000) / 256.0,
+            const glm::dvec3 spacing{test::randomInt(random, 2, 8) / 4.0,
+                test::randomInt(random, 2, 8) / 4.0, test::randomInt(random, 2, 20) / 4.0};
+            const glm::dvec3 at{test::randomInt(random, -2000, 12000) / 256.0,
                 test::randomInt(random, -2000, 12000) / 256.0,
-                test::randomInt(random, -2000, 6000) / 256.0);
+                test::randomInt(random, -2000, 6000) / 256.0};
             points.push_back(
                 {core::radiation::sparseFootprint(
                      at, core::radiation::sparseRadii(test::randomInt(random, 1, 8), spacing)),
@@ -108,5 +109,5 @@ void SparseRadiationGlTest::ofMoreTilesAndPointsThanOnePass()
     compare(points, 70); // 70 · 150 footprints: two passes of tiles, more than one dispatch each
 }
 
-QTEST_GUILESS_MAIN(SparseRadiationGlTest)
+BURIN_TEST(SparseRadiationGlTest)
 #include "SparseRadiationGlTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/StrokeCases.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
@@ -42,5 +43,5 @@ void StrokeHashGlTest::agrees()
     QVERIFY2(delayed.isEmpty(), qPrintable(delayed));
 }
 
-QTEST_GUILESS_MAIN(StrokeHashGlTest)
+BURIN_TEST(StrokeHashGlTest)
 #include "StrokeHashGlTest.moc"

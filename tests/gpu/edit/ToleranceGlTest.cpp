@@ -6,6 +6,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/FailingLog.h"
 #include "tests/support/ToleranceScene.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -97,8 +98,8 @@ void ToleranceGlTest::segmentationMapFollows()
 {
     QFETCH(int, number);
     test::Random random(std::uint32_t(43000 + number));
-    const glm::ivec3 size(test::randomInt(random, 4, 60), test::randomInt(random, 4, 40),
-        test::randomInt(random, 4, 34));
+    const glm::ivec3 size{test::randomInt(random, 4, 60), test::randomInt(random, 4, 40),
+        test::randomInt(random, 4, 34)};
     const test::ToleranceScene scene = test::randomToleranceScene(size, random);
     reference::ReferenceEngine oracle;
     EditEngine& engine = m_gpu.engine();
@@ -186,5 +187,5 @@ void ToleranceGlTest::howLongItTakes()
     QCOMPARE(members.back(), std::int64_t(codes.values.size()));
 }
 
-QTEST_GUILESS_MAIN(ToleranceGlTest)
+BURIN_TEST(ToleranceGlTest)
 #include "ToleranceGlTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/engine/EngineThread.h"
 #include "gpu/gl/EglContext.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -136,5 +137,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(EngineThreadGlTest)
+BURIN_TEST(EngineThreadGlTest)
 #include "EngineThreadGlTest.moc"

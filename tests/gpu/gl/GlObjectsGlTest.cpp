@@ -7,6 +7,7 @@
 #include "gpu/gl/TimerQuery.h"
 #include "gpu/gl/VertexArray.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -211,5 +212,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GlObjectsGlTest)
+BURIN_TEST(GlObjectsGlTest)
 #include "GlObjectsGlTest.moc"

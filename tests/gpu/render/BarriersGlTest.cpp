@@ -3,6 +3,7 @@
 #include "gpu/edit/BarrierBricks.h"
 #include "gpu/edit/BrickImages.h"
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -223,5 +224,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BarriersGlTest)
+BURIN_TEST(BarriersGlTest)
 #include "BarriersGlTest.moc"

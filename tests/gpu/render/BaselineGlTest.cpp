@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameFixture.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -121,5 +122,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(BaselineGlTest)
+BURIN_TEST(BaselineGlTest)
 #include "BaselineGlTest.moc"

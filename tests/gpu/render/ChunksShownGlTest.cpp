@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
 #include "tests/support/ViewRays.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -352,10 +353,10 @@ private Q_SLOTS:
                 if (!isInside)
                     continue;
                 const double lps = (x + 0.5 - size3d.x / 2.0) * 0.5;
-                const double grey = 255.0 * (6.0 * lps + 250.0) / 499.0;
+                const double greyThere = 255.0 * (6.0 * lps + 250.0) / 499.0;
                 const std::uint32_t argb = leaf == 0 ? 0 : chunks->argb[std::size_t(leaf - 1)];
                 const double share = 0.25 * double(argb >> 24) / 255.0;
-                const glm::dvec3 wanted = glm::dvec3(grey) * (1.0 - share)
+                const glm::dvec3 wanted = glm::dvec3(greyThere) * (1.0 - share)
                     + share * glm::dvec3(argb >> 16 & 255, argb >> 8 & 255, argb & 255);
                 const glm::dvec3 off = glm::abs(glm::dvec3(rgb) - wanted);
                 worst = std::max({worst, off.x, off.y, off.z});
@@ -523,5 +524,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ChunksShownGlTest)
+BURIN_TEST(ChunksShownGlTest)
 #include "ChunksShownGlTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
 #include "tests/support/ViewRays.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -296,5 +297,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ClippingGlTest)
+BURIN_TEST(ClippingGlTest)
 #include "ClippingGlTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
 #include "tests/support/VoxelNoise.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -206,5 +207,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(CubicSliceGlTest)
+BURIN_TEST(CubicSliceGlTest)
 #include "CubicSliceGlTest.moc"

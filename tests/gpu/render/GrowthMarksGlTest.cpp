@@ -2,6 +2,7 @@
 #include "core/growth/SeedWord.h"
 #include "gpu/edit/CutForesight.h"
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -214,5 +215,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(GrowthMarksGlTest)
+BURIN_TEST(GrowthMarksGlTest)
 #include "GrowthMarksGlTest.moc"

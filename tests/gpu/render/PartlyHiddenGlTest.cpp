@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -157,5 +158,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PartlyHiddenGlTest)
+BURIN_TEST(PartlyHiddenGlTest)
 #include "PartlyHiddenGlTest.moc"

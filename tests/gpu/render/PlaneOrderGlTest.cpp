@@ -4,6 +4,7 @@
 #include "tests/support/FrameTest.h"
 #include "tests/support/SimplexShapes.h"
 #include "tests/support/ViewRays.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -519,5 +520,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PlaneOrderGlTest)
+BURIN_TEST(PlaneOrderGlTest)
 #include "PlaneOrderGlTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/SimplexShapes.h"
 #include "tests/support/ViewRays.h"
 #include "tests/support/VoxelNoise.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -396,5 +397,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(PlanePassGlTest)
+BURIN_TEST(PlanePassGlTest)
 #include "PlanePassGlTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/GrowToClosure.h"
 #include "tests/support/OpenedVolume.h"
 #include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -125,5 +126,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RadiatedSegmentGlTest)
+BURIN_TEST(RadiatedSegmentGlTest)
 #include "RadiatedSegmentGlTest.moc"

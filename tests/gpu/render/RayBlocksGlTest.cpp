@@ -5,6 +5,7 @@
 #include "tests/support/ChangedRaycaster.h"
 #include "tests/support/FrameFixture.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -244,5 +245,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(RayBlocksGlTest)
+BURIN_TEST(RayBlocksGlTest)
 #include "RayBlocksGlTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -236,5 +237,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SeedDotsGlTest)
+BURIN_TEST(SeedDotsGlTest)
 #include "SeedDotsGlTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/ChangedRaycaster.h"
 #include "tests/support/FrameFixture.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -239,5 +240,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SkippingGlTest)
+BURIN_TEST(SkippingGlTest)
 #include "SkippingGlTest.moc"

@@ -3,6 +3,7 @@
 #include "gpu/edit/ToleranceKernel.h"
 #include "tests/reference/Tolerance.h"
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -309,5 +310,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SlicePassGlTest)
+BURIN_TEST(SlicePassGlTest)
 #include "SlicePassGlTest.moc"

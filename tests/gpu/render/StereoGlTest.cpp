@@ -3,6 +3,7 @@
 #include "tests/support/FrameTest.h"
 #include "tests/support/SimplexShapes.h"
 #include "tests/support/ViewRays.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -217,5 +218,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(StereoGlTest)
+BURIN_TEST(StereoGlTest)
 #include "StereoGlTest.moc"

@@ -4,6 +4,7 @@
 #include "gpu/render/SurfaceContour.h"
 #include "tests/support/FrameTest.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -324,5 +325,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SurfaceContourGlTest)
+BURIN_TEST(SurfaceContourGlTest)
 #include "SurfaceContourGlTest.moc"

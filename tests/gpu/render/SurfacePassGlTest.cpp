@@ -5,6 +5,7 @@
 #include "tests/support/FrameTest.h"
 #include "tests/support/SimplexShapes.h"
 #include "tests/support/ViewRays.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -716,5 +717,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SurfacePassGlTest)
+BURIN_TEST(SurfacePassGlTest)
 #include "SurfacePassGlTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/shaders/ShaderLibrary.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -103,5 +104,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ShaderLibraryTest)
+BURIN_TEST(ShaderLibraryTest)
 #include "ShaderLibraryTest.moc"

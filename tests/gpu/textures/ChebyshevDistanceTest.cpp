@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/textures/ChebyshevDistance.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -57,5 +58,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(ChebyshevDistanceTest)
+BURIN_TEST(ChebyshevDistanceTest)
 #include "ChebyshevDistanceTest.moc"

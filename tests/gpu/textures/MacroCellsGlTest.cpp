@@ -2,6 +2,7 @@
 #include "gpu/gl/Program.h"
 #include "gpu/textures/MacroCells.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -134,5 +135,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(MacroCellsGlTest)
+BURIN_TEST(MacroCellsGlTest)
 #include "MacroCellsGlTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -73,5 +74,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(CarvedExportUiTest)
+BURIN_WINDOW_TEST(CarvedExportUiTest)
 #include "CarvedExportUiTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/ApplicationFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
 
@@ -94,5 +95,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(CodeDialogUiTest)
+BURIN_WINDOW_TEST(CodeDialogUiTest)
 #include "CodeDialogUiTest.moc"

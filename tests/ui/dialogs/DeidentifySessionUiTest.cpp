@@ -3,6 +3,7 @@
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/MarkedSeries.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/DeidentifySessionDialog.h"
@@ -115,5 +116,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(DeidentifySessionUiTest)
+BURIN_WINDOW_TEST(DeidentifySessionUiTest)
 #include "DeidentifySessionUiTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/SmallSeries.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Theme.h"
 
 #include <QAbstractButton>
@@ -335,7 +336,7 @@ private Q_SLOTS:
         QSignalSpy exported(&dialog, &ui::ExportDialog::exported);
         button(dialog, "exportStart").click();
         QVERIFY(dialog.running());
-        QTest::qWait(30);
+        QTest::qWait(30); // it goes on waiting, of which nothing tells
         QVERIFY(dialog.running());
         const auto* state = dialog.findChild<QLabel*>(text("exportState"));
         QCOMPARE(state->text(), text("Reading the segments"));
@@ -347,7 +348,9 @@ private Q_SLOTS:
         QVERIFY(button(dialog, "exportStart").isEnabled());
         // What the engine answers late is dropped; the next export is whole.
         fixture.wakeUp.start(1);
-        QTest::qWait(30);
+        QVERIFY(fixture.session().settle());
+        QCoreApplication::sendPostedEvents();
+        QVERIFY(!dialog.running());
         QVERIFY(!QFile::exists(file));
         button(dialog, "exportStart").click();
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
@@ -390,5 +393,5 @@ private:
     QTemporaryDir m_settings;
 };
 
-QTEST_MAIN(ExportDialogUiTest)
+BURIN_WINDOW_TEST(ExportDialogUiTest)
 #include "ExportDialogUiTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FailingLog.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/HistoryMemory.h"
 #include "ui/dialogs/HistoryMemoryDialog.h"
 
@@ -64,5 +65,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(HistoryMemoryDialogUiTest)
+BURIN_WINDOW_TEST(HistoryMemoryDialogUiTest)
 #include "HistoryMemoryDialogUiTest.moc"

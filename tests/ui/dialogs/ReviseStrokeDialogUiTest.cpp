@@ -4,12 +4,14 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/panels/StrokeRevision.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QtTest>
 
@@ -63,7 +65,7 @@ struct Bench {
         revision.change(row);
         return fixture.window.findChild<ui::ReviseStrokeDialog*>();
     }
-    void answer(ui::ReviseStrokeDialog* dialog)
+    void answer(const QPointer<ui::ReviseStrokeDialog>& dialog)
     {
         const auto buttons = dialog->findChild<QDialogButtonBox*>()->buttons();
         const auto change = std::find_if(buttons.begin(), buttons.end(),
@@ -71,7 +73,7 @@ struct Bench {
         QVERIFY(change != buttons.end());
         QTest::mouseClick(*change, Qt::LeftButton);
         QVERIFY(session().settle());
-        QTest::qWait(10); // and it is gone
+        QTRY_VERIFY(!dialog);
     }
     [[nodiscard]] core::ReviseStroke last()
     {
@@ -221,5 +223,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ReviseStrokeDialogUiTest)
+BURIN_WINDOW_TEST(ReviseStrokeDialogUiTest)
 #include "ReviseStrokeDialogUiTest.moc"

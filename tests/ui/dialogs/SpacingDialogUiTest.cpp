@@ -3,6 +3,7 @@
 #include "tests/support/ImageFiles.h"
 #include "tests/support/VolumeFiles.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Screenshot.h"
 #include "ui/dialogs/SpacingDialog.h"
 
@@ -153,5 +154,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SpacingDialogUiTest)
+BURIN_WINDOW_TEST(SpacingDialogUiTest)
 #include "SpacingDialogUiTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/input/StylusGlue.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QMouseEvent>
 #include <QPointingDevice>
@@ -187,5 +188,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(StylusGlueTest)
+BURIN_TEST(StylusGlueTest)
 #include "StylusGlueTest.moc"

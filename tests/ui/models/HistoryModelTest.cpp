@@ -3,6 +3,7 @@
 
 #include "core/session/HistoryListing.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QAbstractItemModelTester>
 #include <QRandomGenerator>
@@ -317,5 +318,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(HistoryModelTest)
+BURIN_TEST(HistoryModelTest)
 #include "HistoryModelTest.moc"

@@ -2,6 +2,7 @@
 #include "ui/models/SegmentListModel.h"
 
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/SegmentActions.h"
 
 #include <QAbstractItemModelTester>
@@ -130,5 +131,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SegmentListModelTest)
+BURIN_TEST(SegmentListModelTest)
 #include "SegmentListModelTest.moc"

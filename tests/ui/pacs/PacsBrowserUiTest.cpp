@@ -5,6 +5,7 @@
 #include "tests/support/PacsServers.h"
 #include "tests/support/SyntheticSeries.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/ErrorText.h"
 #include "ui/PacsSources.h"
 #include "ui/pacs/PacsBrowserDialog.h"
@@ -118,8 +119,8 @@ void PacsBrowserUiTest::initTestCase()
     QStringList files;
     const char* names[] = {"Doe^Jane", "M\xc3\xbcller^J\xc3\xb6rg", "Okonkwo^Adaeze^N"};
     const char* texts[] = {"CT thorax",
-        "Sch\xc3\xa4"
-        "del nativ",
+        ("Sch\xc3\xa4"
+         "del nativ"),
         "Knie rechts"};
     for (int patient = 0; patient < 3; ++patient) {
         for (int number = 1; number <= 2; ++number) {
@@ -233,7 +234,11 @@ void PacsBrowserUiTest::fromSearchToWindow()
     for (const QSize& size : {QSize(1280, 720), QSize(1920, 1080)}) {
         fixture.window.resize(size);
         dialog->move(fixture.window.geometry().center() - dialog->rect().center());
-        QTest::qWait(200);
+        // On the screen before that is looked at.
+        QGuiApplication::sync();
+        fixture.window.repaint();
+        dialog->repaint();
+        QGuiApplication::sync();
         QVERIFY(dialog->width() <= size.width() && dialog->height() <= size.height());
         const QByteArray name = QByteArray("pacs-") + (isWeb ? "web-" : "dicom-")
             + QByteArray::number(size.width()) + ".png";
@@ -474,5 +479,5 @@ void PacsBrowserUiTest::masksAreSent()
     test::look(nowhere.grab(), "pacs-send-off.png");
 }
 
-QTEST_MAIN(PacsBrowserUiTest)
+BURIN_WINDOW_TEST(PacsBrowserUiTest)
 #include "PacsBrowserUiTest.moc"

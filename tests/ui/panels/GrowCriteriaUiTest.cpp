@@ -2,6 +2,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/GrowSettings.h"
 #include "ui/SegmentActions.h"
 #include "ui/panels/GrowthPanel.h"
@@ -262,5 +263,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(GrowCriteriaUiTest)
+BURIN_WINDOW_TEST(GrowCriteriaUiTest)
 #include "GrowCriteriaUiTest.moc"

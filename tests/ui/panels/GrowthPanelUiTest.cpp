@@ -2,6 +2,7 @@
 #include "ui/panels/GrowthPanel.h"
 
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Actions.h"
 #include "ui/SegmentActions.h"
 #include "ui/panels/GrowthActions.h"
@@ -347,5 +348,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(GrowthPanelUiTest)
+BURIN_WINDOW_TEST(GrowthPanelUiTest)
 #include "GrowthPanelUiTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MessageBar.h"
 #include "ui/PanelSection.h"
 #include "ui/dialogs/ReviseStrokeDialog.h"
@@ -16,6 +17,7 @@
 #include <QLabel>
 #include <QListView>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QTimer>
 #include <QtTest>
@@ -34,7 +36,7 @@ private Q_SLOTS:
         test::WindowFixture fixture(test::smallStudy());
         fixture.window.addPanel(new ui::HistoryPanel(fixture.workspace));
         fixture.window.showPanels(true);
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         core::EditSession& session = *fixture.workspace.session();
         for (const core::Edit& edit : std::vector<core::Edit>{test::addSegment("Brain"),
                  test::drillAt(0), test::seedInBrain(1), test::growBrain(2)})
@@ -75,11 +77,12 @@ private Q_SLOTS:
         second.mask.radiusMm = 3.0;
         panel.applyAll({test::drillAt(0), second});
         const auto answer = [&panel](const std::function<void(ui::ReviseStrokeDialog&)>& act) {
-            auto* dialog = panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();
+            const QPointer<ui::ReviseStrokeDialog> dialog =
+                panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();
             QVERIFY(dialog);
             act(*dialog);
             QVERIFY(panel.session().settle());
-            QTest::qWait(20);
+            QTRY_VERIFY(!dialog); // the next one is looked for by its class
         };
         choose(panel.list, 1, tr("Change stroke …"));
         answer([](ui::ReviseStrokeDialog& dialog) {
@@ -105,7 +108,7 @@ private Q_SLOTS:
 
         choose(panel.list, 1, tr("Remove stroke"));
         QVERIFY(session.settle());
-        QTest::qWait(20);
+        QCoreApplication::sendPostedEvents(); // the bar takes its place
         QCOMPARE(session.strokesOnRevisedSurface(), std::vector<core::RowId>{2});
         QVERIFY2(panel.fixture.window.messages().sentence().startsWith(tr("One later stroke")),
             qPrintable(panel.fixture.window.messages().sentence()));
@@ -125,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(!said.isEmpty());
         choose(panel.list, 1, tr("Remove stroke"));
         QVERIFY(session.settle());
-        QTest::qWait(20);
+        QCoreApplication::sendPostedEvents();
         QTest::mouseClick(again, Qt::LeftButton);
         QVERIFY(session.settle());
         // Removed, and drilled anew where the surface is now: as if it alone had been drawn.
@@ -152,7 +155,8 @@ private Q_SLOTS:
         const auto change = [&panel](int place, const QStringList& fields, const char* field,
                                 double value) {
             choose(panel.list, place, tr("Change stroke …"));
-            auto* dialog = panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();
+            const QPointer<ui::ReviseStrokeDialog> dialog =
+                panel.fixture.window.findChild<ui::ReviseStrokeDialog*>();
             QVERIFY(dialog);
             QStringList shown;
             for (const QWidget* each : dialog->findChildren<QWidget*>()) {
@@ -166,7 +170,7 @@ private Q_SLOTS:
             dialog->findChild<QDoubleSpinBox*>(QLatin1String(field))->setValue(value);
             dialog->accept();
             QVERIFY(panel.session().settle());
-            QTest::qWait(20);
+            QTRY_VERIFY(!dialog);
         };
         change(1, {"depth", "radius", "softness", "throughGaps"}, "softness", 2.0);
         change(2, {"depth", "factor", "throughGaps"}, "depth", 6.5);
@@ -265,7 +269,7 @@ private Q_SLOTS:
             panel.goTo(1);
             panel.applyAll({test::drillAt(branch % 5 - 2)});
         }
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         const auto* section = panel.fixture.window.findChild<ui::PanelSection*>();
         const auto labels = section->findChildren<QLabel*>();
         const auto summary = std::find_if(labels.begin(), labels.end(), [](const QLabel* label) {
@@ -386,7 +390,7 @@ private Q_SLOTS:
             panel.setFolded(row, row == 1);
         panel.list->setFocus();
         panel.list->setCurrentIndex(panel.index(6));
-        QTest::qWait(200);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         panel.fixture.window.grab().save(QDir(folder).filePath(QStringLiteral("history.png")));
     }
 
@@ -525,5 +529,5 @@ private:
     }
 };
 
-QTEST_MAIN(HistoryPanelUiTest)
+BURIN_WINDOW_TEST(HistoryPanelUiTest)
 #include "HistoryPanelUiTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/LayerActions.h"
 #include "ui/LayerLooks.h"
 #include "ui/PanelColumn.h"
@@ -29,7 +30,7 @@ struct Fixture : test::WindowFixture {
     {
         window.addPanel(panel);
         window.showPanels(true);
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         list = panel->findChild<QListView*>(QStringLiteral("layerList"));
         section = window.findChild<ui::PanelSection*>(QStringLiteral("LayersPanel"));
     }
@@ -228,14 +229,14 @@ private Q_SLOTS:
         fixture.apply(core::ChangeLayer{.layer = 1, .muted = true});
         fixture.apply(core::ChangeLayer{.layer = 2, .solo = true});
         fixture.workspace.setActiveLayer(2);
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         QVERIFY(fixture.section->grab().save(QDir(folder).filePath(QStringLiteral("layers.png"))));
         fixture.apply(core::ChangeLayer{.layer = 2, .muted = true});
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents();
         QVERIFY(fixture.section->grab().save(
             QDir(folder).filePath(QStringLiteral("layers-muted.png"))));
     }
 };
 
-QTEST_MAIN(LayersPanelUiTest)
+BURIN_WINDOW_TEST(LayersPanelUiTest)
 #include "LayersPanelUiTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/LeakPhantoms.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/LiveInterval.h"
 #include "ui/SegmentActions.h"
 #include "ui/panels/GrowthPanel.h"
@@ -297,5 +298,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(LeakSectionUiTest)
+BURIN_WINDOW_TEST(LeakSectionUiTest)
 #include "LeakSectionUiTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QListView>
@@ -155,5 +156,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SegmentsPanelUiTest)
+BURIN_WINDOW_TEST(SegmentsPanelUiTest)
 #include "SegmentsPanelUiTest.moc"

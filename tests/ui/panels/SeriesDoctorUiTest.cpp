@@ -2,9 +2,11 @@
 #include "tests/support/ApplicationFixture.h"
 #include "tests/support/DefectiveSeries.h"
 #include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/PanelSection.h"
 #include "ui/Workspace.h"
 #include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/views/ViewGrid.h"
 
 #include <QFile>
 #include <QLabel>
@@ -81,11 +83,11 @@ private Q_SLOTS:
         QVERIFY(find<QLabel>("gridAfter")->text().startsWith(QStringLiteral("24 × 22 × 10")));
         // Both grids stand side by side in whole, once the panel has its place.
         QTRY_VERIFY(doctor()->mapTo(&window(), QPoint()).x() > window().width() / 2);
-        QTest::qWait(300);
         for (const char* grid : {"gridNow", "gridAfter"})
             QTRY_VERIFY(find<QLabel>(grid)->width() >= find<QLabel>(grid)->sizeHint().width());
         QVERIFY2(!find<QLabel>("repairEffect")->text().contains(QLatin1String("by 0 ")),
             qPrintable(find<QLabel>("repairEffect")->text()));
+        QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), test::ApplicationFixture::patience);
         test::look(window().grab(), "doctor-chosen.png");
         pressAndWait("applyRepair");
         QCOMPARE(volume().repair, QStringLiteral("tilt"));
@@ -128,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(find<QSlider>("timeSlider")->value(), 1);
         QVERIFY2(window().windowTitle().contains(QLatin1String("point 2 of 2")),
             qPrintable(window().windowTitle()));
-        QTest::qWait(300);
+        QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), test::ApplicationFixture::patience);
         test::look(window().grab(), "doctor-time.png");
         QVERIFY(!find<QPushButton>("openTime")->isEnabled());
         find<QSlider>("timeSlider")->setValue(0);
@@ -139,5 +141,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SeriesDoctorUiTest)
+BURIN_WINDOW_TEST(SeriesDoctorUiTest)
 #include "SeriesDoctorUiTest.moc"

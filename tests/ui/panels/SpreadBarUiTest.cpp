@@ -2,6 +2,7 @@
 #include "ui/panels/SpreadBar.h"
 
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/SegmentActions.h"
 
 #include <QComboBox>
@@ -155,5 +156,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SpreadBarUiTest)
+BURIN_WINDOW_TEST(SpreadBarUiTest)
 #include "SpreadBarUiTest.moc"

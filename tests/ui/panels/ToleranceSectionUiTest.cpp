@@ -2,6 +2,7 @@
 #include "ui/panels/ToleranceSection.h"
 
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Readout.h"
 #include "ui/SegmentActions.h"
 #include "ui/widgets/ToleranceBar.h"
@@ -256,5 +257,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ToleranceSectionUiTest)
+BURIN_WINDOW_TEST(ToleranceSectionUiTest)
 #include "ToleranceSectionUiTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/AuditPages.h"
 #include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/report/AuditHtml.h"
 #include "ui/report/WriteAudit.h"
 
@@ -249,12 +250,16 @@ private Q_SLOTS:
     }
 };
 
-int main(int argc, char** argv)
+namespace {
+
+int runAuditPages(int argc, char** argv)
 {
     // Fonts, but no display.
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    AuditPagesTest test;
-    return QTest::qExec(&test, argc, argv);
+    return test::runTest<AuditPagesTest, QGuiApplication>(argc, argv);
 }
+
+} // namespace
+
+BURIN_TEST_RUN(AuditPagesTest, runAuditPages)
 #include "AuditPagesTest.moc"

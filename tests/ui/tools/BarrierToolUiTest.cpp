@@ -6,6 +6,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QtTest>
@@ -286,5 +287,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(BarrierToolUiTest)
+BURIN_WINDOW_TEST(BarrierToolUiTest)
 #include "BarrierToolUiTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/CarveBrushTool.h"
 #include "ui/tools/PaintTool.h"
 #include "ui/views/ViewGrid.h"
@@ -440,5 +441,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(BrushToolsUiTest)
+BURIN_WINDOW_TEST(BrushToolsUiTest)
 #include "BrushToolsUiTest.moc"

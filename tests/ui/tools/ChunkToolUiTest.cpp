@@ -7,6 +7,7 @@
 #include "tests/support/SurfaceCases.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Chunks.h"
 #include "ui/panels/ChunksPanel.h"
 #include "ui/tools/ChunkTool.h"
@@ -77,11 +78,11 @@ public:
     /// Chunks are worked out on threads of their own.
     void await()
     {
-        for (int tries = 0; tries < 5000 && !chunks().map(); ++tries) {
-            QTest::qWait(1);
+        const auto there = [this] {
             session().poll();
-        }
-        QVERIFY(chunks().map());
+            return chunks().map() != nullptr;
+        };
+        QVERIFY(QTest::qWaitFor(there, 60000));
         settle();
     }
     void divide(int count)
@@ -496,5 +497,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ChunkToolUiTest)
+BURIN_WINDOW_TEST(ChunkToolUiTest)
 #include "ChunkToolUiTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/PanelSection.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/tools/ClipTool.h"
@@ -36,7 +37,7 @@ public:
         display.surfaceThreshold = 300.0;
         workspace.setVolumeDisplay(display);
         view.lookFrom({0.0, -1.0, 0.0});
-        QTest::qWait(20);
+        QCoreApplication::sendPostedEvents(); // layouts and frames are posted events
     }
     template <class Widget> [[nodiscard]] Widget& part(const char* name) const
     {
@@ -278,5 +279,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ClippingUiTest)
+BURIN_WINDOW_TEST(ClippingUiTest)
 #include "ClippingUiTest.moc"

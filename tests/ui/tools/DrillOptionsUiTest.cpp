@@ -4,6 +4,7 @@
 #include "tests/support/FailingLog.h"
 #include "tests/support/SmallStudy.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MaskPresets.h"
 #include "ui/OptionBar.h"
 #include "ui/panels/HistoryPanel.h"
@@ -199,7 +200,7 @@ private Q_SLOTS:
         QVERIFY(session.settle());
         ui::DrillTool tool(fixture.workspace);
         showEverything(fixture, tool, freehand);
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         QCOMPARE(fixture.window.width(), 1280);
         QVERIFY(fixture.window.findChild<ui::HistoryPanel*>()->isVisible());
         const auto* bar = fixture.window.findChild<ui::OptionBar*>();
@@ -233,7 +234,7 @@ private Q_SLOTS:
         test::WindowFixture fixture(test::smallStudy());
         ui::DrillTool tool(fixture.workspace);
         showEverything(fixture, tool, true);
-        QTest::qWait(200);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         QVERIFY(fixture.window.grab().save(QDir(folder).filePath(QStringLiteral("drill-bar.png"))));
         QMenu& menu = *fixture.window.findChild<ui::PenMenu*>()->menu();
         menu.popup(QPoint(0, 0));
@@ -243,5 +244,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(DrillOptionsUiTest)
+BURIN_WINDOW_TEST(DrillOptionsUiTest)
 #include "DrillOptionsUiTest.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/DrillOptions.h"
 #include "ui/tools/DrillSurface.h"
 #include "ui/views/ViewGrid.h"
@@ -411,5 +412,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(DrillToolUiTest)
+BURIN_WINDOW_TEST(DrillToolUiTest)
 #include "DrillToolUiTest.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/MaskPresets.h"
 #include "ui/tools/DrillOptions.h"
 #include "ui/tools/LaserTool.h"
@@ -336,22 +337,22 @@ private Q_SLOTS:
             QSKIP("BURIN_SCREENSHOTS names no folder");
         FreehandFixture fixture;
         fixture.window.resize(1280, 720);
-        QTest::qWait(50);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
         fixture.choose(QStringLiteral("Freehand"));
         test::Pen pen(fixture.view);
         pen.hover(fixture.at({0, 0}), 60000);
-        QTest::qWait(200);
+        QVERIFY(fixture.session().settle()); // what the tip lies on is asked for
         const auto keep = [&](const char* name) {
             QVERIFY(fixture.window.grab().save(QDir(folder).filePath(QLatin1String(name))));
         };
         keep("freehand-wanted.png");
         fixture.draw(corner);
         pen.hover(fixture.at({2, 2}), 95000);
-        QTest::qWait(200);
+        QVERIFY(fixture.session().settle());
         keep("freehand-mask.png");
         fixture.workspace.setActiveTool(nullptr);
     }
 };
 
-QTEST_MAIN(FreehandMaskUiTest)
+BURIN_WINDOW_TEST(FreehandMaskUiTest)
 #include "FreehandMaskUiTest.moc"

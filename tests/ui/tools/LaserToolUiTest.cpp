@@ -6,6 +6,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/CarveBrushTool.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/ScissorsTool.h"
@@ -376,5 +377,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(LaserToolUiTest)
+BURIN_WINDOW_TEST(LaserToolUiTest)
 #include "LaserToolUiTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/PeelTool.h"
 #include "ui/tools/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
@@ -217,5 +218,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(OutlineToolsUiTest)
+BURIN_WINDOW_TEST(OutlineToolsUiTest)
 #include "OutlineToolsUiTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/DisplayState.h"
 #include "ui/PanelSection.h"
 #include "ui/PieceActions.h"
@@ -40,7 +41,7 @@ public:
         window.showPanels(true);
         workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
-        QTest::qWait(20);
+        QCoreApplication::sendPostedEvents(); // layouts and frames are posted events
         core::BrushStroke stroke;
         stroke.path.radiusMm = 8.0;
         stroke.path.pointsLps = {{-6, 0, 14}, {6, 0, 14}};
@@ -328,5 +329,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(PieceToolUiTest)
+BURIN_WINDOW_TEST(PieceToolUiTest)
 #include "PieceToolUiTest.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/PlaneTool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -367,5 +368,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(PlaneToolUiTest)
+BURIN_WINDOW_TEST(PlaneToolUiTest)
 #include "PlaneToolUiTest.moc"

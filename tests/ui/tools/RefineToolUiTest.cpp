@@ -5,6 +5,7 @@
 #include "tests/support/SurfaceCases.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Actions.h"
 #include "ui/panels/RefineActions.h"
 #include "ui/panels/RefinePanel.h"
@@ -75,9 +76,8 @@ public:
     /// While an edit stands open.
     void settleOpen()
     {
-        QTest::qWait(20);
-        for (int i = 0; i < 1500 && refinement().isPreviewing() && apartFrom({15, 0, 0}) > 1.5; ++i)
-            QTest::qWait(20);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !refinement().isPreviewing() || apartFrom({15, 0, 0}) <= 1.5, 30000);
     }
     void markTheLeft()
     {
@@ -593,5 +593,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(RefineToolUiTest)
+BURIN_WINDOW_TEST(RefineToolUiTest)
 #include "RefineToolUiTest.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/Pieces.h"
 #include "ui/views/ViewGrid.h"
 
@@ -181,5 +182,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(RulerToolUiTest)
+BURIN_WINDOW_TEST(RulerToolUiTest)
 #include "RulerToolUiTest.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/PendingSeeds.h"
 #include "ui/tools/PickQuestion.h"
 #include "ui/views/ViewGrid.h"
@@ -333,5 +334,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SeedToolUiTest)
+BURIN_WINDOW_TEST(SeedToolUiTest)
 #include "SeedToolUiTest.moc"

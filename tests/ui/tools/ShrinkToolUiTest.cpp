@@ -5,6 +5,7 @@
 #include "tests/support/LeakPhantoms.h"
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/tools/ShrinkForesight.h"
 #include "ui/views/ViewGrid.h"
@@ -298,5 +299,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ShrinkToolUiTest)
+BURIN_WINDOW_TEST(ShrinkToolUiTest)
 #include "ShrinkToolUiTest.moc"

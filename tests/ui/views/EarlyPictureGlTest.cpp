@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/views/EarlyPicture.h"
 
 #include <QTest>
@@ -121,5 +122,5 @@ void EarlyPictureGlTest::noneOfAnotherPlane()
     QVERIFY(ui::earlyPicture(early, scene, {}).isNull());
 }
 
-QTEST_GUILESS_MAIN(EarlyPictureGlTest)
+BURIN_TEST(EarlyPictureGlTest)
 #include "EarlyPictureGlTest.moc"

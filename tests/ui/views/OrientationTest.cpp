@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
 #include "ui/views/Camera.h"
 #include "ui/views/OrientationLetters.h"
 #include "ui/views/SlicePlane.h"
@@ -164,5 +165,5 @@ void OrientationTest::orbitFollowsThePointer()
     QVERIFY(std::abs(glm::dot(camera.up, camera.towardsViewer)) < 1e-9);
 }
 
-QTEST_GUILESS_MAIN(OrientationTest)
+BURIN_TEST(OrientationTest)
 #include "OrientationTest.moc"

@@ -4,6 +4,7 @@
 #include "core/document/Piece.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/StatusLine.h"
 #include "ui/views/ViewGrid.h"
 
@@ -118,5 +119,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(SeenReadoutUiTest)
+BURIN_WINDOW_TEST(SeenReadoutUiTest)
 #include "SeenReadoutUiTest.moc"

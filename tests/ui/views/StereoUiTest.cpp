@@ -2,6 +2,7 @@
 #include "tests/support/Pen.h"
 #include "tests/support/WindowFixture.h"
 #include "tests/support/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
 #include "ui/tools/RulerTool.h"
 #include "ui/views/ViewGrid.h"
 
@@ -138,5 +139,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(StereoUiTest)
+BURIN_WINDOW_TEST(StereoUiTest)
 #include "StereoUiTest.moc"

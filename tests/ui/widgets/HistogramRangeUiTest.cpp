@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include "ui/widgets/HistogramRangePlot.h"
@@ -209,5 +210,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(HistogramRangeUiTest)
+BURIN_WINDOW_TEST(HistogramRangeUiTest)
 #include "HistogramRangeUiTest.moc"

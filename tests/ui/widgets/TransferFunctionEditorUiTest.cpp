@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
 #include "ui/widgets/TransferFunctionEditor.h"
 
 #include "ui/TransferPresets.h"
@@ -92,5 +93,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TransferFunctionEditorUiTest)
+BURIN_WINDOW_TEST(TransferFunctionEditorUiTest)
 #include "TransferFunctionEditorUiTest.moc"

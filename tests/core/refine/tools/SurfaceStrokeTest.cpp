@@ -10,6 +10,7 @@
 #include "tests/support/EngineCases.h"
 #include "tests/support/ShapedMask.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -623,8 +624,8 @@ void SurfaceStrokeTest::stormsKeepTheSurfaceWhole()
                 .placeLps = place, .pressure = 0.5 + 0.5 * test::randomUnit(random)};
             made.add(sample);
             twice.add(sample);
-            place += glm::dvec3(test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5,
-                         test::randomUnit(random) - 0.5)
+            place += glm::dvec3{test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5,
+                         test::randomUnit(random) - 0.5}
                 * 8.0;
         }
         made.settle();
@@ -697,5 +698,5 @@ void SurfaceStrokeTest::stepsAreQuick()
     QVERIFY(made.steps() >= 6);
 }
 
-QTEST_GUILESS_MAIN(SurfaceStrokeTest)
+BURIN_TEST(SurfaceStrokeTest)
 #include "SurfaceStrokeTest.moc"

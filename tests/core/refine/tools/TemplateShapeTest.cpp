@@ -8,6 +8,7 @@
 #include "core/refine/SimplexDual.h"
 #include "core/refine/tools/SurfaceStroke.h"
 #include "tests/support/SimplexShapes.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
@@ -165,8 +166,8 @@ void TemplateShapeTest::bodiesInterpolate()
     auto random = test::Random(4);
     std::vector<core::VariationalBody::Point> points;
     for (int i = 0; i < 120; ++i) {
-        const glm::dvec3 way = glm::normalize(glm::dvec3(test::randomUnit(random) - 0.5,
-            test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5));
+        const glm::dvec3 way = glm::normalize(glm::dvec3{test::randomUnit(random) - 0.5,
+            test::randomUnit(random) - 0.5, test::randomUnit(random) - 0.5});
         points.push_back({.place = 10.0 * way, .value = 0.0});
         points.push_back({.place = 11.0 * way, .value = -1.0});
     }
@@ -380,5 +381,5 @@ void TemplateShapeTest::whatIsRefused()
     QVERIFY(run(same, {.contours = {arc(0.0), above}}).empty());
 }
 
-QTEST_GUILESS_MAIN(TemplateShapeTest)
+BURIN_TEST(TemplateShapeTest)
 #include "TemplateShapeTest.moc"

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCoreApplication>
+#include <QTest>
+
+/// Each folder of tests is one program; each class of tests in it runs in a process of its own:
+///     core_session_test ChunksTest [FUNCTION[:ROW]…] [options of Qt Test]
+/// Without a name the program prints the names it knows. A source ends with one of the macros
+/// below, in place of Qt Test's own main functions.
+
+namespace test {
+
+/// Carries out one class of tests, like main(); @p argv without the name of the class.
+using TestRun = int (*)(int argc, char** argv);
+
+/// Makes a class known to the program that its source is linked into, before main().
+/// @p name is kept as it is: a literal.
+struct RegisteredTest {
+    RegisteredTest(const char* name, TestRun run);
+};
+
+/// A QApplication on an X server of its own, so that window tests neither wait for each other nor
+/// take each other's keyboard focus. BURIN_TEST_DISPLAY=inherit shows the windows on the display of
+/// whoever runs the test.
+class WindowApplication {
+public:
+    WindowApplication(int& argc, char** argv);
+    ~WindowApplication();
+    WindowApplication(const WindowApplication&) = delete;
+    WindowApplication& operator=(const WindowApplication&) = delete;
+
+private:
+    struct Parts;
+    Parts* m_parts;
+};
+
+/// Nothing of Qt's is started: the class needs neither events nor paths.
+struct NoApplication {
+    NoApplication(int&, char**) { }
+};
+
+template <typename Test, typename Application> int runTest(int argc, char** argv)
+{
+    const Application application(argc, argv);
+    Test test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+} // namespace test
+
+/// The class runs as @p run says: int run(int argc, char** argv).
+#define BURIN_TEST_RUN(Class, run)                                                                 \
+    static const ::test::RegisteredTest registered##Class(#Class, run);
+
+/// The class needs an event loop at most.
+#define BURIN_TEST(Class) BURIN_TEST_RUN(Class, (&::test::runTest<Class, QCoreApplication>))
+/// The class needs windows.
+#define BURIN_WINDOW_TEST(Class)                                                                   \
+    BURIN_TEST_RUN(Class, (&::test::runTest<Class, ::test::WindowApplication>))
+/// The class needs nothing of Qt's running.
+#define BURIN_PLAIN_TEST(Class)                                                                    \
+    BURIN_TEST_RUN(Class, (&::test::runTest<Class, ::test::NoApplication>))
