@@ -51,8 +51,10 @@ private Q_SLOTS:
         int strokesThatCut = 0;
         int behind = 0;
         const int count = test::longRun() ? 300 : 16;
+        // Few strokes have bricks behind what they cut; three of these do.
+        const std::uint32_t first = test::longRun() ? 4000 : 4020;
         for (int number = 0; number < count; ++number) {
-            test::Random random{std::uint32_t(4000 + number)};
+            test::Random random{first + std::uint32_t(number)};
             const int slices = test::randomInt(random, 20, 60);
             const int rows = test::randomInt(random, 20, 60);
             const glm::ivec3 size(test::randomInt(random, 90, 200), rows, slices);
