@@ -15,8 +15,11 @@
 #include "app/RunCommand.h"
 #include "app/SendCommand.h"
 #include "app/Version.h"
+#include "core/base/PrivateFolder.h"
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QSettings>
 
 #include <algorithm>
 #include <cstdio>
@@ -128,6 +131,14 @@ void printHelp(FILE* out)
             out, "  burin %s %s\n      %s\n", command.name, command.usage, command.summary);
 }
 
+/// They name the studies that were open last. Qt makes the file for everybody to read.
+void keepSettingsPrivate()
+{
+    const QString file = QSettings().fileName();
+    if (core::makePrivateFolder(QFileInfo(file).absolutePath()))
+        core::makePrivateFile(file);
+}
+
 } // namespace
 
 int runCommandLine(int argc, char** argv)
@@ -152,6 +163,8 @@ int runCommandLine(int argc, char** argv)
         QCoreApplication::setApplicationName(QStringLiteral("burin"));
         QCoreApplication::setOrganizationName(QStringLiteral("burin"));
         QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
+        if (command.needsWindow)
+            keepSettingsPrivate();
         return command.run(application->arguments().mid(2));
     }
     if (std::strcmp(verb, "--version") == 0) {

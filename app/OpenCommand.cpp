@@ -3,12 +3,14 @@
 
 #include "app/Application.h"
 #include "app/Arguments.h"
+#include "app/OrderlyEnd.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "ui/ErrorText.h"
 #include "ui/MainWindow.h"
 #include "ui/Screenshot.h"
+#include "ui/Workspace.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
@@ -212,6 +214,7 @@ int runOpen(const QStringList& arguments)
         window.opener().open(parsed.path, parsed.series);
     else if (screenshot)
         screenshot->saveSoon();
+    const OrderlyEnd end([&application] { (*application)->workspace().dropSession(); });
     return QApplication::exec();
 }
 

@@ -6,16 +6,23 @@
 #include "app/RunKeyframes.h"
 #include "app/RunSteps.h"
 #include "app/SessionPlan.h"
+#include "core/base/FileInUse.h"
+#include "core/base/ReadableFile.h"
+#include "core/base/StagedFile.h"
 #include "core/edits/DocumentEdits.h"
+#include "core/export/StatisticsText.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionFile.h"
 #include "core/session/SessionImages.h"
 #include "core/session/SessionSalvage.h"
 #include "core/session/SessionStudy.h"
 #include "core/session/SessionUse.h"
+#include "core/study/SourceFiles.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/GpuEngine.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QMap>
@@ -48,18 +55,35 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     }
 }
 
-/// What can be known without loading anything.
+/// What can be known without loading anything, and once more when it is known which files the study
+/// is made of.
 Result<void> checkSessionTarget(const QString& file, bool force, bool append)
 {
-    const QFileInfo info(file);
-    if (info.isDir())
-        return core::failure(
-            core::ErrorCode::FileUnwritable, file, QStringLiteral("it is a folder"));
-    if (append && !info.exists())
+    if (append && !QFileInfo::exists(file))
         return core::failure(core::ErrorCode::FileNotFound, file);
-    if (info.exists() && !force && !append)
-        return core::failure(core::ErrorCode::FileExists, file);
-    return {};
+    if (append)
+        return core::checkReadsToAnEnd(file);
+    if (const Result<void> target = core::checkFileTarget(file, force); !target)
+        return target;
+    // One that was left open is closed as it would be by opening it; what cannot be is refused.
+    if (core::isSessionUnfinished(file) && core::isSessionFile(file) && !core::isSessionInUse(file))
+        static_cast<void>(core::SessionFile::open(file, core::SessionAccess::ReadWrite));
+    return core::checkReplacedSession(file);
+}
+
+/// A name that is free, for what was done of a session that was to replace another one.
+QString nameForUnfinished(const QString& file)
+{
+    const QFileInfo info(file);
+    QString path;
+    int count = 1;
+    do {
+        const QString number = count == 1 ? QString() : QStringLiteral(" %1").arg(count);
+        path = info.absoluteDir().filePath(
+            QStringLiteral("%1 (unfinished%2).burin").arg(info.completeBaseName(), number));
+        ++count;
+    } while (QFileInfo::exists(path));
+    return path;
 }
 
 QString counted(const QMap<QString, int>& steps)
@@ -154,30 +178,54 @@ Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
 
 /// A new session.
 Result<std::unique_ptr<core::EditSession>> begin(
-    core::EditEngine& engine, core::LoadedVolume loaded, const Arguments& arguments)
+    core::EditEngine& engine, core::LoadedVolume loaded, const QString& file, bool withImages)
 {
-    const QString file = arguments.value("session");
-    const bool force = arguments.has("force");
-    if (!arguments.has("with-images"))
-        return core::EditSession::create(
-            engine, std::move(loaded), {.file = file, .replaceExisting = force});
-    if (core::isSessionInUse(file))
-        return core::failure(
-            core::ErrorCode::FileUnwritable, file, QStringLiteral("it is open in another window"));
-    Result<core::StagedFile> staged = core::stageImages(file, force, loaded);
+    if (!withImages)
+        return core::EditSession::create(engine, std::move(loaded), {.file = file});
+    Result<core::StagedFile> staged = core::stageImages(file, false, loaded);
     if (!staged)
         return tl::unexpected(staged.error());
-    if (force)
-        core::removeSession(file); // with what may lie beside it
     if (const Result<void> placed = staged->commit(); !placed)
         return tl::unexpected(placed.error());
     return core::EditSession::open(engine, std::move(loaded), file);
+}
+
+/// The session may not be there yet, so nobody else knows its name.
+Result<void> checkExportsBeside(const core::Recipe& recipe, const QString& session)
+{
+    const std::optional<core::FileIdentity> own = core::FileIdentity::of(session);
+    for (const core::RecipeExport& target : recipe.exports) {
+        for (const QString& file : {target.file, core::segBeside(target.file)}) {
+            if (own && core::FileIdentity::of(file) == own)
+                return core::failure(core::ErrorCode::FileUnwritable, file,
+                    QStringLiteral("it is the session's own name"));
+        }
+    }
+    return {};
+}
+
+/// The files that readMasks() will read.
+QStringList masksOf(const core::Recipe& recipe)
+{
+    QStringList files;
+    for (const core::RecipeStep& step : recipe.steps) {
+        const auto* edit = std::get_if<core::Edit>(&step);
+        const auto* mask = edit ? std::get_if<core::ImportMask>(edit) : nullptr;
+        if (mask && !mask->segments)
+            files += {mask->file, QFileInfo(recipe.path).dir().filePath(mask->file)};
+    }
+    return files;
 }
 
 int run(core::Recipe recipe, const Arguments& arguments)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
+    // A session that is to be replaced stays until the new one is whole.
+    const bool replaces = force && QFileInfo::exists(file);
+    const QString place = replaces ? core::temporaryNameBeside(file) : file;
+    if (const Result<void> beside = checkExportsBeside(recipe, file); !beside)
+        return tellFailure(beside.error());
     std::optional<core::SessionContents> goesOn;
     if (arguments.has("append")) {
         Result<core::SessionContents> contents = core::checkSession(file);
@@ -196,6 +244,12 @@ int run(core::Recipe recipe, const Arguments& arguments)
     tellNotFromStudy(loaded->notFromStudy, file);
     tellProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
     core::fillSurfaces(recipe, loaded->volume);
+    const core::FileInUse sources(core::sourceFiles(loaded->volume), core::FileInUse::As::Study);
+    const core::FileInUse masks(masksOf(recipe), core::FileInUse::As::Mask);
+    if (!goesOn) {
+        if (const Result<void> target = checkSessionTarget(file, force, false); !target)
+            return tellFailure(target.error());
+    }
     const Result<QStringList> notes = core::readMasks(recipe, loaded->volume);
     if (!notes)
         return tellFailure(notes.error());
@@ -233,7 +287,8 @@ int run(core::Recipe recipe, const Arguments& arguments)
         plan = std::move(continued->plan);
         session = std::move(continued->session);
     } else {
-        auto begun = begin((*engine)->edits(), *std::move(loaded), arguments);
+        auto begun =
+            begin((*engine)->edits(), *std::move(loaded), place, arguments.has("with-images"));
         if (!begun)
             return tellFailure(begun.error());
         session = *std::move(begun);
@@ -254,11 +309,24 @@ int run(core::Recipe recipe, const Arguments& arguments)
         // A line that was printed is a promise: what it tells of stays.
         const bool promised = session->history().rows().size() > rowsBefore;
         session.reset();
-        if (!goesOn && !promised)
-            QFile::remove(file);
-        else if (!plan.damaged.isEmpty() && !promised)
+        if (!goesOn && !promised) {
+            core::removeSession(place);
+        } else if (replaces) {
+            const QString kept = nameForUnfinished(file);
+            const bool named = QFile::rename(place, kept);
+            std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n",
+                qUtf8Printable(file), qUtf8Printable(named ? kept : place));
+        } else if (!plan.damaged.isEmpty() && !promised)
             withdraw(plan, file);
         return status;
+    }
+    if (replaces) {
+        if (const Result<void> placed = session->renameFile(file); !placed) {
+            const int status = tellFailure(placed.error());
+            std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
+                qUtf8Printable(session->file()));
+            return status;
+        }
     }
     // The session is whole by now and stays, whatever becomes of the exports.
     const std::vector<core::RecipeExport> exports =
@@ -305,6 +373,11 @@ int runRecipe(const QStringList& words)
             return tellUsage("run", QStringLiteral("--%1 is missing").arg(QLatin1String(needed)));
     }
     const QString path = arguments.rest().first();
+    const core::FileInUse recipeFile({path}, core::FileInUse::As::Recipe);
+    // Of a folder it is known later which of its files are the study's.
+    const QString study = arguments.value("study");
+    const core::FileInUse studyFile(
+        QFileInfo(study).isFile() ? QStringList{study} : QStringList(), core::FileInUse::As::Study);
     const Result<core::Recipe> recipe = core::readRecipe(path);
     if (!recipe) {
         const core::ErrorCode code = recipe.error().code;

@@ -52,11 +52,13 @@ void RunKeyframes::close()
 /// On the engine's thread.
 void RunKeyframes::take(const gpu::Frame& frame)
 {
-    if (frame.view != view || frame.quality != gpu::Frame::Quality::Refined)
+    const bool last = frame.failure || frame.quality == gpu::Frame::Quality::Refined;
+    if (frame.view != view || !last)
         return;
     {
         const std::lock_guard lock(m_mutex);
         m_picture = frame.rgba;
+        m_answered = true;
     }
     m_arrived.notify_one();
 }
@@ -77,8 +79,9 @@ void RunKeyframes::keep()
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
     {
         std::unique_lock lock(m_mutex);
-        m_arrived.wait_for(lock, longest, [this] { return m_picture != nullptr; });
+        m_arrived.wait_for(lock, longest, [this] { return m_answered; });
         picture.swap(m_picture);
+        m_answered = false;
     }
     // Else every later step would be drawn too.
     m_frames.forget(view);

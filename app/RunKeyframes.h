@@ -42,7 +42,8 @@ private:
     std::size_t m_rows = 0; ///< of the history, as last seen
     std::mutex m_mutex;
     std::condition_variable m_arrived;
-    std::shared_ptr<const std::vector<std::uint8_t>> m_picture; ///< under m_mutex
+    std::shared_ptr<const std::vector<std::uint8_t>> m_picture; ///< under m_mutex; none: refused
+    bool m_answered = false; ///< under m_mutex
 };
 
 } // namespace app

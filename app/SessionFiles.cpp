@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/SessionFiles.h"
 
+#include "core/base/PrivateFolder.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
@@ -13,7 +15,7 @@ QString sessionFolder()
     if (state.isEmpty())
         state = QDir::homePath() + QStringLiteral("/.local/state");
     const QString folder = state + QStringLiteral("/burin/sessions");
-    QDir().mkpath(folder);
+    core::makePrivateFolder(folder);
     return folder;
 }
 

@@ -5,6 +5,7 @@
 #include "gpu/engine/EngineThread.h"
 #include "gpu/frame/FrameScheduler.h"
 #include "gpu/gl/EglContext.h"
+#include "gpu/gl/GlFailure.h"
 #include "gpu/textures/VolumeTextures.h"
 
 #include <utility>
@@ -62,9 +63,11 @@ public:
             m_version = glText(GL_VERSION);
             try {
                 m_onThread = std::make_unique<OnThread>(m_thread);
-            } catch (const ShaderError& error) {
-                result = core::failure(core::ErrorCode::GraphicsUnavailable, m_renderer,
-                    QString::fromUtf8(error.what()));
+            } catch (const std::exception&) {
+                core::Error error = errorBeingHandled();
+                if (error.code == core::ErrorCode::GraphicsUnavailable)
+                    error.arguments.prepend(m_renderer);
+                result = tl::unexpected(std::move(error));
                 return;
             }
             m_thread.setSlices([this] { return m_editing = m_onThread->edits.work(); },

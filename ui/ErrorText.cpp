@@ -119,9 +119,14 @@ QString errorText(const core::Error& error)
                 error.arguments.size() > 2 ? QStringLiteral(" (%1)").arg(error.arguments[2])
                                            : QString());
     case ErrorCode::GraphicsUnavailable:
-        return QStringLiteral("no OpenGL 4.5 available: %1").arg(first);
+        return QStringLiteral("no OpenGL 4.5 available: %1%2").arg(first, reason);
     case ErrorCode::OutOfMemory:
         return QStringLiteral("not enough memory: %1").arg(first);
+    case ErrorCode::EngineLost:
+        return QStringLiteral("the graphics processor failed (%1); nothing more can be done to this "
+                              "study until it is closed and opened again, and every step so far is "
+                              "in its session")
+            .arg(first);
     case ErrorCode::Cancelled:
         return QStringLiteral("cancelled");
     case ErrorCode::Internal:

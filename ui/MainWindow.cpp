@@ -29,8 +29,10 @@
 #include "ui/tools/Tool.h"
 #include "ui/views/CautionStrip.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/widgets/FieldManners.h"
 #include "ui/widgets/FittingLabel.h"
 
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -88,6 +90,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
 {
     setWindowIcon(QIcon(tintedIcon(QStringLiteral("burin"), theme::text, 64, 1.0)));
     setAcceptDrops(true);
+    qApp->installEventFilter(new FieldManners(this));
     addWindowActions(*this);
     buildMenus();
     buildCentre();

@@ -101,6 +101,12 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     }
 }
 
+void Workspace::dropSession()
+{
+    m_retry.stop();
+    m_session.reset();
+}
+
 void Workspace::applyHistoryMemory()
 {
     if (m_session)

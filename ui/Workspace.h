@@ -105,6 +105,8 @@ public:
     /// Shows another study (or none): crosshair to its middle, grey scale and 3D view to what suits
     /// it.
     void setSession(std::unique_ptr<core::EditSession> session);
+    /// Closes the session without a word to anybody: the program ends, and windows may be gone.
+    void dropSession();
 
     /// The open session keeps as much of its history in memory as the user allows
     /// (HistoryMemory.h).

@@ -43,6 +43,7 @@ enum class ErrorCode {
     // Machine.
     GraphicsUnavailable,
     OutOfMemory,
+    EngineLost, ///< its voxels are not the session's any more; argument 0: why
     Cancelled,
     Internal,
     // Other machines (PACS): argument 0 is the node, as PacsNode::name() has it.

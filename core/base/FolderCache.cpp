@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/FolderCache.h"
 
+#include "core/base/PrivateFolder.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QDirIterator>
@@ -46,9 +48,8 @@ FolderCache::FolderCache(QString folder)
 
 Result<void> FolderCache::prepare() const
 {
-    if (!QDir().mkpath(m_folder))
+    if (!makePrivateFolder(m_folder))
         return failure(ErrorCode::FileUnwritable, m_folder);
-    QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return {};
 }
 

@@ -10,14 +10,13 @@
 namespace core {
 
 /// A value, or why there is none. `tl::expected` because clang 14 cannot compile `std::expected`.
-template <class T>
-using Result = tl::expected<T, Error>;
+template <class T> using Result = tl::expected<T, Error>;
 
 /// `return failure(ErrorCode::FileNotFound, path);`
 template <class... Arguments>
 [[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, const Arguments&... arguments)
 {
-    return tl::unexpected<Error>(Error {code, QStringList {QString(arguments)...}});
+    return tl::unexpected<Error>(Error{code, QStringList{QString(arguments)...}});
 }
 
 } // namespace core

@@ -2,7 +2,6 @@
 #include "core/brick/BrickDelta.h"
 
 #include "core/brick/DeltaStream.h"
-#include "core/brick/OldDelta.h"
 #include "core/brick/SeedWordForecast.h"
 
 #include <algorithm>
@@ -15,7 +14,6 @@ namespace core {
 namespace {
 
 constexpr std::array<char, 4> magic{'B', 'D', 'L', '3'};
-constexpr std::array<std::array<char, 4>, 2> oldMagic{{{'B', 'D', 'L', '2'}, {'B', 'D', 'L', '1'}}};
 constexpr std::size_t headBytes = 8;
 constexpr std::size_t wordBytes = 4;
 
@@ -228,16 +226,21 @@ bool readWords(DeltaReader& reader, Difference& all)
 }
 
 /// Everything up to the masks.
-bool readEntries(DeltaReader& reader, Difference& all)
+bool readEntries(DeltaReader& reader, const BrickGrid& grid, Difference& all)
 {
     std::array<std::uint8_t, 3 * wordBytes> sizes{};
     if (!reader.fill(sizes))
         return false;
     all.along = {int(wordAt(&sizes[0])), int(wordAt(&sizes[wordBytes]))};
-    if (all.along.x < 1 || all.along.y < 1)
+    if (all.along != glm::ivec2(grid.bricks()))
+        return false;
+    // More than there can be is not even looked for: a stream of a megabyte may promise millions.
+    constexpr std::uint64_t fieldsAndPlanes = 4 * 256;
+    const std::uint32_t count = wordAt(&sizes[2 * wordBytes]);
+    if (count > fieldsAndPlanes * std::uint64_t(grid.brickCount()))
         return false;
     std::set<BrickKey> keys;
-    for (std::uint32_t left = wordAt(&sizes[2 * wordBytes]); left > 0; --left) {
+    for (std::uint32_t left = count; left > 0; --left) {
         std::array<std::uint8_t, headBytes> head{};
         if (!reader.fill(head) || head[0] < 1 || head[0] > 4 || head[2] < 1 || head[2] > 2
             || head[3] != 0)
@@ -245,7 +248,7 @@ bool readEntries(DeltaReader& reader, Difference& all)
         Entry entry;
         entry.key = {.field = Field(head[0]), .plane = head[1], .brick = wordAt(&head[4])};
         entry.form = Form(head[2]);
-        if (!keys.insert(entry.key).second)
+        if (entry.key.brick >= std::uint32_t(grid.brickCount()) || !keys.insert(entry.key).second)
             return false;
         all.entries.push_back(std::move(entry));
     }
@@ -347,7 +350,7 @@ BrickDelta makeDelta(const std::vector<BrickChange>& changes, const BrickGrid& g
     return {writer.finish()};
 }
 
-Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta)
+Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta, const BrickGrid& grid)
 {
     if (delta.empty())
         return std::vector<BrickImage>();
@@ -355,17 +358,12 @@ Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta)
     std::array<char, magic.size()> begin{};
     if (!reader.fill(begin))
         return damaged("the difference does not begin as it should");
-    if (std::find(oldMagic.begin(), oldMagic.end(), begin) != oldMagic.end()) {
-        if (auto images = readOldDelta(reader))
-            return *std::move(images);
-        return damaged("the difference is cut short or garbled");
-    }
     if (begin == surfaceStepMagic)
         return std::vector<BrickImage>();
     if (begin != magic)
         return damaged("the difference does not begin as it should");
     Difference all;
-    if (!readEntries(reader, all) || !readBytes(reader, all) || !readWords(reader, all)
+    if (!readEntries(reader, grid, all) || !readBytes(reader, all) || !readWords(reader, all)
         || !reader.complete())
         return damaged("the difference is cut short or garbled");
     return imagesOf(std::move(all));

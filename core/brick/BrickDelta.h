@@ -36,9 +36,11 @@ struct BrickDelta {
 /// (session/SurfaceStep.h).
 constexpr std::array<char, 4> surfaceStepMagic{'S', 'R', 'F', '1'};
 
-/// The XOR images again, every one with its bytes, in the order of the changes. Any thread.
+/// The XOR images again, every one with its bytes, in the order of the changes. Any thread. However
+/// few bytes there are and whoever made them: no brick that the volume lacks is given room.
 /// Errors: SessionDamaged with the reason as first argument, to which the caller adds the file.
-[[nodiscard]] Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta);
+[[nodiscard]] Result<std::vector<BrickImage>> expandDelta(
+    const BrickDelta& delta, const BrickGrid& grid);
 
 /// @p image with @p difference laid over it; no bytes if every voxel is empty then.
 /// @pre both are of the same brick; the difference has its bytes

@@ -54,7 +54,7 @@ public:
                     if (const QString what = in(*sequence->getItem(k)); !what.isEmpty())
                         return what;
                 }
-            } else if (isText(element.ident()) && tellsWho(element)) {
+            } else if (isText(element.ident()) && !isKeyword(element) && tellsWho(element)) {
                 return QStringLiteral("attribute %1 tells who the patient is").arg(name);
             }
         }
@@ -63,6 +63,17 @@ public:
     [[nodiscard]] int looked() const { return m_looked; }
 
 private:
+    /// An attribute's own name, which is the standard's: "ImagePositionPatient" of a patient whose
+    /// name is Patient.
+    static bool isKeyword(DcmElement& element)
+    {
+        OFString value;
+        element.getOFStringArray(value);
+        DcmTag attribute;
+        return element.getTag() == DCM_DimensionDescriptionLabel
+            && DcmTag::findTagFromName(value.c_str(), attribute).good();
+    }
+
     bool tellsWho(DcmElement& element)
     {
         ++m_looked;

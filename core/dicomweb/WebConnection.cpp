@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
+#include <QHostAddress>
 #include <QHttpMultiPart>
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
@@ -128,6 +129,14 @@ Result<WebConnection> WebConnection::open(const WebNode& node, const Progress& p
             return tl::unexpected<Error>(read.error());
         login = *read;
     }
+    const QString host = node.url.host();
+    const bool stays = host == QLatin1String("localhost") || QHostAddress(host).isLoopback();
+    if (login.isGiven() && node.url.scheme() == QLatin1String("http") && !stays
+        && qEnvironmentVariable("BURIN_PLAIN_LOGIN") != QLatin1String("yes"))
+        return failure(ErrorCode::InvalidField, QStringLiteral("login"),
+            QStringLiteral("it would go unencrypted to %1, where everybody on the way can read it; "
+                           "take https, or say by BURIN_PLAIN_LOGIN=yes that the way is safe")
+                .arg(host));
     Result<QSslConfiguration> tls = secured(node);
     if (!tls)
         return tl::unexpected<Error>(tls.error());

@@ -38,7 +38,8 @@ public:
 /// its last argument.
 class WebConnection {
 public:
-    /// Errors also: of WebLogin::read(), and InvalidField for files of certificates.
+    /// Errors also: of WebLogin::read(), and InvalidField for files of certificates, and for a
+    /// login that would go to another machine over plain http (BURIN_PLAIN_LOGIN=yes lets it).
     [[nodiscard]] static Result<WebConnection> open(const WebNode& node, const Progress& progress);
     WebConnection(WebConnection&&) noexcept;
     ~WebConnection();

@@ -17,6 +17,9 @@ namespace core {
 /// (compute shaders on the engine thread) and the oracle in tests/reference; one conformance suite
 /// holds them to equal results, to the bit.
 ///
+/// A result with an error is of a command that has changed nothing: of an edit, as a whole. After
+/// EngineLost every command is refused until a volume is opened.
+///
 /// All members are called from one thread, the session's.
 class EditEngine {
 public:

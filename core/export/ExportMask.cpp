@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/ExportMask.h"
 
+#include "core/base/FileInUse.h"
 #include "core/base/StagedFile.h"
 #include "core/dicom/Deidentifier.h"
 #include "core/export/CheckExport.h"
 #include "core/export/CheckWayBack.h"
 #include "core/export/MaskSelection.h"
 #include "core/export/StatisticsText.h"
-#include "core/images/ImagePage.h"
-#include "core/images/ImageStack.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
+#include "core/study/SourceFiles.h"
 
 #include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
-#include <QScopeGuard>
 
 #include <algorithm>
 
@@ -32,20 +31,12 @@ Result<QString> sha256OfFile(const QString& path)
 
 bool isSourceFile(const Volume& volume, const QString& file)
 {
-    const QString target = QFileInfo(file).canonicalFilePath();
-    if (target.isEmpty())
+    if (!QFileInfo::exists(file))
         return false;
-    if (QFileInfo(volume.sourcePath).canonicalFilePath() == target)
-        return true;
-    const auto isIt = [&](const SourceSlice& slice) {
-        return QFileInfo(slice.file).canonicalFilePath() == target;
-    };
-    if (volume.asIs && std::any_of(volume.asIs->sources.begin(), volume.asIs->sources.end(), isIt))
-        return true;
-    const bool isPicture = volume.sourceFormat == QLatin1String(imageFormatName)
-        && isImageName(target)
-        && QFileInfo(target).path() == QFileInfo(volume.sourcePath).canonicalFilePath();
-    return isPicture || std::any_of(volume.sources.begin(), volume.sources.end(), isIt);
+    const std::optional<FileIdentity> target = FileIdentity::of(file);
+    const QStringList sources = sourceFiles(volume);
+    return std::any_of(sources.begin(), sources.end(),
+        [&target](const QString& source) { return FileIdentity::of(source) == target; });
 }
 
 namespace {
@@ -61,7 +52,8 @@ Error renamed(Error error, const StagedFile& staged, const QString& file)
 }
 
 Result<QStringList> write(const QString& path, const Volume& volume, const ExportRequest& request,
-    const MaskSelection& selection, const Progress& progress, ExportReport& report)
+    const MaskSelection& selection, const StagedExport* beside, const Progress& progress,
+    ExportReport& report)
 {
     switch (request.format) {
     case ExportFormat::DicomSeg:
@@ -77,7 +69,7 @@ Result<QStringList> write(const QString& path, const Volume& volume, const Expor
     case ExportFormat::Csv:
     case ExportFormat::Json:
     case ExportFormat::Sr:
-        return writeStatistics(path, volume, request, selection, progress, report);
+        return writeStatistics(path, volume, request, selection, beside, progress, report);
     case ExportFormat::Stl:
     case ExportFormat::Obj:
     case ExportFormat::Ply:
@@ -129,8 +121,7 @@ ExportRequest neutral(ExportRequest request)
     return request;
 }
 
-/// Writes and checks on the voxels of @p volume.
-Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request,
+Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
     const Progress& progress, ExportReport report)
 {
     if (const QString obstacle = exportNameObstacle(request.format, request.file);
@@ -156,17 +147,20 @@ Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request
     if (!staged)
         return tl::unexpected(staged.error());
 
-    // What a report speaks of goes with it.
-    auto withdraw = qScopeGuard([&request] {
-        if (request.format == ExportFormat::Sr)
-            QFile::remove(segBeside(request.file));
-    });
-    if (request.format == ExportFormat::Sr && !request.force
-        && QFile::exists(segBeside(request.file))) {
-        withdraw.dismiss();
-        return failure(ErrorCode::FileExists, segBeside(request.file));
+    std::shared_ptr<StagedExport> beside;
+    if (request.format == ExportFormat::Sr) {
+        // What a report speaks of is written with it, and comes and goes with it.
+        ExportRequest seg = request;
+        seg.format = ExportFormat::DicomSeg;
+        seg.file = segBeside(request.file);
+        auto stagedSeg = stageOn(volume, seg, progress, {});
+        if (!stagedSeg)
+            return tl::unexpected(stagedSeg.error());
+        stagedSeg->report.file = seg.file;
+        beside = std::make_shared<StagedExport>(*std::move(stagedSeg));
     }
-    const auto written = write(staged->path(), volume, request, *selection, progress, report);
+    const auto written =
+        write(staged->path(), volume, request, *selection, beside.get(), progress, report);
     if (!written)
         return tl::unexpected(renamed(written.error(), *staged, request.file));
     report.written = *written + report.written;
@@ -209,10 +203,26 @@ Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request
         if (problem.caution)
             report.cautions += problem.text;
     }
-    if (auto done = staged->commit(); !done)
-        return tl::unexpected(done.error());
-    withdraw.dismiss();
-    return report;
+    return StagedExport{*std::move(staged), std::move(report), std::move(beside)};
+}
+
+/// Writes and checks on the voxels of @p volume.
+Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request,
+    const Progress& progress, ExportReport report)
+{
+    auto staged = stageOn(volume, request, progress, std::move(report));
+    if (!staged)
+        return tl::unexpected(staged.error());
+    if (staged->beside) {
+        if (const Result<void> placed = staged->beside->file.commit(); !placed)
+            return tl::unexpected(placed.error());
+    }
+    if (const Result<void> placed = staged->file.commit(); !placed) {
+        if (staged->beside)
+            staged->beside->file.takeBack();
+        return tl::unexpected(placed.error());
+    }
+    return std::move(staged->report);
 }
 
 /// Labels of the repaired voxels on the slices of the images that they were made of.

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/StagedFile.h"
 #include "core/export/ExportMask.h"
 
 namespace core {
+
+/// What is written and checked and has only to be given its name.
+struct StagedExport {
+    StagedFile file;
+    ExportReport report;
+    std::shared_ptr<StagedExport> beside{}; ///< of a report: the SEG that it refers to
+};
 
 /// What is left of a request once the empty segments are out of it.
 struct MaskSelection {
@@ -43,10 +51,10 @@ Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
     ExportReport& report);
 Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
-/// As CSV, JSON or SR, which also writes the SEG that it refers to and names both in the report.
+/// As CSV, JSON or SR. @param seg which an SR refers to and names in the report; else null
 Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
-    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
-    ExportReport& report);
+    const ExportRequest& request, const MaskSelection& selection, const StagedExport* seg,
+    const Progress& progress, ExportReport& report);
 Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
 

@@ -19,22 +19,17 @@ Result<void> writeText(const QString& path, const QByteArray& text)
 }
 
 Result<void> writeReport(const QString& path, const Volume& volume, const ExportRequest& request,
-    const std::vector<SegmentStatistics>& all, const Progress& progress, ExportReport& report)
+    const std::vector<SegmentStatistics>& all, const StagedExport& seg, const Progress& progress,
+    ExportReport& report)
 {
-    ExportRequest seg = request;
-    seg.format = ExportFormat::DicomSeg;
-    seg.file = segBeside(request.file);
-    const auto written = exportMask(volume, seg, progress);
-    if (!written)
-        return tl::unexpected(written.error());
     report.written += QStringLiteral("The DICOM SEG that it refers to: %1. %2")
-                          .arg(seg.file, written->written.join(QLatin1Char(' ')));
-    report.checked += written->checked;
-    report.checked += QStringLiteral("SHA-256 of %1: %2").arg(seg.file, written->sha256);
+                          .arg(seg.report.file, seg.report.written.join(QLatin1Char(' ')));
+    report.checked += seg.report.checked;
+    report.checked += QStringLiteral("SHA-256 of %1: %2").arg(seg.report.file, seg.report.sha256);
     SrContent content{.identity = volume.identity,
         .sources = volume.sources,
         .keptHeaders = volume.keptHeaders,
-        .seg = seg.file,
+        .seg = seg.file.path(),
         .groups = {},
         .unit = volume.unit,
         .deidentifier = request.deidentifier};
@@ -63,8 +58,8 @@ QString segBeside(const QString& file)
 }
 
 Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
-    const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
-    ExportReport& report)
+    const ExportRequest& request, const MaskSelection& selection, const StagedExport* seg,
+    const Progress& progress, ExportReport& report)
 {
     const auto all = segmentStatistics(volume, request, selection, progress);
     if (!all)
@@ -81,7 +76,7 @@ Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
                                      : volume.identity));
         break;
     default:
-        written = writeReport(path, volume, request, *all, progress, report);
+        written = writeReport(path, volume, request, *all, *seg, progress, report);
     }
     if (!written)
         return tl::unexpected(written.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskOnVolume.h"
 
+#include "core/base/ReadableFile.h"
 #include "core/dicom/SopClass.h"
 #include "core/masks/MaskParts.h"
 #include "core/meshfile/MeshReader.h"
@@ -102,6 +103,8 @@ Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const P
         return failure(ErrorCode::FileNotFound, path);
     if (info.isDir())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
+        return tl::unexpected(plain.error());
     const bool labels = isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
     auto read = readLabelMask;
     if (isMeshName(path)) {

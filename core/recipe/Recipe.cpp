@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/Recipe.h"
 
+#include "core/base/FileInUse.h"
+#include "core/base/ReadableFile.h"
 #include "core/edits/DocumentEdits.h"
+#include "core/export/StatisticsText.h"
+#include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 
 #include <QFile>
@@ -10,6 +14,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <set>
 
 namespace core {
@@ -45,6 +50,8 @@ Result<QJsonObject> readJson(const QString& path)
         return failure(ErrorCode::FileNotFound, path);
     if (info.isDir())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
+        return tl::unexpected(plain.error());
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.errorString());
@@ -58,6 +65,11 @@ Result<QJsonObject> readJson(const QString& path)
                 .arg(problem.errorString()));
     if (!document.isObject())
         return failure(ErrorCode::InvalidRecipe, path, QStringLiteral("it must be an object"));
+    if (const std::optional<RepeatedKey> repeated = repeatedKey(text))
+        return failure(ErrorCode::InvalidRecipe, path,
+            QStringLiteral("line %1: the key '%2' stands twice in one object")
+                .arg(repeated->line)
+                .arg(repeated->key));
     return document.object();
 }
 
@@ -184,16 +196,26 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
         }
     }
     const Volume& volume = document.volumes.front();
-    std::set<QString> files;
+    std::vector<FileIdentity> files;
     for (std::size_t i = 0; i < recipe.exports.size(); ++i) {
         const RecipeExport& target = recipe.exports[i];
         if (const Result<void> checked = checkExportTarget(target, volume, replaceExisting);
             !checked)
             return checked;
-        if (!files.insert(QFileInfo(target.file).absoluteFilePath()).second)
-            return at({ErrorCode::InvalidField,
-                          {QStringLiteral("export.file"), QStringLiteral("is named twice")}},
-                "export", int(i));
+        // A report brings a second file along.
+        QStringList written{target.file};
+        if (target.what == RecipeExport::What::Segments && target.format == ExportFormat::Sr)
+            written += segBeside(target.file);
+        for (const QString& file : written) {
+            const std::optional<FileIdentity> identity = FileIdentity::of(file);
+            if (identity && std::find(files.begin(), files.end(), *identity) != files.end())
+                return at({ErrorCode::InvalidField,
+                              {QStringLiteral("export.file"),
+                                  QStringLiteral("%1 is written twice").arg(file)}},
+                    "export", int(i));
+            if (identity)
+                files.push_back(*identity);
+        }
         if (target.what == RecipeExport::What::Coverage && !walks && !document.layer(target.layer))
             return at({ErrorCode::InvalidField,
                           {QStringLiteral("export.layer"),

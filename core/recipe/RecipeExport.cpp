@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/RecipeExport.h"
 
+#include "core/base/StagedFile.h"
 #include "core/edits/EditFields.h"
 #include "core/export/CarvedVolume.h"
+#include "core/export/StatisticsText.h"
 #include "core/nifti/NiftiReader.h"
 
 #include <QDir>
@@ -247,10 +249,14 @@ Result<void> checkExportTarget(
         target.what == RecipeExport::What::CarvedVolume && !isNiftiName(target.file);
     if (series && info.exists() && !(info.isDir() && QDir(target.file).isEmpty()))
         return failure(ErrorCode::FileExists, target.file); // a folder is never replaced
-    if (!series && info.isDir())
-        return failure(ErrorCode::FileUnwritable, target.file, QStringLiteral("it is a folder"));
-    if (!series && info.exists() && !replaceExisting)
-        return failure(ErrorCode::FileExists, target.file);
+    const bool report =
+        target.what == RecipeExport::What::Segments && target.format == ExportFormat::Sr;
+    for (const QString& file : {target.file, report ? segBeside(target.file) : target.file}) {
+        if (series)
+            break;
+        if (const Result<void> checked = checkFileTarget(file, replaceExisting); !checked)
+            return checked;
+    }
     const QFileInfo folder(info.absolutePath());
     if (!folder.isDir() || !folder.isWritable())
         return failure(ErrorCode::FileUnwritable, target.file,

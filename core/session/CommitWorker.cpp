@@ -61,11 +61,11 @@ void CommitWorker::load(RowId row)
 Result<std::vector<BrickImage>> CommitWorker::differencesOf(RowId row)
 {
     if (!m_file)
-        return expandDelta(m_deltas[row]);
+        return expandDelta(m_deltas[row], m_grid);
     const Result<BrickDelta> delta = m_file->readDelta(row);
     if (!delta)
         return tl::unexpected(delta.error());
-    Result<std::vector<BrickImage>> differences = expandDelta(*delta);
+    Result<std::vector<BrickImage>> differences = expandDelta(*delta, m_grid);
     if (!differences)
         return failure(ErrorCode::SessionDamaged, m_file->path(),
             QStringLiteral("row %1: %2").arg(row).arg(differences.error().arguments.value(0)));

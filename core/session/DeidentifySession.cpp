@@ -125,7 +125,7 @@ Result<QStringList> deidentifySession(
         words.removeAll(source.seriesDescription);
     {
         const Result<std::unique_ptr<SessionFile>> to =
-            SessionFile::create(staged->path(), source, true);
+            SessionFile::createIn(*staged, source);
         if (!to)
             return tl::unexpected(to.error());
         if (const Result<void> copied = copySteps(**from, *contents, **to, by, file); !copied)

@@ -12,6 +12,7 @@
 #include "core/session/SurfaceOperation.h"
 #include "core/session/TouchSearch.h"
 #include "core/session/WalkOperation.h"
+#include "core/study/SourceFiles.h"
 
 #include <utility>
 
@@ -31,8 +32,8 @@ Result<std::unique_ptr<EditSession>> EditSession::create(
         return tl::unexpected(put.error());
     std::unique_ptr<SessionFile> file;
     if (!options.file.isEmpty()) {
-        Result<std::unique_ptr<SessionFile>> created = SessionFile::create(
-            options.file, SessionSource::of(volume.volume), options.replaceExisting);
+        Result<std::unique_ptr<SessionFile>> created =
+            SessionFile::create(options.file, SessionSource::of(volume.volume));
         const bool waits = !created && options.beginWithoutFile
             && created.error().code == ErrorCode::FileUnwritable;
         if (!created && !waits)
@@ -41,8 +42,11 @@ Result<std::unique_ptr<EditSession>> EditSession::create(
             ? *std::move(created)
             : SessionFile::waiting(options.file, SessionSource::of(volume.volume), created.error());
     }
-    return std::unique_ptr<EditSession>(new EditSession(std::make_unique<OperationQueue>(
+    FileInUse sources(sourceFiles(volume.volume), FileInUse::As::Study);
+    std::unique_ptr<EditSession> session(new EditSession(std::make_unique<OperationQueue>(
         engine, std::move(volume.volume), std::move(file), std::move(options.wakeUp))));
+    session->m_sources = std::move(sources);
+    return session;
 }
 
 Result<std::unique_ptr<EditSession>> EditSession::open(
@@ -77,6 +81,7 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
     if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes); !put)
         return tl::unexpected(put.error());
     volume.codes = {};
+    FileInUse sources(sourceFiles(volume.volume), FileInUse::As::Study);
     auto queue = std::make_unique<OperationQueue>(
         engine, std::move(volume.volume), std::move(file), std::move(wakeUp));
     if (const Result<void> restored = restoreSession(queue->state()); !restored)
@@ -87,7 +92,9 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
     const Result<void> settled = queue->settle();
     if (!settled && settled.error().code != ErrorCode::FileUnwritable)
         return tl::unexpected(settled.error());
-    return std::unique_ptr<EditSession>(new EditSession(std::move(queue)));
+    std::unique_ptr<EditSession> session(new EditSession(std::move(queue)));
+    session->m_sources = std::move(sources);
+    return session;
 }
 
 Document EditSession::foreseenDocument() const
@@ -140,6 +147,15 @@ Result<void> EditSession::mayEdit() const
     if (why.isEmpty())
         return {};
     return failure(ErrorCode::SessionReadOnly, file(), why);
+}
+
+Result<void> EditSession::renameFile(const QString& target)
+{
+    if (const Result<void> settled = m_queue->settle(); !settled)
+        return settled;
+    SessionFile* file = m_queue->state().file.get();
+    return file ? file->rename(target)
+                : failure(ErrorCode::FileUnwritable, target, QStringLiteral("there is no file"));
 }
 
 void EditSession::saveAs(const QString& target, bool replaceExisting,

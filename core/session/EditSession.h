@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/FileInUse.h"
 #include "core/base/Result.h"
 #include "core/document/Document.h"
 #include "core/edits/Edits.h"
@@ -36,7 +37,6 @@ class EditSession {
 public:
     struct Options {
         QString file; ///< session file; empty: history in memory only
-        bool replaceExisting = false;
         /// Where the file cannot be made the session begins all the same, in memory (whyNoFile()).
         bool beginWithoutFile = false;
         /// Called on another thread whenever poll() has something to take in; the engine's wake-up
@@ -82,6 +82,10 @@ public:
     /// called on another thread, and may be called after the session is gone.
     void saveAs(const QString& target, bool replaceExisting,
         std::function<void(const Result<void>&)> done, SavedImages images = {});
+
+    /// Gives the session file another name in the same folder, replacing a session that is there,
+    /// and goes on there. Waits. On failure everything is as it was. Errors: FileUnwritable.
+    Result<void> renameFile(const QString& target);
 
     /// A whole edit. Errors are told before anything changes. Its row follows once the engine is
     /// done.
@@ -223,6 +227,7 @@ private:
 
     std::unique_ptr<OperationQueue> m_queue;
     QString m_whyReadOnly;
+    FileInUse m_sources;
 };
 
 } // namespace core

@@ -64,6 +64,10 @@ OperationQueue::~OperationQueue()
 
 void OperationQueue::submit(std::unique_ptr<Operation> operation)
 {
+    if (m_state.lost()) {
+        m_state.fail(*m_state.lost());
+        return tellNews();
+    }
     m_operations.push_back(std::move(operation));
     advance();
     tellNews();
@@ -168,6 +172,7 @@ bool OperationQueue::collect()
 
 void OperationQueue::take(EngineResult&& result)
 {
+    m_state.noteResult(result);
     if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
@@ -196,11 +201,11 @@ void OperationQueue::advance()
         return;
     m_advancing = true;
     while (!m_operations.empty()) {
-        if (!m_started) {
+        if (!m_started && !m_state.lost()) {
             m_started = true;
             m_operations.front()->start(m_state);
         }
-        if (!m_operations.front()->done())
+        if (m_started && !m_operations.front()->done())
             break;
         m_operations.pop_front();
         m_started = false;

@@ -61,31 +61,35 @@ void PastCoverage::walk(std::size_t place)
         layOver(m_path[m_place]);
 }
 
-void PastCoverage::put(SessionState& state)
+SwapBricks PastCoverage::takeToPut()
 {
-    if (m_toPut.empty())
-        return;
     SwapBricks swap;
     for (auto& [key, image] : m_toPut)
         swap.bricks.push_back(std::move(image));
     m_toPut.clear();
-    state.engine.submit(std::move(swap));
+    return swap;
 }
 
-void PastCoverage::mute(SessionState& state, RowId at)
+void PastCoverage::put(SessionState& state)
+{
+    if (!m_toPut.empty())
+        state.engine.submit(takeToPut());
+}
+
+MuteLayers PastCoverage::mutedAt(const SessionState& state, RowId at)
 {
     MuteLayers mute;
     const Document document = state.documentAt(at);
     for (const SculptLayer& layer : document.layers)
         mute.muted[layer.id] = !document.carves(layer);
-    state.engine.submit(mute);
+    return mute;
 }
 
 void PastCoverage::goBefore(SessionState& state, RowId row)
 {
     walk(std::size_t(std::find(m_path.begin(), m_path.end(), row) - m_path.begin()));
     put(state);
-    mute(state, state.history.row(row).parent);
+    state.engine.submit(mutedAt(state, state.history.row(row).parent));
 }
 
 void PastCoverage::overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images)
@@ -118,8 +122,9 @@ StrokeCut PastCoverage::cutOf(const EngineResult& result)
 void PastCoverage::restore(SessionState& state)
 {
     walk(m_path.size());
-    put(state);
-    mute(state, state.history.position());
+    if (!m_toPut.empty())
+        state.require(takeToPut());
+    state.require(mutedAt(state, state.history.position()));
 }
 
 } // namespace core

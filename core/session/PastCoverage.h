@@ -49,9 +49,10 @@ public:
 
 private:
     void walk(std::size_t place);
+    [[nodiscard]] SwapBricks takeToPut();
     void put(SessionState& state);
-    /// Layers are muted as they were after a row: what is seen, and so where a stroke starts.
-    void mute(SessionState& state, RowId at);
+    /// Layers as they were after a row: what is seen, and so where a stroke starts.
+    [[nodiscard]] static MuteLayers mutedAt(const SessionState& state, RowId at);
 
     std::vector<RowId> m_path;
     bool m_labels = false;

@@ -15,14 +15,15 @@ namespace core {
 namespace {
 
 /// The bricks that are not empty at a row: all differences on the way there, one over the other.
-Result<std::vector<BrickImage>> bricksAt(SessionFile& file, const History& history, RowId row)
+Result<std::vector<BrickImage>> bricksAt(
+    SessionFile& file, const BrickGrid& grid, const History& history, RowId row)
 {
     std::map<BrickKey, BrickImage> bricks;
     for (const RowId id : history.pathTo(row)) {
         const Result<BrickDelta> delta = file.readDelta(id);
         if (!delta)
             return tl::unexpected(delta.error());
-        Result<std::vector<BrickImage>> differences = expandDelta(*delta);
+        Result<std::vector<BrickImage>> differences = expandDelta(*delta, grid);
         if (!differences)
             return failure(ErrorCode::SessionDamaged, file.path(),
                 QStringLiteral("row %1: %2").arg(id).arg(differences.error().arguments.value(0)));
@@ -76,18 +77,6 @@ RowId lastComplete(const History& history, RowId row)
     return complete;
 }
 
-Result<void> fitsGrid(
-    const std::vector<BrickImage>& images, const Volume& volume, const QString& path)
-{
-    const BrickGrid grid{volume.geometry.size};
-    for (const BrickImage& image : images) {
-        if (image.key.brick >= std::uint32_t(grid.brickCount()))
-            return failure(ErrorCode::SessionDamaged, path,
-                QStringLiteral("it names a brick that the volume does not have"));
-    }
-    return {};
-}
-
 } // namespace
 
 Result<void> restoreSession(SessionState& state)
@@ -96,15 +85,17 @@ Result<void> restoreSession(SessionState& state)
     const SessionContents& contents = file.contents();
     state.history = History::restored(contents.rows, contents.visited, contents.position);
     const RowId base = lastComplete(state.history, contents.position);
-    Result<std::vector<BrickImage>> images = bricksAt(file, state.history, base);
+    Result<std::vector<BrickImage>> images = bricksAt(
+        file, BrickGrid{state.document.volumes.front().geometry.size}, state.history, base);
     if (!images)
         return tl::unexpected(images.error());
-    if (const Result<void> fits = fitsGrid(*images, state.document.volumes.front(), file.path());
-        !fits)
-        return fits;
     if (!images->empty()) {
         state.engine.submit(SwapBricks{*images});
         state.engine.finish();
+        for (const EngineResult& result : state.engine.collect()) {
+            if (result.error)
+                return tl::unexpected(*result.error);
+        }
     }
     state.history.moveTo(base);
     if (const Result<void> restored = restoreSurface(state, base); !restored)

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <QSqlDatabase>
+#include <QSqlDriver>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QStorageInfo>
@@ -10,7 +11,10 @@
 #include <QUrl>
 
 #include <atomic>
+#include <map>
 #include <utility>
+
+#include <sqlite3.h>
 
 namespace core {
 
@@ -31,45 +35,34 @@ const char* const tables[]{
     "CREATE TABLE pixels (piece INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, bytes BLOB NOT NULL)",
 };
 
-/// What a version has that the one before it had not.
-struct Addition {
-    int version;
-    const char* statement;
-};
-const Addition additions[]{
-    {2, "ALTER TABLE row ADD COLUMN at TEXT"},
-    {2, "ALTER TABLE row ADD COLUMN author TEXT"},
-    {2, "ALTER TABLE row ADD COLUMN program TEXT"},
-    {2, "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)"},
-    {3, "ALTER TABLE source ADD COLUMN images TEXT"},
-    {3, "ALTER TABLE source ADD COLUMN imagesSha256 TEXT"},
-    {3, "ALTER TABLE source ADD COLUMN headers BLOB"},
-    {3,
-        "CREATE TABLE pixels (piece INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, bytes BLOB NOT"
-        " NULL)"},
-};
-static_assert(SessionDatabase::schemaVersion == 5);
-
-/// What is copied into another session, and since which version it is there.
+/// What is copied into another session.
 struct CopiedTable {
-    int since;
     const char* name;
     const char* columns;
 };
 const CopiedTable copiedTables[]{
-    {1, "row",
+    {"row",
         "id, parent, name, edit, statistics, growthGeneration, chain, stateHash, deltaSha256, "
-        "seal"},
-    {1, "delta", "row, piece, bytes"},
-    {1, "visited", "parent, child"},
-    {1, "state", "key, value"},
-    {2, "keyframe", "row, at, png"},
+        "seal, at, author, program"},
+    {"delta", "row, piece, bytes"},
+    {"visited", "parent, child"},
+    {"state", "key, value"},
+    {"keyframe", "row, at, png"},
 };
 
 QString newConnectionName()
 {
     static std::atomic<int> count = 0;
     return QStringLiteral("burin.session.%1").arg(++count);
+}
+
+/// The connection that Qt's driver holds; it stays Qt's.
+sqlite3* sqliteOf(const QSqlDatabase& database)
+{
+    const QVariant handle = database.driver()->handle();
+    return handle.isValid() && qstrcmp(handle.typeName(), "sqlite3*") == 0
+        ? *static_cast<sqlite3* const*>(handle.constData())
+        : nullptr;
 }
 
 /// WAL needs shared memory and honest locks, which network file systems do not give.
@@ -81,6 +74,22 @@ bool isNetworkFileSystem(const QString& path)
             return true;
     }
     return false;
+}
+
+/// SQLite's own door for files by strangers (https://www.sqlite.org/security.html): no statement
+/// can harm the file's structure, and nothing in it is larger than a piece of ours ever is.
+bool harden(const QSqlDatabase& database)
+{
+    constexpr int mostBytes = 64 << 20; // of a value, and of a row
+    sqlite3* const handle = sqliteOf(database);
+    if (!handle)
+        return false;
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, mostBytes);
+    sqlite3_limit(handle, SQLITE_LIMIT_TRIGGER_DEPTH, 0);
+    return true;
 }
 
 } // namespace
@@ -155,7 +164,7 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
         return tl::unexpected(connected.error());
     // Else SQLite refuses a file that has fewer pages than it says.
     if (!database->m_loss.cutOff.isEmpty())
-        database->run(QStringLiteral("PRAGMA writable_schema=ON"));
+        database->readCutOff();
     if (const Result<void> checked = database->checkFormat(); !checked)
         return tl::unexpected(checked.error());
     if (!readOnly) {
@@ -207,6 +216,9 @@ Result<void> SessionDatabase::connect(const QString& name, const QString& option
         return failure(
             m_readOnly ? ErrorCode::FileUnreadable : ErrorCode::FileUnwritable, m_path, m_reason);
     }
+    // Before the first statement that reads the schema.
+    if (!run(QStringLiteral("PRAGMA trusted_schema=OFF")) || !harden(database))
+        return failed();
     if (!m_readOnly && !run(QStringLiteral("PRAGMA locking_mode=EXCLUSIVE")))
         return failed();
     return {};
@@ -223,15 +235,54 @@ Result<void> SessionDatabase::checkFormat()
         return failure(
             ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
     const int version = number("user_version");
-    m_version = version;
-    if (version < 1 || version > schemaVersion)
+    if (version != schemaVersion)
         return failure(ErrorCode::UnsupportedFormat, m_path,
             version > schemaVersion
                 ? QStringLiteral("a newer Burin wrote it (session format %1; this one reads %2)")
                       .arg(version)
                       .arg(int(schemaVersion))
                 : QStringLiteral("sessions of format %1 are not known here").arg(version));
-    return {};
+    return checkSchema();
+}
+
+/// A session is data: what else a database may hold (triggers, views) would be run by whoever reads
+/// or writes it.
+Result<void> SessionDatabase::checkSchema()
+{
+    std::map<QString, QString> ours;
+    for (const char* table : tables) {
+        const QString text = QLatin1String(table);
+        ours[text.section(QLatin1Char(' '), 2, 2)] = text;
+    }
+    QString other;
+    QString foreign;
+    const bool read = query(
+        QStringLiteral("SELECT type, name, substr(sql, 1, 2000) FROM sqlite_master"), {},
+        [&](const QSqlQuery& answer) {
+            const QString type = answer.value(0).toString();
+            const QString name = answer.value(1).toString();
+            const auto wanted = ours.find(name);
+            if (wanted != ours.end()) {
+                if (type != QLatin1String("table") || answer.value(2).toString() != wanted->second)
+                    other = name;
+            } else if (!name.startsWith(QLatin1String("sqlite_autoindex_"))) {
+                foreign = QStringLiteral("%1 '%2'").arg(type, name.left(60));
+            }
+            return other.isEmpty();
+        });
+    if (!read)
+        return failed();
+    // Of one that is cut off what is there is read.
+    if (!m_loss.cutOff.isEmpty())
+        return {};
+    // One that is missing altogether is damage, which is told where it is read.
+    if (!other.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, m_path,
+            QStringLiteral("its table '%1' is not that of a session").arg(other));
+    if (foreign.isEmpty())
+        return {};
+    m_loss.foreign = QStringLiteral("it holds a %1, which is no part of a session").arg(foreign);
+    return m_readOnly ? Result<void>() : failure(ErrorCode::SessionDamaged, m_path, m_loss.foreign);
 }
 
 Result<void> SessionDatabase::beginWriting()
@@ -245,6 +296,13 @@ Result<void> SessionDatabase::beginWriting()
         || !run(QStringLiteral("PRAGMA synchronous=FULL")))
         return failed();
     return {};
+}
+
+void SessionDatabase::readCutOff()
+{
+    sqlite3_db_config(sqliteOf(QSqlDatabase::database(m_connection, false)),
+        SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+    run(QStringLiteral("PRAGMA writable_schema=ON"));
 }
 
 int SessionDatabase::number(const char* pragma)
@@ -286,23 +344,8 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
     return good;
 }
 
-bool SessionDatabase::upgrade()
-{
-    if (m_version >= schemaVersion)
-        return true;
-    for (const Addition& addition : additions) {
-        if (addition.version > m_version && !run(QLatin1String(addition.statement)))
-            return false;
-    }
-    if (!run(QStringLiteral("PRAGMA user_version=%1").arg(int(schemaVersion))))
-        return false;
-    m_version = schemaVersion;
-    return true;
-}
-
 bool SessionDatabase::transaction(const std::function<bool()>& work)
 {
-    const int version = m_version;
     if (!run(QStringLiteral("BEGIN IMMEDIATE")))
         return false;
     if (work() && run(QStringLiteral("COMMIT")))
@@ -310,7 +353,6 @@ bool SessionDatabase::transaction(const std::function<bool()>& work)
     const QString reason = m_reason;
     const QString code = m_code;
     run(QStringLiteral("ROLLBACK"));
-    m_version = version;
     m_reason = reason;
     m_code = code;
     return false;
@@ -327,13 +369,8 @@ bool SessionDatabase::copyHistoryInto(const QString& path)
         return false;
     const bool copied = transaction([this] {
         for (const CopiedTable& table : copiedTables) {
-            if (table.since > m_version)
-                continue;
-            QString columns = QLatin1String(table.columns);
-            if (m_version >= 2 && qstrcmp(table.name, "row") == 0)
-                columns += QStringLiteral(", at, author, program");
             if (!run(QStringLiteral("INSERT INTO target.%1 (%2) SELECT %2 FROM main.%1")
-                         .arg(QLatin1String(table.name), columns)))
+                         .arg(QLatin1String(table.name), QLatin1String(table.columns))))
                 return false;
         }
         return run(QStringLiteral("UPDATE target.source SET json=(SELECT json FROM main.source)"));

@@ -44,11 +44,6 @@ public:
     /// copied as it stands, for the chain hangs on it.
     bool copyHistoryInto(const QString& path);
 
-    /// The schema that the tables have now: an older file keeps its own until it is written to.
-    [[nodiscard]] int version() const { return m_version; }
-    /// Gives an older file what this schema has more. Part of a transaction.
-    bool upgrade();
-
     [[nodiscard]] QString reason() const { return m_reason; }
     /// What the file lacks; of one that is cut off what is there is read.
     [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
@@ -58,6 +53,8 @@ private:
     [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();
+    [[nodiscard]] Result<void> checkSchema();
+    void readCutOff();
     [[nodiscard]] Result<void> beginWriting();
     [[nodiscard]] tl::unexpected<Error> failed() const;
     [[nodiscard]] int number(const char* pragma);
@@ -69,7 +66,6 @@ private:
     SessionLoss m_loss;
     QString m_reason;
     QString m_code; ///< SQLite's result code
-    int m_version = schemaVersion;
     bool m_readOnly = false;
 };
 

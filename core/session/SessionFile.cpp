@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionFile.h"
 
+#include "core/base/ReadableFile.h"
 #include "core/base/StagedFile.h"
 #include "core/session/AuditReport.h"
 #include "core/session/SessionTables.h"
@@ -37,33 +38,40 @@ SessionFile::~SessionFile()
 }
 
 Result<std::unique_ptr<SessionFile>> SessionFile::create(
-    const QString& path, const SessionSource& source, bool replaceExisting)
+    const QString& path, const SessionSource& source)
 {
-    const QFileInfo info(path);
-    if (info.exists() && !replaceExisting)
-        return failure(ErrorCode::FileExists, path);
-    if (info.isDir())
-        return failure(ErrorCode::FileUnwritable, path, QStringLiteral("it is a folder"));
-    if (!info.absoluteDir().exists())
+    if (const Result<void> free = checkFileTarget(path, false); !free)
+        return tl::unexpected(free.error());
+    if (const QString stray = strayPartOf(path); !stray.isEmpty())
         return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("there is no folder %1").arg(info.absolutePath()));
-    if (info.exists() && isSessionInUse(path))
-        return failure(ErrorCode::FileUnwritable, path, inUse);
-    removeSession(path);
+            QStringLiteral("'%1' lies beside it, which belongs to another session; move it away")
+                .arg(stray));
     QFile empty(path);
     if (!empty.open(QIODevice::WriteOnly | QIODevice::NewOnly,
             QFileDevice::ReadOwner | QFileDevice::WriteOwner))
         return failure(ErrorCode::FileUnwritable, path, empty.errorString());
     empty.close();
+    auto begun = begin(path, source);
+    if (!begun)
+        QFile::remove(path);
+    return begun;
+}
 
+Result<std::unique_ptr<SessionFile>> SessionFile::createIn(
+    const StagedFile& staged, const SessionSource& source)
+{
+    QFile::setPermissions(staged.path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+    return begin(staged.path(), source);
+}
+
+Result<std::unique_ptr<SessionFile>> SessionFile::begin(
+    const QString& path, const SessionSource& source)
+{
     std::unique_ptr<SessionFile> file(new SessionFile(path));
     Result<void> created;
     file->m_writer.run([&] { created = file->m_tables->create(source); });
-    if (!created) {
-        file.reset();
-        QFile::remove(path);
+    if (!created)
         return tl::unexpected(created.error());
-    }
     file->m_contents.source = source;
     return file;
 }
@@ -85,6 +93,8 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
         return failure(ErrorCode::FileNotFound, path);
     if (info.isDir())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
+        return tl::unexpected(plain.error());
     if (!info.isReadable())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
     if (info.size() == 0)
@@ -223,6 +233,35 @@ void SessionFile::saveAs(const QString& target, bool replaceExisting,
     });
 }
 
+Result<void> SessionFile::rename(const QString& target)
+{
+    Result<void> renamed;
+    m_writer.run([&] {
+        writeWaiting();
+        const std::optional<Error> why = trouble();
+        renamed = why ? tl::unexpected(*why) : renameTo(target);
+    });
+    return renamed;
+}
+
+/// On the writer's thread.
+Result<void> SessionFile::renameTo(const QString& target)
+{
+    if (const Result<void> fits = checkReplacedSession(target); !fits)
+        return fits;
+    m_tables.reset(); // one file, with nothing beside it
+    StagedFile staged = StagedFile::adopt(m_path, target);
+    const Result<void> placed = staged.commit();
+    if (!placed)
+        staged.release();
+    const QString path = placed ? target : m_path;
+    if (const Result<void> opened = reopen(path); !opened)
+        return opened;
+    const std::lock_guard lock(m_mutex);
+    m_path = path;
+    return placed;
+}
+
 void SessionFile::copyTo(const QString& path, std::function<void(const Result<void>&)> done)
 {
     m_writer.post([this, path, done = std::move(done)] {
@@ -275,7 +314,7 @@ Result<void> SessionFile::moveTo(
             QStringLiteral("it was not closed properly; open it once, or take another name"));
     std::shared_ptr<StagedFile> staged = images.staged;
     if (!staged) {
-        Result<StagedFile> made = StagedFile::create(target, replaceExisting);
+        Result<StagedFile> made = StagedFile::create(target, replaceExisting, ownPlace);
         if (!made)
             return tl::unexpected(made.error());
         staged = std::make_shared<StagedFile>(*std::move(made));

@@ -19,6 +19,7 @@
 namespace core {
 
 class SessionTables;
+class StagedFile;
 struct AuditReport;
 
 /// The history on disk (README.md beside this file): an SQLite database behind one writer thread
@@ -27,10 +28,13 @@ struct AuditReport;
 /// is tried again with every further call. Any thread may call.
 class SessionFile {
 public:
-    /// A new file, readable by its owner only.
-    /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
+    /// A new file, readable by its owner only. Replaces nothing: who wants that makes one elsewhere
+    /// and moves it by saveAs() once it is whole. Errors: FileExists, FileUnwritable.
     static Result<std::unique_ptr<SessionFile>> create(
-        const QString& path, const SessionSource& source, bool replaceExisting);
+        const QString& path, const SessionSource& source);
+    /// The same in the empty file that a StagedFile has made.
+    static Result<std::unique_ptr<SessionFile>> createIn(
+        const StagedFile& staged, const SessionSource& source);
     /// Where create() fails with @p why and work is to begin all the same: everything waits in
     /// memory until saveAs() gives it a place.
     static std::unique_ptr<SessionFile> waiting(
@@ -89,6 +93,10 @@ public:
     void saveAs(const QString& target, bool replaceExisting,
         std::function<void(const Result<void>&)> done, SavedImages images = {});
 
+    /// The file under another name in its folder, replacing a session that is there. Waits. On
+    /// failure nothing has changed. Errors: FileUnwritable.
+    [[nodiscard]] Result<void> rename(const QString& target);
+
     /// Copies all but the study's images into @p path, which must not exist, and goes on where it
     /// is.
     /// @p done: on the writer's thread. Errors: FileUnwritable.
@@ -104,6 +112,8 @@ public:
 
 private:
     explicit SessionFile(const QString& path);
+    static Result<std::unique_ptr<SessionFile>> begin(
+        const QString& emptyFile, const SessionSource& source);
 
     struct Write {
         std::function<Result<void>(SessionTables&)> carryOut; ///< may be done over
@@ -117,6 +127,7 @@ private:
     void setTrouble(const std::optional<Error>& trouble);
     [[nodiscard]] Result<void> moveTo(
         const QString& target, bool replaceExisting, const SavedImages& images);
+    [[nodiscard]] Result<void> renameTo(const QString& target);
     [[nodiscard]] Result<void> copyInto(const QString& path, const SavedImages& images);
     [[nodiscard]] Result<void> reopen(const QString& path);
 

@@ -155,21 +155,18 @@ tl::unexpected<Error> damaged(const QString& path, const QString& reason)
 Result<ImageRow> readRow(SessionDatabase& database, const QString& path)
 {
     ImageRow row;
-    bool readable = false;
-    if (database.version() >= 3) {
-        readable =
-            database.query(QStringLiteral("SELECT json, images, imagesSha256, headers FROM source"),
-                {}, [&row](const QSqlQuery& answer) {
-                    const auto source = SessionSource::fromJson(parsed(answer.value(0).toString()));
-                    row = {.source = source.value_or(SessionSource{}),
-                        .text = answer.value(1).toString(),
-                        .textSha256 = answer.value(2).toString(),
-                        .headers = answer.value(3).toByteArray()};
-                    return true;
-                });
-        if (!readable)
-            return damaged(path, database.reason());
-    }
+    const bool readable =
+        database.query(QStringLiteral("SELECT json, images, imagesSha256, headers FROM source"), {},
+            [&row](const QSqlQuery& answer) {
+                const auto source = SessionSource::fromJson(parsed(answer.value(0).toString()));
+                row = {.source = source.value_or(SessionSource{}),
+                    .text = answer.value(1).toString(),
+                    .textSha256 = answer.value(2).toString(),
+                    .headers = answer.value(3).toByteArray()};
+                return true;
+            });
+    if (!readable)
+        return damaged(path, database.reason());
     if (row.text.isEmpty())
         return failure(
             ErrorCode::NoImages, path, QStringLiteral("the session was saved without them"));
@@ -246,7 +243,7 @@ Error renamed(Error error, const QString& from, const QString& to)
 Result<StagedFile> stageImages(const QString& target, bool replaceExisting,
     const LoadedVolume& study, const Progress& progress)
 {
-    Result<StagedFile> staged = StagedFile::create(target, replaceExisting);
+    Result<StagedFile> staged = StagedFile::create(target, replaceExisting, true);
     if (!staged)
         return staged;
     const QString path = staged->path();

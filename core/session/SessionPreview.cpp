@@ -59,13 +59,12 @@ Result<SessionPreview> previewSession(const QString& path)
                 ? (*database)->loss().leftOpen
                 : QStringLiteral("it does not say what it was made on"));
     preview.source = *std::move(source);
-    if ((*database)->version() >= 2)
-        // A picture that cannot be read is one that is not there.
-        (*database)->query(QStringLiteral("SELECT png FROM keyframe ORDER BY at DESC LIMIT 1"), {},
-            [&preview](const QSqlQuery& answer) {
-                preview.thumbnail = answer.value(0).toByteArray();
-                return true;
-            });
+    // A picture that cannot be read is one that is not there.
+    (*database)->query(QStringLiteral("SELECT png FROM keyframe ORDER BY at DESC LIMIT 1"), {},
+        [&preview](const QSqlQuery& answer) {
+            preview.thumbnail = answer.value(0).toByteArray();
+            return true;
+        });
     return preview;
 }
 

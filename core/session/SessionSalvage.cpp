@@ -92,7 +92,7 @@ Result<void> salvageSession(
         return tl::unexpected(staged.error());
     {
         const Result<std::unique_ptr<SessionFile>> to =
-            SessionFile::create(staged->path(), sound.source, true);
+            SessionFile::createIn(*staged, sound.source);
         if (!to)
             return tl::unexpected(to.error());
         if (const Result<void> copied = copyRows(**from, sound, **to); !copied)

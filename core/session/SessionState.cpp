@@ -239,7 +239,21 @@ void SessionState::muteLayers()
     if (mute.muted == m_muted)
         return;
     m_muted = mute.muted;
-    engine.submit(mute);
+    require(mute);
+}
+
+void SessionState::require(EngineCommand command)
+{
+    m_required.insert(engine.submit(std::move(command)));
+}
+
+void SessionState::noteResult(const EngineResult& result)
+{
+    const bool required = m_required.erase(result.ticket) > 0;
+    if (!result.error || m_lost || !(required || result.error->code == ErrorCode::EngineLost))
+        return;
+    m_lost = Error{ErrorCode::EngineLost, result.error->arguments};
+    fail(*m_lost);
 }
 
 /// What a segment shows besides what the history says.

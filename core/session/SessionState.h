@@ -58,6 +58,14 @@ public:
     void hide(const std::vector<int>& labels);
     void setDisplay(const QJsonObject& shown);
 
+    /// Has the engine do what all that follows relies on. Where it cannot, the session is lost:
+    /// its voxels are not what the history says, so nothing is carried out any more.
+    void require(EngineCommand command);
+    /// Every result comes by here first.
+    void noteResult(const EngineResult& result);
+    /// Why nothing is carried out any more.
+    [[nodiscard]] const std::optional<Error>& lost() const { return m_lost; }
+
     void tell(DocumentChange::What what, const VoxelBox& box = {});
     void fail(const Error& error);
 
@@ -105,6 +113,8 @@ private:
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
     std::bitset<256> m_muted; ///< layers, as the engine was told
+    std::set<Ticket> m_required;
+    std::optional<Error> m_lost;
     bool m_isSurfaceShown = false;
 };
 

@@ -17,6 +17,20 @@ namespace core {
 
 namespace {
 
+/// Whether a path is one that a Burin has written into a session: whole, without detours, and where
+/// studies can be. Others would have a stranger's session search the disk or the machine's devices.
+bool isOfASession(const QString& path)
+{
+    const bool whole = path.startsWith(QLatin1Char('/')) && QDir::cleanPath(path) == path
+        && !path.split(QLatin1Char('/')).contains(QLatin1String("..")) && path.size() < 4096
+        && !path.contains(QChar::Null);
+    const QString first = path.section(QLatin1Char('/'), 1, 1);
+    return whole && !first.isEmpty()
+        && !QStringList{QStringLiteral("proc"), QStringLiteral("sys"), QStringLiteral("dev"),
+            QStringLiteral("run")}
+                .contains(first);
+}
+
 /// The longest end of @p path that exists below @p folder.
 QString longestEndIn(const QDir& folder, const QString& path)
 {
@@ -80,7 +94,9 @@ QStringList keysOf(const StudyListing& listing, const SessionSource& source, con
 Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
     const SessionSource& source, const QString& series, const Progress& progress)
 {
-    const Result<Study> study = Study::scan(place, progress);
+    // A study is no larger; a stranger's session may name a folder that is.
+    constexpr int mostFiles = 20'000;
+    const Result<Study> study = Study::scan(place, progress, mostFiles);
     if (!study)
         return tl::unexpected(study.error());
     const auto mismatch = [&](const QString& difference) {
@@ -135,7 +151,7 @@ Result<LoadedVolume> imagesInstead(const QString& sessionFile, Error why, const 
 QStringList studyPlaces(const QString& sessionFile, const SessionSource& source)
 {
     QStringList places;
-    if (source.path.isEmpty())
+    if (!isOfASession(source.path))
         return places;
     QDir folder = QFileInfo(sessionFile).absoluteDir();
     places += QFileInfo::exists(source.path) ? source.path : QString();

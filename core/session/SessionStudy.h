@@ -13,7 +13,8 @@ namespace core {
 /// Where the study of a session may lie now, most likely first; only paths that exist. First where
 /// it was when the session was made, then beside the session file and beside its folder, so that a
 /// folder with both can be moved or copied as one: of /data/case/ct.nii and /moved/case/s.burin the
-/// path's longest end that is there is tried.
+/// path's longest end that is there is tried. None for a path that no Burin writes: relative, with
+/// detours, of the file system's root or the machine's devices.
 [[nodiscard]] QStringList studyPlaces(const QString& sessionFile, const SessionSource& source);
 
 /// Loads the volume that a session was made on and checks that it is the one: size, affine, voxels

@@ -105,8 +105,9 @@ Result<SessionContents> SessionTables::read()
     readState(contents);
     readKeyframes(contents);
     contents.holdsImages = holdsImages();
-    contents.cutOff = m_database->loss().cutOff;
-    contents.leftOpen = m_database->loss().leftOpen;
+    const SessionLoss& loss = m_database->loss();
+    contents.cutOff = loss.cutOff.isEmpty() ? loss.foreign : loss.cutOff;
+    contents.leftOpen = loss.leftOpen;
     return contents;
 }
 
@@ -127,13 +128,11 @@ Result<void> SessionTables::copyHistoryInto(const QString& path)
 bool SessionTables::holdsImages()
 {
     bool any = false;
-    if (m_database->version() >= 3) {
-        m_database->query(QStringLiteral("SELECT images IS NOT NULL FROM source"), {},
-            [&any](const QSqlQuery& answer) {
-                any = answer.value(0).toBool();
-                return true;
-            });
-    }
+    m_database->query(QStringLiteral("SELECT images IS NOT NULL FROM source"), {},
+        [&any](const QSqlQuery& answer) {
+            any = answer.value(0).toBool();
+            return true;
+        });
     return any;
 }
 
@@ -206,8 +205,7 @@ Result<void> SessionTables::setDisplay(const QJsonObject& display)
 
 Result<void> SessionTables::write(const std::function<bool()>& work)
 {
-    // An older file is brought up to date by the first thing that is written to it, not before.
-    if (m_database->transaction([&] { return m_database->upgrade() && work(); }))
+    if (m_database->transaction(work))
         return {};
     return failure(ErrorCode::FileUnwritable, m_path, m_database->reason());
 }
@@ -253,13 +251,11 @@ Result<BrickDelta> SessionTables::readDelta(RowId row)
 QByteArray SessionTables::readKeyframe(RowId row)
 {
     QByteArray png;
-    if (m_database->version() >= 2) {
-        m_database->query(QStringLiteral("SELECT png FROM keyframe WHERE row=?"), {sqlId(row)},
-            [&png](const QSqlQuery& answer) {
-                png = answer.value(0).toByteArray();
-                return true;
-            });
-    }
+    m_database->query(QStringLiteral("SELECT png FROM keyframe WHERE row=?"), {sqlId(row)},
+        [&png](const QSqlQuery& answer) {
+            png = answer.value(0).toByteArray();
+            return true;
+        });
     return png;
 }
 
@@ -287,12 +283,10 @@ void SessionTables::readRows(SessionContents& contents)
 {
     std::vector<HistoryRow>& rows = contents.rows;
     QString problem;
-    const QString origin = m_database->version() < 2 ? QStringLiteral("NULL, NULL, NULL")
-                                                     : QStringLiteral("at, author, program");
     const bool read = m_database->query(
-        QStringLiteral("SELECT id, parent, name, edit, statistics, growthGeneration, chain,"
-                       " stateHash, deltaSha256, seal, %1 FROM row ORDER BY id")
-            .arg(origin),
+        QStringLiteral("SELECT id, parent, iif(length(name) > 10000, NULL, name), edit,"
+                       " statistics, growthGeneration, chain, stateHash, deltaSha256, seal, at,"
+                       " author, program FROM row ORDER BY id"),
         {}, [this, &rows, &problem](const QSqlQuery& answer) {
             tl::expected<HistoryRow, QString> row = readRow(answer, RowId(rows.size()) + 1);
             if (!row) {
@@ -424,8 +418,8 @@ QString SessionTables::checkEnd(const QString& end, SessionContents& contents)
 SessionDamage SessionTables::damageAt(RowId row, const QString& reason)
 {
     SessionDamage damage{.row = row, .name = {}, .after = -1, .reason = reason};
-    m_database->query(QStringLiteral("SELECT name FROM row WHERE id=?"), {sqlId(row)},
-        [&damage](const QSqlQuery& answer) {
+    m_database->query(QStringLiteral("SELECT substr(name, 1, 200) FROM row WHERE id=?"),
+        {sqlId(row)}, [&damage](const QSqlQuery& answer) {
             damage.name = answer.value(0).toString();
             return true;
         });
@@ -440,8 +434,6 @@ SessionDamage SessionTables::damageAt(RowId row, const QString& reason)
 /// Pictures prove nothing: those that cannot be read are left out.
 void SessionTables::readKeyframes(SessionContents& contents)
 {
-    if (m_database->version() < 2)
-        return;
     m_database->query(QStringLiteral("SELECT row, at FROM keyframe ORDER BY row"), {},
         [&contents](const QSqlQuery& answer) {
             const RowId row = answer.value(0).toLongLong();

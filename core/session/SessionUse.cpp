@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionUse.h"
 
+#include "core/base/StagedFile.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QSet>
@@ -100,17 +102,61 @@ Result<SessionUse> SessionUse::begin(const QString& path)
             ErrorCode::FileUnreadable, path, QStringLiteral("it is open already, in this window"));
     used.insert(key);
     use.m_key = key;
+    use.m_file = FileInUse({path}, FileInUse::As::Session);
     return use;
+}
+
+bool isSessionFile(const QString& path)
+{
+    const std::lock_guard lock(plainFiles);
+    if (used.contains(keyOf(path)))
+        return true;
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return false;
+    // https://www.sqlite.org/fileformat.html, 1.3: the application's number at byte 68.
+    const QByteArray head = file.read(72);
+    return head.startsWith("SQLite format 3") && head.mid(68, 4) == "Burn";
+}
+
+Result<void> checkReplacedSession(const QString& path)
+{
+    if (const Result<void> target = checkFileTarget(path, true); !target)
+        return target;
+    if (!QFileInfo::exists(path))
+        return {};
+    if (isSessionInUse(path))
+        return failure(
+            ErrorCode::FileUnwritable, path, QStringLiteral("it is open in another window"));
+    if (!isSessionFile(path))
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("it is no session, and nothing else is replaced by one"));
+    if (isSessionUnfinished(path))
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("it was not closed properly; open it once, or take another name"));
+    return {};
+}
+
+QString strayPartOf(const QString& path)
+{
+    for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+        const QFileInfo info(part(path, suffix));
+        if (info.exists() || info.isSymLink())
+            return info.fileName();
+    }
+    return {};
 }
 
 SessionUse::SessionUse(SessionUse&& other) noexcept
     : m_key(std::exchange(other.m_key, QString()))
+    , m_file(std::move(other.m_file))
 {
 }
 
 SessionUse& SessionUse::operator=(SessionUse&& other) noexcept
 {
     std::swap(m_key, other.m_key);
+    std::swap(m_file, other.m_file);
     return *this;
 }
 

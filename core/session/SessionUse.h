@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/FileInUse.h"
 #include "core/base/Result.h"
 
 #include <QString>
@@ -23,7 +24,20 @@ public:
 
 private:
     QString m_key; ///< empty: nothing is used
+    FileInUse m_file;
 };
+
+/// Whether a path leads to a session file of Burin's, by the head of the file. One that is in use
+/// is one.
+[[nodiscard]] bool isSessionFile(const QString& path);
+
+/// Whether a session may take a name where something lies: another session that is closed, with
+/// nothing beside it. A free name passes. Errors: FileUnwritable with the reason.
+[[nodiscard]] Result<void> checkReplacedSession(const QString& path);
+
+/// What lies beside a free name that SQLite would take for a part of a session made there; empty:
+/// nothing.
+[[nodiscard]] QString strayPartOf(const QString& path);
 
 /// Whether a session file is open for writing, in this process or another. Touches nothing.
 [[nodiscard]] bool isSessionInUse(const QString& path);
@@ -31,9 +45,10 @@ private:
 /// Whether a program ended without closing it: what it wrote last lies in a file beside.
 [[nodiscard]] bool isSessionUnfinished(const QString& path);
 
-/// Why a session file that is not in use is not whole; both empty: it is, or nobody can tell.
+/// Why a session file that is not in use is not whole; all empty: it is, or nobody can tell.
 struct SessionLoss {
     QString cutOff; ///< "the file is cut off: 40960 of 81920 bytes are there"
+    QString foreign; ///< "it holds a trigger 't', which is no part of a session"
     QString leftOpen; ///< its program left it open, and what it wrote last is not beside it
 };
 /// Reads no more than the file's head.

@@ -334,7 +334,7 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
     if (result.error && !m_failed)
         state.fail(*result.error);
     if (m_failed && !result.changes.empty())
-        state.engine.submit(SwapBricks{imagesBefore(result.changes)});
+        state.require(SwapBricks{imagesBefore(result.changes)});
     if (movesGeneration())
         state.tell(DocumentChange::What::Growth);
     if (std::holds_alternative<SeedStroke>(m_edit))

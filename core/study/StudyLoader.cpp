@@ -3,6 +3,7 @@
 
 #include "core/archive/ArchiveReader.h"
 #include "core/archive/UnpackedArchive.h"
+#include "core/base/ReadableFile.h"
 #include "core/dicom/DicomScan.h"
 #include "core/dicom/StackLoader.h"
 #include "core/images/ImagePage.h"
@@ -49,7 +50,6 @@ struct Study::Contents {
 
 namespace {
 
-constexpr int mostFiles = 500000;
 constexpr int deepestFolder = 32;
 
 /// Sessions lie beside studies. Opening and closing one as a plain file would take the lock of a
@@ -59,7 +59,7 @@ bool isSession(const QString& file)
     return file.endsWith(QLatin1String(".burin")) || file.contains(QLatin1String(".burin-"));
 }
 
-Result<QStringList> filesBelow(const QString& path)
+Result<QStringList> filesBelow(const QString& path, int mostFiles)
 {
     const QFileInfo info(path);
     if (!info.exists())
@@ -74,7 +74,11 @@ Result<QStringList> filesBelow(const QString& path)
     // Links to folders are not followed: they may lead round in circles.
     QDirIterator iterator(
         root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
-    while (iterator.hasNext() && files.size() < mostFiles) {
+    while (iterator.hasNext()) {
+        if (files.size() >= mostFiles)
+            return failure(ErrorCode::FileUnreadable, path,
+                QStringLiteral("more than %1 files lie below it; name the study itself")
+                    .arg(mostFiles));
         const QString file = iterator.next();
         if (isSession(iterator.fileName())) {
             sessions = true;
@@ -316,8 +320,10 @@ const StudyListing& Study::listing() const
     return m_contents->listing;
 }
 
-Result<Study> Study::scan(const QString& path, const Progress& progress)
+Result<Study> Study::scan(const QString& path, const Progress& progress, int mostFiles)
 {
+    if (const Result<void> readable = checkReadsToAnEnd(path); !readable)
+        return tl::unexpected<Error>(readable.error());
     const QFileInfo info(path);
     const bool isDirectoryFile = info.isFile()
         && info.fileName().compare(QLatin1String("DICOMDIR"), Qt::CaseInsensitive) == 0;
@@ -329,7 +335,7 @@ Result<Study> Study::scan(const QString& path, const Progress& progress)
             return tl::unexpected<Error>(unpacked.error());
         root = *std::move(unpacked);
     }
-    Result<QStringList> files = filesBelow(root);
+    Result<QStringList> files = filesBelow(root, mostFiles);
     if (!files && isUnpacked)
         files.error().arguments[0] = path;
     if (!files)

@@ -24,8 +24,9 @@ public:
     /// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error
     /// is returned when nothing at all could be read: FileNotFound, FolderEmpty, NoImages, the
     /// file's own error if @p path is one file, or Cancelled.
-    [[nodiscard]] static Result<Study> scan(
-        const QString& path, const Progress& progress = Progress());
+    /// @param mostFiles below a folder; more are FileUnreadable
+    [[nodiscard]] static Result<Study> scan(const QString& path,
+        const Progress& progress = Progress(), int mostFiles = 500'000);
 
     Study(Study&&) noexcept;
     Study& operator=(Study&&) noexcept;

@@ -26,6 +26,15 @@ void BarrierBricks::note(std::span<const std::uint32_t> bricks)
     m_stale.insert(bricks.begin(), bricks.end());
 }
 
+void BarrierBricks::noteAll(std::span<const std::uint32_t> bricks)
+{
+    note(bricks);
+    m_stale.insert(m_held.begin(), m_held.end());
+    if (m_texture) // what it says may be gone from what is held
+        for (int brick = 0; brick < m_grid.brickCount(); ++brick)
+            m_stale.insert(std::uint32_t(brick));
+}
+
 core::VoxelBox BarrierBricks::update(BrickField& words)
 {
     std::vector<std::uint32_t> looked;

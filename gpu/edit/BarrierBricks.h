@@ -21,6 +21,8 @@ public:
 
     /// The words of these may be others now.
     void note(std::span<const std::uint32_t> bricks);
+    /// Of these words, and wherever there were barriers.
+    void noteAll(std::span<const std::uint32_t> bricks);
     [[nodiscard]] bool stale() const { return !m_stale.empty(); }
     /// Looks at what was noted. @return where barriers may look different; empty: nowhere
     core::VoxelBox update(BrickField& words);

@@ -2,6 +2,7 @@
 #include "gpu/edit/BeforeImages.h"
 
 #include "gpu/edit/BrickImages.h"
+#include "gpu/gl/GlFailure.h"
 
 #include <algorithm>
 
@@ -11,21 +12,23 @@ void BeforeImages::capture(
     core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks)
 {
     Batch batch{.field = field, .bricks = {}, .packed = {}};
+    std::map<core::BrickKey, Place> places;
     for (const std::uint32_t brick : bricks) {
         const core::BrickKey key{.field = field, .plane = plane, .brick = brick};
-        if (m_places.count(key) != 0)
+        if (m_places.contains(key) || places.contains(key))
             continue;
         if (!m_fields.hasData(key)) {
-            m_places[key] = Place{};
+            places[key] = Place{};
             continue;
         }
-        m_places[key] = {.batch = m_batches.size(), .slot = batch.bricks.size()};
+        places[key] = {.batch = m_batches.size(), .slot = batch.bricks.size()};
         batch.bricks.push_back(brick);
     }
-    if (batch.bricks.empty())
-        return;
-    batch.packed = m_fields.copier().packed(m_fields.textures(field, plane), batch.bricks);
-    m_batches.push_back(std::move(batch));
+    if (!batch.bricks.empty()) {
+        batch.packed = m_fields.copier().packed(m_fields.textures(field, plane), batch.bricks);
+        m_batches.push_back(std::move(batch));
+    }
+    m_places.merge(places); // only what is saved counts as saved
 }
 
 std::vector<std::vector<std::uint8_t>> BeforeImages::images(
@@ -77,6 +80,24 @@ void BeforeImages::restore(std::vector<core::BrickKey> keys)
     for (std::size_t i = 0; i < keys.size(); ++i)
         saved.push_back({.key = keys[i], .bytes = std::move(before[i])});
     writeImages(m_fields, std::move(saved));
+}
+
+void BeforeImages::restoreAll()
+{
+    try {
+        restore(keys());
+        requireNoError();
+        return;
+    } catch (const std::exception&) {
+        // Not all at once, then: whatever was written, each brick is written again.
+    }
+    try {
+        for (const core::BrickKey& key : keys())
+            restore({key});
+        requireNoError();
+    } catch (const std::exception&) {
+        throw FieldsLost(errorBeingHandled());
+    }
 }
 
 std::vector<core::BrickKey> BeforeImages::keys() const

@@ -17,14 +17,17 @@ public:
     {
     }
 
-    /// Saves those of the bricks that were not saved yet. Call it before writing them.
+    /// Saves those of the bricks that were not saved yet. Call it before writing them. Throws
+    /// GlFailure; then none of them was saved.
     void capture(core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks);
     /// What was saved against what is there now, of the listed keys (all were captured); bricks
     /// that did not change are left out. Sorted by key. Waits for the GPU.
     [[nodiscard]] std::vector<core::BrickChange> changes(std::vector<core::BrickKey> keys);
     /// Puts the saved images of the listed keys back.
     void restore(std::vector<core::BrickKey> keys);
-    [[nodiscard]] std::vector<core::BrickKey> keys() const;
+    /// Puts all that was saved back after something failed in between, brick by brick where memory
+    /// is short. Throws FieldsLost.
+    void restoreAll();
 
 private:
     struct Batch {
@@ -37,6 +40,7 @@ private:
         std::size_t batch = wasEmpty;
         std::size_t slot = 0;
     };
+    [[nodiscard]] std::vector<core::BrickKey> keys() const;
     /// What was saved of each key (no key twice).
     [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
         std::span<const core::BrickKey> keys) const;

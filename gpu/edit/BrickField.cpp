@@ -41,28 +41,36 @@ void BrickField::enlarge(std::uint32_t pages)
     Texture3D larger({.label = m_options.label,
         .size = pageSize * glm::ivec3(1, int(rows), int(slices)),
         .format = m_options.format});
+    const std::uint32_t count = slices * rows;
+    Buffer owners({.label = m_options.label, .bytes = count * sizeof(std::uint32_t)});
     if (m_atlas)
         m_atlas.copyTo(larger, glm::ivec3(0), glm::ivec3(0), m_atlas.size());
     m_atlas = std::move(larger);
-    const std::uint32_t count = slices * rows;
+    m_ownerBuffer = std::move(owners);
     for (std::uint32_t page = count; page > m_pageCount; --page)
         m_freePages.push_back(page - 1);
     m_pageCount = count;
     m_owners.resize(count, 0);
     m_ownerPositions.resize(count, 0);
     m_ownersStale = true;
-    m_ownerBuffer = Buffer({.label = m_options.label, .bytes = count * sizeof(std::uint32_t)});
 }
 
 void BrickField::ensure(std::span<const std::uint32_t> bricks, NewPages pages)
 {
+    // Memory first: where it is refused no brick has a page that nobody has cleared.
+    const auto wanted = std::size_t(std::count_if(bricks.begin(), bricks.end(),
+        [this](std::uint32_t brick) { return m_entries[brick] == 0; }));
+    if (wanted > 0)
+        reserve();
+    std::uint32_t enough = m_pageCount;
+    while (m_freePages.size() + (enough - m_pageCount) < wanted && enough < m_entries.size())
+        enough = std::min(std::uint32_t(m_entries.size()), 2 * enough);
+    if (enough > m_pageCount)
+        enlarge(enough);
     std::vector<std::uint32_t> fresh;
     for (const std::uint32_t brick : bricks) {
         if (m_entries[brick] != 0)
             continue;
-        reserve();
-        if (m_freePages.empty())
-            enlarge(std::min(std::uint32_t(m_entries.size()), 2 * m_pageCount));
         const std::uint32_t page = m_freePages.back();
         m_freePages.pop_back();
         fresh.push_back(page);

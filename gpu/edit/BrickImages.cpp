@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/edit/BrickImages.h"
 
+#include "gpu/gl/GlFailure.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -101,6 +103,18 @@ void write(VoxelFields& fields, std::span<const Write> writes)
         });
 }
 
+/// What there was, brick by brick: memory is short. Throws FieldsLost.
+void putBack(VoxelFields& fields, const std::vector<core::BrickChange>& changes)
+{
+    try {
+        for (const core::BrickChange& change : changes)
+            writeImages(fields, {{.key = change.key, .bytes = change.before}});
+        requireNoError();
+    } catch (const std::exception&) {
+        throw FieldsLost(errorBeingHandled());
+    }
+}
+
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> readImages(
@@ -162,7 +176,14 @@ std::vector<core::BrickChange> swapImages(VoxelFields& fields, std::vector<core:
         }
         writes.push_back({change.key, &change.after, box});
     }
-    write(fields, writes);
+    try {
+        write(fields, writes);
+        requireNoError();
+    } catch (const std::exception&) {
+        const core::Error error = errorBeingHandled();
+        putBack(fields, changes);
+        throw GlFailure(error);
+    }
     return changes;
 }
 

@@ -20,7 +20,8 @@ namespace gpu {
 void writeImages(VoxelFields& fields, std::vector<core::BrickImage> images);
 
 /// The same, and reads before what is there: bricks that hold their image already are left alone,
-/// and what follows from a brick is worked out anew only around the voxels that differ.
+/// and what follows from a brick is worked out anew only around the voxels that differ. Throws
+/// GlFailure with everything as it was, or FieldsLost.
 /// @param images no key twice
 /// @return the bricks that differ, sorted by key
 [[nodiscard]] std::vector<core::BrickChange> swapImages(

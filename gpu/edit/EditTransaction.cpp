@@ -4,6 +4,7 @@
 #include "gpu/edit/CutGrown.h"
 #include "gpu/edit/LayerWriter.h"
 #include "gpu/edit/ScissorsKernel.h"
+#include "gpu/gl/GlFailure.h"
 
 namespace gpu {
 
@@ -221,55 +222,68 @@ core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
 
     std::unique_ptr<EditTransaction> transaction(new EditTransaction(programs.growth, fields));
     transaction->m_edit = edit;
-    BeforeImages& before = transaction->m_before;
-    if (const auto* seeds = std::get_if<core::SeedPlacement>(&edit)) {
-        transaction->m_seedBricks = placeSeeds(programs.growth, fields, before, *seeds);
-    } else if (const auto* grow = std::get_if<core::GrowBurst>(&edit)) {
-        transaction->m_growth.emplace(programs.growth, fields, before, *grow);
-        transaction->m_growth->open();
-    } else if (const auto* drill = std::get_if<core::DrillCut>(&edit)) {
-        transaction->m_drill.emplace(programs.mask, fields, before, *drill);
-    } else if (const auto* laser = std::get_if<core::LaserCut>(&edit)) {
-        transaction->m_laser.emplace(programs.laser, fields, before, *laser);
-    } else if (const auto* erase = std::get_if<core::EraseLabel>(&edit)) {
-        transaction->m_wholeKeys = eraseLabel(programs.erase, fields, before, *erase);
-    } else if (const auto* paint = std::get_if<core::PaintLabel>(&edit)) {
-        transaction->m_capsule.emplace(programs.capsule, fields, before, *paint);
-    } else if (const auto* barrier = std::get_if<core::PaintBarrier>(&edit)) {
-        transaction->m_capsule.emplace(programs.capsule, fields, before, *barrier);
-    } else if (const auto* cut = std::get_if<core::CapsuleCut>(&edit)) {
-        transaction->m_capsule.emplace(programs.capsule, fields, before, *cut);
-    } else if (const auto* peel = std::get_if<core::MaskPeel>(&edit)) {
-        transaction->m_peel.emplace(programs.mask, fields, before, *peel);
-    } else if (const auto* scissors = std::get_if<core::MaskScissors>(&edit)) {
-        transaction->m_scissored = cutWithScissors(programs.mask, fields, before, *scissors);
-    } else if (const auto* carved = std::get_if<core::LabelCarved>(&edit)) {
-        transaction->m_wholeKeys = labelCarved(programs.label, fields, before, *carved);
-    } else if (const auto* seen = std::get_if<core::LabelSeen>(&edit)) {
-        transaction->m_wholeKeys = labelSeen(programs.label, fields, before, *seen);
-    } else if (const auto* listed = std::get_if<core::LabelListed>(&edit)) {
-        transaction->m_wholeKeys = labelListed(programs.label, fields, before, *listed);
-    } else if (const auto* relabelled = std::get_if<core::RelabelListed>(&edit)) {
-        transaction->m_wholeKeys = relabelListed(programs.label, fields, before, *relabelled);
-    } else if (const auto* shut = std::get_if<core::ShutListed>(&edit)) {
-        transaction->m_wholeKeys = shutListed(programs.shut, fields, before, *shut);
-    } else if (const auto* cover = std::get_if<core::CoverLabel>(&edit)) {
-        transaction->m_wholeKeys = coverLabel(programs.erase, fields, before, *cover);
-    } else if (const auto* fold = std::get_if<core::FoldLayer>(&edit)) {
-        transaction->m_wholeKeys = foldLayer(fields, before, *fold);
-    } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&edit)) {
-        transaction->m_shrink.emplace(programs.growth.shrink, fields, before, *shrink);
-    } else if (const auto* grown = std::get_if<core::CutGrowth>(&edit)) {
-        CutOutcome outcome = cutGrown(fields, before, *grown);
-        transaction->m_wholeKeys = std::move(outcome.keys);
-        transaction->m_cutTo = outcome.generation;
-    } else if (const auto* spread = std::get_if<core::SpreadLabels>(&edit)) {
-        auto kernel = SpreadKernel::begin(programs.spread, fields, before, *spread);
-        if (!kernel)
-            return tl::unexpected(kernel.error());
-        transaction->m_spread = *std::move(kernel);
+    try {
+        if (const core::Result<void> started = transaction->start(programs); !started)
+            return tl::unexpected(started.error());
+        requireNoError();
+    } catch (const std::exception&) {
+        const core::Error error = errorBeingHandled();
+        transaction->abandon(error);
+        throw GlFailure(error);
     }
     return transaction;
+}
+
+core::Result<void> EditTransaction::start(EditPrograms& programs)
+{
+    if (const auto* seeds = std::get_if<core::SeedPlacement>(&m_edit)) {
+        m_seedBricks = placeSeeds(programs.growth, m_fields, m_before, *seeds);
+    } else if (const auto* grow = std::get_if<core::GrowBurst>(&m_edit)) {
+        m_growth.emplace(programs.growth, m_fields, m_before, *grow);
+        m_growth->open();
+    } else if (const auto* drill = std::get_if<core::DrillCut>(&m_edit)) {
+        m_drill.emplace(programs.mask, m_fields, m_before, *drill);
+    } else if (const auto* laser = std::get_if<core::LaserCut>(&m_edit)) {
+        m_laser.emplace(programs.laser, m_fields, m_before, *laser);
+    } else if (const auto* erase = std::get_if<core::EraseLabel>(&m_edit)) {
+        m_wholeKeys = eraseLabel(programs.erase, m_fields, m_before, *erase);
+    } else if (const auto* paint = std::get_if<core::PaintLabel>(&m_edit)) {
+        m_capsule.emplace(programs.capsule, m_fields, m_before, *paint);
+    } else if (const auto* barrier = std::get_if<core::PaintBarrier>(&m_edit)) {
+        m_capsule.emplace(programs.capsule, m_fields, m_before, *barrier);
+    } else if (const auto* cut = std::get_if<core::CapsuleCut>(&m_edit)) {
+        m_capsule.emplace(programs.capsule, m_fields, m_before, *cut);
+    } else if (const auto* peel = std::get_if<core::MaskPeel>(&m_edit)) {
+        m_peel.emplace(programs.mask, m_fields, m_before, *peel);
+    } else if (const auto* scissors = std::get_if<core::MaskScissors>(&m_edit)) {
+        m_scissored = cutWithScissors(programs.mask, m_fields, m_before, *scissors);
+    } else if (const auto* carved = std::get_if<core::LabelCarved>(&m_edit)) {
+        m_wholeKeys = labelCarved(programs.label, m_fields, m_before, *carved);
+    } else if (const auto* seen = std::get_if<core::LabelSeen>(&m_edit)) {
+        m_wholeKeys = labelSeen(programs.label, m_fields, m_before, *seen);
+    } else if (const auto* listed = std::get_if<core::LabelListed>(&m_edit)) {
+        m_wholeKeys = labelListed(programs.label, m_fields, m_before, *listed);
+    } else if (const auto* relabelled = std::get_if<core::RelabelListed>(&m_edit)) {
+        m_wholeKeys = relabelListed(programs.label, m_fields, m_before, *relabelled);
+    } else if (const auto* shut = std::get_if<core::ShutListed>(&m_edit)) {
+        m_wholeKeys = shutListed(programs.shut, m_fields, m_before, *shut);
+    } else if (const auto* cover = std::get_if<core::CoverLabel>(&m_edit)) {
+        m_wholeKeys = coverLabel(programs.erase, m_fields, m_before, *cover);
+    } else if (const auto* fold = std::get_if<core::FoldLayer>(&m_edit)) {
+        m_wholeKeys = foldLayer(m_fields, m_before, *fold);
+    } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&m_edit)) {
+        m_shrink.emplace(programs.growth.shrink, m_fields, m_before, *shrink);
+    } else if (const auto* grown = std::get_if<core::CutGrowth>(&m_edit)) {
+        CutOutcome outcome = cutGrown(m_fields, m_before, *grown);
+        m_wholeKeys = std::move(outcome.keys);
+        m_cutTo = outcome.generation;
+    } else if (const auto* spread = std::get_if<core::SpreadLabels>(&m_edit)) {
+        auto kernel = SpreadKernel::begin(programs.spread, m_fields, m_before, *spread);
+        if (!kernel)
+            return tl::unexpected(kernel.error());
+        m_spread = *std::move(kernel);
+    }
+    return {};
 }
 
 core::Result<void> EditTransaction::extend(const core::EngineExtension& extension)
@@ -458,8 +472,27 @@ void EditTransaction::rollBack(core::EngineResult& result)
         result.generation = cut->generation;
 }
 
+void EditTransaction::abandon(const core::Error& why)
+{
+    m_abandoned = why;
+    m_stepsLeft = 0;
+    // What they hold is of no use, and its memory is wanted.
+    m_growth.reset();
+    m_shrink.reset();
+    m_drill.reset();
+    m_laser.reset();
+    m_peel.reset();
+    m_capsule.reset();
+    m_spread.reset();
+    if (std::holds_alternative<core::SpreadLabels>(m_edit))
+        m_fields.spread().release();
+    m_before.restoreAll();
+}
+
 core::GrowthProgress EditTransaction::progress() const
 {
+    if (m_abandoned)
+        return {};
     if (m_spread)
         return {.running = hasStepsLeft()};
     if (!m_growth)

@@ -51,7 +51,8 @@ struct EditPrograms {
 /// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
 class EditTransaction {
 public:
-    /// Errors: InvalidField; then nothing was changed.
+    /// Errors: InvalidField; then nothing was changed. Throws GlFailure with everything as it was,
+    /// or FieldsLost.
     static core::Result<std::unique_ptr<EditTransaction>> begin(
         EditPrograms& programs, VoxelFields& fields, const core::EngineEdit& edit);
 
@@ -73,6 +74,10 @@ public:
     /// Closes; fills changes, statistics, generation and atClosure of the result.
     void commit(core::EngineResult& result);
     void rollBack(core::EngineResult& result);
+    /// After any of the above threw: puts everything back, and closes. What is asked of it from
+    /// then on is refused with @p why. Throws FieldsLost.
+    void abandon(const core::Error& why);
+    [[nodiscard]] const std::optional<core::Error>& abandoned() const { return m_abandoned; }
     [[nodiscard]] core::GrowthProgress progress() const;
 
 private:
@@ -82,6 +87,7 @@ private:
         , m_before(fields)
     {
     }
+    core::Result<void> start(EditPrograms& programs);
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
     core::Result<void> growAnew(const core::GrowBurst& burst);
 
@@ -102,6 +108,7 @@ private:
     std::unique_ptr<SpreadKernel> m_spread;
     int m_stepsLeft = 0; ///< negative: to closure
     double m_generationsPerSecond = 0.0;
+    std::optional<core::Error> m_abandoned;
 };
 
 /// Counts over the changes, as EditStatistics wants them.

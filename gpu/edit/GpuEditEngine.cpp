@@ -2,6 +2,9 @@
 #include "gpu/edit/GpuEditEngine.h"
 
 #include "gpu/edit/BrickImages.h"
+#include "gpu/gl/GlFailure.h"
+
+#include "core/base/Log.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,20 +50,42 @@ core::Result<void> GpuEditEngine::openVolume(
     finish();
     core::Result<void> opened;
     m_thread.run([&] {
-        m_transaction.reset();
-        m_trace.reset();
-        m_foresight.forget();
-        m_fields.reset();
-        opened = m_textures.open(size, codes);
-        if (!opened)
-            return;
-        m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
-        m_fields->setShownLabels(m_shownLabels);
-        m_fields->setPieces(m_shownPieces);
-        m_fields->showAtTolerance(m_atTolerance);
+        close();
+        m_lost.reset();
+        try {
+            opened = m_textures.open(size, codes);
+            if (!opened)
+                return;
+            m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
+            m_fields->setShownLabels(m_shownLabels);
+            m_fields->setPieces(m_shownPieces);
+            m_fields->showAtTolerance(m_atTolerance);
+            requireNoError();
+        } catch (const std::exception&) {
+            opened = tl::unexpected(errorBeingHandled());
+            close();
+            m_textures.close();
+        }
         publishProgress();
     });
     return opened;
+}
+
+void GpuEditEngine::close()
+{
+    m_transaction.reset();
+    m_trace.reset();
+    m_foresight.forget();
+    m_fields.reset();
+}
+
+/// What the GPU holds is not what the session says: nothing more is read from it or written.
+void GpuEditEngine::lose(const core::Error& why)
+{
+    qCCritical(core::log, "What was open is lost on the graphics processor: %s",
+        qUtf8Printable(why.arguments.join(QStringLiteral(": "))));
+    close();
+    m_lost = core::Error{core::ErrorCode::EngineLost, why.arguments};
 }
 
 core::Ticket GpuEditEngine::submit(core::EngineCommand command)
@@ -148,10 +173,55 @@ bool GpuEditEngine::work()
         return true;
     }
     if (growthIsDue()) {
-        growOneSlice();
+        try {
+            growOneSlice();
+            requireNoError();
+        } catch (const std::exception&) {
+            abandon(errorBeingHandled());
+        }
         publishProgress();
         return true;
     }
+    try {
+        const bool more = followUp();
+        requireNoError();
+        m_followUpsFailed = 0;
+        return more;
+    } catch (const std::exception&) {
+        followUpLater(errorBeingHandled());
+        return false;
+    }
+}
+
+/// Memory may be there again in a moment; what is shown meanwhile is what was.
+void GpuEditEngine::followUpLater(const core::Error& why)
+{
+    constexpr int patience = 20;
+    constexpr std::chrono::milliseconds pause{100};
+    if (!m_fields)
+        return;
+    if (++m_followUpsFailed > patience) {
+        m_followUpsFailed = 0;
+        lose(why);
+        publishProgress();
+        return;
+    }
+    m_fields->deriveAnew();
+    m_thread.wakeAt(Clock::now() + pause);
+}
+
+void GpuEditEngine::abandon(const core::Error& why)
+{
+    try {
+        m_transaction->abandon(why);
+    } catch (const FieldsLost&) {
+        lose(why);
+    }
+}
+
+/// What is derived from the voxels, and what can be made ready; when there is nothing else to do.
+bool GpuEditEngine::followUp()
+{
     if (m_fields && m_fields->barriersStale()) {
         m_fields->updateBarriers();
         return true;
@@ -166,9 +236,18 @@ bool GpuEditEngine::work()
     }
     // Not while a pen is down: what it needs compiles for it anyway.
     if (m_warmUp && !m_transaction) {
-        if (!m_warmUp->runNext())
+        bool more = false;
+        try {
+            more = m_warmUp->runNext();
+            requireNoError();
+        } catch (const std::exception&) {
+            qCDebug(core::log, "Kernels are not made ready: %s",
+                qUtf8Printable(errorBeingHandled().arguments.join(QStringLiteral(": "))));
+            more = false;
+        }
+        if (!more)
             m_warmUp.reset();
-        return m_warmUp.has_value();
+        return more;
     }
     return false;
 }
@@ -261,9 +340,7 @@ void GpuEditEngine::deliver(core::EngineResult result)
 void GpuEditEngine::carryOut(Waiting& next)
 {
     const Clock::time_point start = Clock::now();
-    Outcome outcome = m_fields
-        ? std::visit([this](auto& command) { return carryOut(command); }, next.command)
-        : Outcome(refusal("volume", "none is open"));
+    Outcome outcome = attempt(next.command);
     const double milliseconds = millisecondsSince(start);
     if (outcome && !*outcome) {
         m_editMilliseconds += milliseconds;
@@ -275,6 +352,38 @@ void GpuEditEngine::carryOut(Waiting& next)
     result.ticket = next.ticket;
     result.statistics.milliseconds += milliseconds;
     deliver(std::move(result));
+}
+
+/// A command that throws has changed nothing, and an open edit that it belongs to is taken back.
+GpuEditEngine::Outcome GpuEditEngine::attempt(core::EngineCommand& command)
+{
+    if (m_lost)
+        return tl::unexpected(*m_lost);
+    if (!m_fields)
+        return refusal("volume", "none is open");
+    try {
+        Outcome outcome = std::visit([this](auto& known) { return carryOut(known); }, command);
+        requireNoError();
+        return outcome;
+    } catch (const FieldsLost& lost) {
+        lose(lost.error());
+        return tl::unexpected(*m_lost);
+    } catch (const std::exception&) {
+        const core::Error error = errorBeingHandled();
+        const bool edits = std::holds_alternative<core::ExtendEdit>(command)
+            || std::holds_alternative<core::EndEdit>(command);
+        if (m_transaction && edits)
+            abandon(error);
+        if (std::holds_alternative<core::EndEdit>(command))
+            m_transaction.reset();
+        if (std::holds_alternative<core::TraceTolerance>(command)) {
+            m_trace.reset();
+            m_fields->dropTolerance();
+        }
+        if (std::holds_alternative<core::ForeseeCut>(command))
+            m_foresight.forget();
+        return tl::unexpected(error);
+    }
 }
 
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
@@ -296,6 +405,8 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ExtendEdit& command)
 {
     if (!m_transaction)
         return refusal("transaction", "no edit is open");
+    if (m_transaction->abandoned())
+        return std::nullopt; // told once, or when it ends
     const core::Result<void> extended = m_transaction->extend(command.extension);
     if (!extended)
         return tl::unexpected(extended.error());
@@ -306,11 +417,16 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
 {
     if (!m_transaction)
         return refusal("transaction", "no edit is open");
+    if (const std::optional<core::Error> why = m_transaction->abandoned()) {
+        m_transaction.reset();
+        return tl::unexpected(*why);
+    }
     core::EngineResult result;
     if (command.ending == core::Ending::Commit)
         m_transaction->commit(result);
     else
         m_transaction->rollBack(result);
+    requireNoError();
     result.statistics.milliseconds = m_editMilliseconds;
     m_transaction.reset();
     return result;
@@ -352,7 +468,20 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::MuteLayers& command)
     if (m_transaction)
         return refusal("transaction", "an edit is open");
     hideTolerance();
-    m_fields->setMutedLayers(command.muted);
+    const std::bitset<256> before = m_fields->mutedLayers();
+    try {
+        m_fields->setMutedLayers(command.muted);
+        requireNoError();
+    } catch (const std::exception&) {
+        const core::Error error = errorBeingHandled();
+        try {
+            m_fields->setMutedLayers(before);
+            requireNoError();
+        } catch (const std::exception&) {
+            throw FieldsLost(error);
+        }
+        throw GlFailure(error);
+    }
     return core::EngineResult{};
 }
 

@@ -22,6 +22,10 @@ namespace gpu {
 /// one slice at a time; a growth runs in batches between which other commands and frames are
 /// served.
 ///
+/// Where the GPU refuses memory or a command, what was asked is refused and every brick put back
+/// (gl/GlFailure.h): no result without an error is of an edit that failed. Where even that fails,
+/// every command is refused until a volume is opened.
+///
 /// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
 class GpuEditEngine final : public core::EditEngine, public EditWorker {
 public:
@@ -58,6 +62,11 @@ private:
     void growOneSlice();
     static constexpr std::size_t leastTraced = 32; ///< bricks
     static constexpr std::size_t mostTraced = 4096;
+    void close();
+    void lose(const core::Error& why);
+    void abandon(const core::Error& why);
+    [[nodiscard]] bool followUp();
+    void followUpLater(const core::Error& why);
     void carryOut(Waiting& next);
     void deliver(core::EngineResult result);
     void publishProgress();
@@ -65,6 +74,7 @@ private:
 
     /// Each returns a result to deliver, or nothing to say.
     using Outcome = core::Result<std::optional<core::EngineResult>>;
+    Outcome attempt(core::EngineCommand& command);
     Outcome carryOut(const core::BeginEdit& command);
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);
@@ -95,12 +105,14 @@ private:
     std::unique_ptr<VoxelFields> m_fields;
     CutForesight m_foresight;
     std::unique_ptr<EditTransaction> m_transaction;
+    std::optional<core::Error> m_lost; ///< why no command can be carried out until a volume opens
     std::bitset<256> m_shownLabels;
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::unique_ptr<ToleranceKernel> m_trace;
     std::size_t m_tracedAtOnce = leastTraced; ///< bricks
     double m_editMilliseconds = 0.0; ///< of the open transaction
+    int m_followUpsFailed = 0; ///< one after the other
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     EngineThread::Clock::time_point m_nextGeneration;
 

@@ -16,11 +16,13 @@ void VoxelFields::setPieces(const std::vector<PieceSource>& sources)
     if (same)
         return;
     m_stalePieces = std::move(wanted);
-    arrangePieces();
+    m_arrangeAnew = true;
 }
 
 bool VoxelFields::piecesStale() const
 {
+    if (m_arrangeAnew)
+        return true;
     for (const auto& [source, bricks] : m_stalePieces) {
         if (!bricks.empty())
             return true;
@@ -63,6 +65,7 @@ void VoxelFields::arrangePieces()
                 for (int x = first.x; x <= last.x; ++x)
                     bricks.insert(std::uint32_t(x + count.x * (y + count.y * z)));
     }
+    m_arrangeAnew = false;
     m_shared.markDirty(VolumeField::Pieces, {glm::ivec3(0), m_grid.volumeSize});
 }
 
@@ -90,12 +93,13 @@ void VoxelFields::notePieces(bool ofLayers, std::span<const std::uint32_t> brick
                 stale.insert(brick);
         }
     }
-    if (outgrown)
-        arrangePieces();
+    m_arrangeAnew = m_arrangeAnew || outgrown;
 }
 
 void VoxelFields::updatePieces(std::size_t maxBricks)
 {
+    if (m_arrangeAnew)
+        arrangePieces();
     for (auto& [source, stale] : m_stalePieces) {
         if (stale.empty())
             continue;

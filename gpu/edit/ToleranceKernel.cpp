@@ -109,14 +109,9 @@ core::Result<std::unique_ptr<ToleranceKernel>> ToleranceKernel::begin(
         return refuse("seeds", "there are none");
     ToleranceField& field = fields.tolerance();
     const glm::ivec3 size = fields.grid().bricks() * core::BrickGrid::side;
-    if (!field.tolerances) {
-        while (glGetError() != GL_NO_ERROR) { }
-        Texture3D tolerances({.label = "tolerances", .size = size, .format = GL_R16UI});
-        if (glGetError() != GL_NO_ERROR)
-            return core::failure(core::ErrorCode::OutOfMemory,
-                QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z));
-        field.tolerances = std::move(tolerances);
-    }
+    if (!field.tolerances)
+        field.tolerances =
+            Texture3D({.label = "tolerances", .size = size, .format = GL_R16UI});
     return std::unique_ptr<ToleranceKernel>(new ToleranceKernel(programs, fields, rule, *centre));
 }
 

@@ -39,8 +39,8 @@ private:
 /// before, and seeds and walls prove to be the same, it stands again at once. Engine thread only.
 class ToleranceKernel {
 public:
-    /// Errors: InvalidField (a rule that is not sound, or a label without seeds), OutOfMemory; then
-    /// there is no field.
+    /// Errors: InvalidField (a rule that is not sound, or a label without seeds); then there is no
+    /// field. Throws GlFailure.
     static core::Result<std::unique_ptr<ToleranceKernel>> begin(
         TolerancePrograms& programs, VoxelFields& fields, const core::ToleranceRule& rule);
 

@@ -273,6 +273,16 @@ void VoxelFields::updateSegmentation(std::size_t maxBricks)
     m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
 }
 
+void VoxelFields::deriveAnew()
+{
+    const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
+    for (const std::uint32_t brick : withNeighbours(labelled))
+        m_staleSegmentation.insert(brick);
+    if (const auto words = m_seedWords.find(0); words != m_seedWords.end())
+        m_barriers.noteAll(words->second.heldBricks());
+    m_arrangeAnew = m_arrangeAnew || !m_stalePieces.empty();
+}
+
 std::size_t VoxelFields::bytes() const
 {
     std::size_t total = 0;

@@ -58,6 +58,7 @@ public:
     void noteCoverage(std::span<const core::VoxelBox> boxes);
     /// Which layers are left out of radiation; brings it up to date where any of them has cut.
     void setMutedLayers(const std::bitset<256>& muted);
+    [[nodiscard]] const std::bitset<256>& mutedLayers() const { return m_mutedLayers; }
     /// Bricks whose radiation depends on these: they and their neighbours.
     [[nodiscard]] std::vector<std::uint32_t> withNeighbours(
         std::span<const std::uint32_t> bricks) const;
@@ -89,6 +90,8 @@ public:
     [[nodiscard]] bool piecesStale() const;
     /// Brings about @p maxBricks bricks of footprints up to date.
     void updatePieces(std::size_t maxBricks);
+    /// All that follows between edits is stale: some of it failed half-way.
+    void deriveAnew();
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -128,6 +131,7 @@ private:
     std::set<std::uint32_t> m_staleSegmentation;
     FieldPrograms& m_programs;
     std::map<PieceSource, std::set<std::uint32_t>> m_stalePieces; ///< of each what is to be done
+    bool m_arrangeAnew = false; ///< the pieces, before more is done for them
 };
 
 } // namespace gpu

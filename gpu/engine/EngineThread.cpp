@@ -64,10 +64,14 @@ void EngineThread::run(const Job& job)
     }
     std::promise<void> done;
     post([&] {
-        job();
-        done.set_value();
+        try {
+            job();
+            done.set_value();
+        } catch (...) {
+            done.set_exception(std::current_exception());
+        }
     });
-    done.get_future().wait();
+    done.get_future().get();
 }
 
 void EngineThread::wake()

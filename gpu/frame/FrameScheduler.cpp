@@ -2,6 +2,7 @@
 #include "gpu/frame/FrameScheduler.h"
 
 #include "gpu/frame/SceneReach.h"
+#include "gpu/gl/GlFailure.h"
 #include "gpu/textures/VolumeTextures.h"
 
 #include <algorithm>
@@ -105,6 +106,35 @@ void FrameScheduler::updateSurface(core::SurfaceUpdate update)
 
 bool FrameScheduler::work(bool editing)
 {
+    try {
+        const bool more = workUnguarded(editing);
+        requireNoError();
+        return more;
+    } catch (const std::exception&) {
+        giveUp(errorBeingHandled());
+        return false;
+    }
+}
+
+/// Of no picture under way is it known what it shows. The next request or change begins anew.
+void FrameScheduler::giveUp(const core::Error& why)
+{
+    m_flying.reset();
+    m_deliveries.clear();
+    for (auto& [id, view] : m_views) {
+        if (view.stage == Stage::Done)
+            continue;
+        view.stage = Stage::Done;
+        view.tiles.reset();
+        view.stale = false;
+        view.targets = {};
+        view.pictures = {};
+        hand({.view = id, .scene = view.request.scene, .failure = why});
+    }
+}
+
+bool FrameScheduler::workUnguarded(bool editing)
+{
     takeRequests();
     takeChanges();
     takeSurface();
@@ -202,8 +232,13 @@ void FrameScheduler::takeChanges()
         .foreseen = m_volume.takeDirty(VolumeField::Foreseen)};
     if (dirty.empty())
         return;
-    m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(),
-        dirty.radiation.united(dirty.segmentation));
+    const core::VoxelBox box = dirty.radiation.united(dirty.segmentation);
+    try {
+        m_volume.cells().update(m_cellKernel, m_volume.radiation(), m_volume.segmentation(), box);
+    } catch (const std::exception&) {
+        m_volume.markDirty(VolumeField::Radiation, box);
+        throw;
+    }
     for (auto& [id, view] : m_views) {
         if (showsChange(view.request.scene, m_volume.geometry(), dirty))
             changed(view);
@@ -472,16 +507,21 @@ bool FrameScheduler::deliver()
         std::memcpy(bytes.data(), home.mapped(), bytes.size());
         frame.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
         ++m_counters.frames;
-        const std::lock_guard listening(m_listenerMutex);
-        bool wanted = true;
-        {
-            const std::lock_guard lock(m_inboxMutex);
-            wanted = !m_forgotten.contains(frame.view);
-        }
-        if (wanted && m_listener)
-            m_listener(frame);
+        hand(frame);
     }
     return !m_deliveries.empty();
+}
+
+void FrameScheduler::hand(const Frame& frame)
+{
+    const std::lock_guard listening(m_listenerMutex);
+    bool wanted = true;
+    {
+        const std::lock_guard lock(m_inboxMutex);
+        wanted = !m_forgotten.contains(frame.view);
+    }
+    if (wanted && m_listener)
+        m_listener(frame);
 }
 
 } // namespace gpu

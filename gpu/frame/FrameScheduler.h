@@ -95,6 +95,9 @@ private:
         Fence fence;
     };
 
+    [[nodiscard]] bool workUnguarded(bool editing);
+    void giveUp(const core::Error& why);
+    void hand(const Frame& frame);
     void takeRequests();
     void begin(View& view, FrameRequest request);
     void showPieces(const VolumeScene& scene);

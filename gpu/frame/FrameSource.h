@@ -10,7 +10,8 @@ namespace gpu {
 
 /// Pictures on demand. A view asks; finished frames come to the listener, first a coarse one, then
 /// a full one, then a refined (anti-aliased) one. While nothing changes nothing is drawn; when an
-/// edit changes voxels, the last request of every affected view is drawn again by itself.
+/// edit changes voxels, the last request of every affected view is drawn again by itself. What the
+/// GPU refuses to draw comes as a frame with a failure, once.
 class FrameSource {
 public:
     using Listener = std::function<void(const Frame&)>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
 #include "core/refine/SimplexMesh.h"
 #include "core/volume/ClipRegion.h"
@@ -235,6 +236,8 @@ struct Frame {
     double renderMilliseconds = 0.0;
     std::vector<PieceExtent> pieces; ///< of those in the scene that have something to show
     Scene scene; ///< what was drawn, so that overlays can be laid over it exactly
+    /// Why there is no picture (rgba is null); the view asks again when it wants to.
+    std::optional<core::Error> failure{};
 };
 
 } // namespace gpu

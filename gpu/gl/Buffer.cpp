@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/Buffer.h"
 
+#include "gpu/gl/GlFailure.h"
+
 namespace gpu {
 
 namespace {
@@ -33,6 +35,7 @@ Buffer::Buffer(const BufferOptions& options)
         m_mapped =
             static_cast<std::byte*>(glMapNamedBufferRange(id, 0, GLsizeiptr(m_bytes), flags));
     }
+    requireStorage(options.label, m_bytes);
 }
 
 void Buffer::writeBytes(std::size_t offset, std::span<const std::byte> data)

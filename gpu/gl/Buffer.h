@@ -26,7 +26,7 @@ struct BufferOptions {
 class Buffer {
 public:
     Buffer() = default; ///< none
-    explicit Buffer(const BufferOptions& options);
+    explicit Buffer(const BufferOptions& options); ///< throws GlFailure where it is refused
 
     [[nodiscard]] GLuint id() const { return m_id.get(); }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/Texture2D.h"
 
+#include "gpu/gl/GlFailure.h"
+
 #include <QtGlobal>
 
 namespace gpu {
@@ -14,6 +16,8 @@ Texture2D::Texture2D(const Texture2DOptions& options)
     m_id = GlId<glDelete::texture>(id);
     labelObject(GL_TEXTURE, id, options.label);
     glTextureStorage2D(id, 1, m_format, m_size.x, m_size.y);
+    requireStorage(options.label,
+        std::size_t(m_size.x) * std::size_t(m_size.y) * texelLayout(m_format).bytes);
     const GLint filter = options.linear && !isIntegerFormat(m_format) ? GL_LINEAR : GL_NEAREST;
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);

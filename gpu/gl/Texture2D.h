@@ -22,7 +22,7 @@ struct Texture2DOptions {
 class Texture2D {
 public:
     Texture2D() = default;
-    explicit Texture2D(const Texture2DOptions& options);
+    explicit Texture2D(const Texture2DOptions& options); ///< throws GlFailure where it is refused
 
     [[nodiscard]] GLuint id() const { return m_id.get(); }
     [[nodiscard]] glm::ivec2 size() const { return m_size; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/Texture3D.h"
 
+#include "gpu/gl/GlFailure.h"
+
 #include <QtGlobal>
 
 namespace gpu {
@@ -14,6 +16,7 @@ Texture3D::Texture3D(const Texture3DOptions& options)
     m_id = GlId<glDelete::texture>(id);
     labelObject(GL_TEXTURE, id, options.label);
     glTextureStorage3D(id, 1, m_format, m_size.x, m_size.y, m_size.z);
+    requireStorage(options.label, bytes());
     setSampling(options.linear);
 }
 
@@ -28,6 +31,7 @@ Texture3D Texture3D::view(GLenum format, const char* label) const
     result.m_size = m_size;
     result.m_format = format;
     glTextureView(id, GL_TEXTURE_3D, m_id.get(), format, 0, 1, 0, 1);
+    requireStorage(label, 0);
     labelObject(GL_TEXTURE, id, label);
     result.setSampling(false);
     return result;

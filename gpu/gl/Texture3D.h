@@ -22,7 +22,7 @@ struct Texture3DOptions {
 class Texture3D {
 public:
     Texture3D() = default;
-    explicit Texture3D(const Texture3DOptions& options);
+    explicit Texture3D(const Texture3DOptions& options); ///< throws GlFailure where it is refused
 
     /// The same storage read as another format of the same texel size (R16 ↔ R16UI).
     [[nodiscard]] Texture3D view(GLenum format, const char* label) const;

@@ -21,10 +21,12 @@ glm::ivec3 cellsOf(const glm::ivec3& voxels)
 
 void PieceTextures::arrange(const std::map<PieceSource, core::VoxelBox>& boxes)
 {
+    // Both at once may not fit; and where the new ones do not, there are none.
     m_entries.clear();
     m_footprints = {};
     m_bytes = {};
     m_cells = {};
+    std::map<PieceSource, Entry> entries;
     // One on top of the other as high as textures may be, then in the next row.
     GLint highest = 0;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &highest);
@@ -36,11 +38,11 @@ void PieceTextures::arrange(const std::map<PieceSource, core::VoxelBox>& boxes)
         const glm::ivec3 room = cellsOf(box.maximum - box.minimum) * side;
         if (corner.z + room.z > highest)
             corner = {size.x, 0, 0};
-        m_entries[source] = Entry{.box = box, .place = corner, .filled = {}};
+        entries[source] = Entry{.box = box, .place = corner, .filled = {}};
         size = glm::max(size, corner + room);
         corner.z += room.z;
     }
-    if (m_entries.empty())
+    if (entries.empty())
         return;
     m_footprints =
         Texture3D({.label = "footprints of pieces", .size = size, .format = GL_R8, .linear = true});
@@ -48,6 +50,7 @@ void PieceTextures::arrange(const std::map<PieceSource, core::VoxelBox>& boxes)
     m_cells = Texture3D({.label = "cells of pieces", .size = size / side, .format = GL_R8UI});
     m_footprints.clear();
     m_cells.clear();
+    m_entries = std::move(entries);
 }
 
 void PieceTextures::updateCells(Program& kernel, const PieceSource& source)

@@ -10,17 +10,7 @@ namespace gpu {
 core::Result<void> VolumeTextures::open(
     const glm::ivec3& size, std::span<const std::uint16_t> codes)
 {
-    // The old volume goes first: both at once may not fit.
-    m_intensity = {};
-    m_intensityCodes = {};
-    m_labels = {};
-    m_radiation = {};
-    m_segmentation = {};
-    m_cells = {};
-    m_maximumCells = {};
-    m_pieces = {};
-    m_replaced = true;
-    ++m_revision;
+    close(); // both at once may not fit
 
     const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
     GLint largest = 0;
@@ -28,14 +18,11 @@ core::Result<void> VolumeTextures::open(
     if (size.x > largest || size.y > largest || size.z > largest)
         return core::failure(core::ErrorCode::OutOfMemory, sizeText);
 
-    while (glGetError() != GL_NO_ERROR) { }
     Texture3D intensity({.label = "intensity", .size = size, .format = GL_R16, .linear = true});
     Texture3D labels({.label = "labels 0", .size = size, .format = GL_R8UI});
     Texture3D radiation({.label = "radiation", .size = size, .format = GL_R8, .linear = true});
     Texture3D segmentation(
         {.label = "segmentation map", .size = size, .format = GL_R8, .linear = true});
-    if (glGetError() != GL_NO_ERROR)
-        return core::failure(core::ErrorCode::OutOfMemory, sizeText);
 
     intensity.upload(codes);
     m_intensityCodes = intensity.view(GL_R16UI, "intensity codes");
@@ -51,6 +38,20 @@ core::Result<void> VolumeTextures::open(
     m_dirty = {};
     m_touched = {};
     return {};
+}
+
+void VolumeTextures::close()
+{
+    m_intensity = {};
+    m_intensityCodes = {};
+    m_labels = {};
+    m_radiation = {};
+    m_segmentation = {};
+    m_cells = {};
+    m_maximumCells = {};
+    m_pieces = {};
+    m_replaced = true;
+    ++m_revision;
 }
 
 void VolumeTextures::setGeometry(

@@ -38,8 +38,9 @@ class VolumeTextures {
 public:
     /// Replace everything: codes as given, no labels, nothing carved, no segment shown.
     /// @param codes x fastest, then y, then z
-    /// Errors: OutOfMemory(size in words); then nothing is open.
+    /// Errors: OutOfMemory(size in words). Throws GlFailure; then it is to be closed.
     core::Result<void> open(const glm::ivec3& size, std::span<const std::uint16_t> codes);
+    void close(); ///< nothing is open
     /// Where the volume lies and what its codes mean. Renderers draw when it fits the open size.
     void setGeometry(const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding);
 

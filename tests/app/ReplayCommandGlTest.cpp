@@ -28,31 +28,6 @@ private Q_SLOTS:
         makeFolder();
     }
 
-    void sessionsOfVersion1AreReplayedAndGoOn()
-    {
-        const QString old = key(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin");
-        QVERIFY(QFile::copy(old, path("a.burin")));
-        QVERIFY(QFile::setPermissions(path("a.burin"), QFile::ReadOwner | QFile::WriteOwner));
-        const Outcome verified =
-            burin({key("replay"), path("a.burin"), key("--verify"), key("--study"), study()});
-        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
-        QCOMPARE(verified.lines.size(), 13);
-        for (const QJsonObject& line : verified.lines)
-            QVERIFY(line[key("agrees")].toBool());
-        const QJsonArray before = history("a.burin")[key("commands")].toArray();
-        QCOMPARE(before.size(), 13);
-        QVERIFY(before[0].toObject()[key("at")].isNull());
-
-        const QString more = recipe("s.json", {{key("edits"), toJson({test::addSegment("B")})}});
-        const Outcome appended = run(more, "a.burin", {key("--append"), key("--author"), key("N")});
-        QVERIFY2(appended.status == 0, qPrintable(appended.complaint));
-        const QJsonArray after = history("a.burin")[key("commands")].toArray();
-        QCOMPARE(after.size(), 14);
-        QCOMPARE(after[13].toObject()[key("author")].toString(), key("N"));
-        for (int i = 0; i < 13; ++i)
-            QCOMPARE(after[i], before[i]);
-    }
-
     void replayExportsAPastState()
     {
         QJsonArray steps = toJson(test::manyEdits());

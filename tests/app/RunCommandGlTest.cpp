@@ -2,6 +2,7 @@
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
+#include "core/session/SessionUse.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/CommandFixture.h"
@@ -379,7 +380,7 @@ private Q_SLOTS:
         const Result<LoadedVolume> volume = loadVolume(m_study);
         {
             const auto file =
-                SessionFile::create(path("a.burin"), SessionSource::of(volume->volume), false);
+                SessionFile::create(path("a.burin"), SessionSource::of(volume->volume));
             QVERIFY(file);
             HistoryRow first;
             first.id = 1;
@@ -446,9 +447,9 @@ private Q_SLOTS:
         const QString file = recipe({{key("edits"), toJson(edits)}});
         const int kills = qEnvironmentVariableIsSet("BURIN_LONG") ? 10 : 2;
         for (int round = 0; round < kills; ++round) {
+            QVERIFY(core::removeSession(path("a.burin")));
             QProcess process;
-            process.start(
-                QStringLiteral(BURIN_PROGRAM), runArguments(file) + QStringList{key("--force")});
+            process.start(QStringLiteral(BURIN_PROGRAM), runArguments(file));
             QList<QJsonObject> acknowledged;
             while (acknowledged.size() < 5 + round * 2 && process.waitForReadyRead(60000)) {
                 while (process.canReadLine())

@@ -20,7 +20,7 @@ void fuzzSession(FuzzBytes bytes)
         return;
     for (const HistoryRow& row : (*session)->contents().rows) {
         if (const Result<BrickDelta> delta = (*session)->readDelta(row.id))
-            (void)expandDelta(*delta);
+            (void)expandDelta(*delta, {(*session)->contents().source.size});
     }
 }
 
@@ -28,7 +28,7 @@ void fuzzDelta(FuzzBytes bytes)
 {
     BrickDelta delta;
     delta.pieces.emplace_back(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
-    (void)expandDelta(delta);
+    (void)expandDelta(delta, {{40, 36, 34}});
 }
 
 } // namespace test

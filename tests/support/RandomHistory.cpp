@@ -35,10 +35,14 @@ public:
             m_result.failure = QStringLiteral("no session");
     }
 
-    RandomHistory run(int commands)
+    RandomHistory run(int commands, const std::function<void(bool)>& acting)
     {
         for (int step = 0; step < commands && m_result.failure.isEmpty(); ++step) {
+            if (acting)
+                acting(true);
             const QString what = act();
+            if (acting)
+                acting(false);
             if (!m_session)
                 break;
             takeRows();
@@ -129,8 +133,14 @@ private:
     QString reopen()
     {
         m_session.reset();
-        auto opened =
-            EditSession::open(m_engine, smallStudy(), m_folder.filePath(QStringLiteral("s.burin")));
+        const QString file = m_folder.filePath(QStringLiteral("s.burin"));
+        auto opened = EditSession::open(m_engine, smallStudy(), file);
+        for (int again = 0; again < 5 && !opened; ++again) {
+            if (opened.error().code != ErrorCode::OutOfMemory)
+                break;
+            ++m_result.refused[QStringLiteral("reopen")];
+            opened = EditSession::open(m_engine, smallStudy(), file);
+        }
         if (opened)
             m_session = *std::move(opened);
         else
@@ -569,9 +579,10 @@ private:
 
 } // namespace
 
-RandomHistory runRandomHistory(EditEngine& engine, int commands, std::uint32_t seed)
+RandomHistory runRandomHistory(
+    EditEngine& engine, int commands, std::uint32_t seed, const std::function<void(bool)>& acting)
 {
-    return HastyUser(engine, seed).run(commands);
+    return HastyUser(engine, seed).run(commands, acting);
 }
 
 } // namespace test

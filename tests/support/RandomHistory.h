@@ -6,6 +6,7 @@
 #include <QByteArray>
 #include <QString>
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct RandomHistory {
     std::vector<QByteArray> hashes; ///< after each step: the same on every engine
 };
 
-/// @param engine used by nobody else meanwhile
-[[nodiscard]] RandomHistory runRandomHistory(
-    core::EditEngine& engine, int commands, std::uint32_t seed);
+/// @param engine used by nobody else meanwhile; it may refuse memory while the user acts
+/// @param acting told before (true) and after each step; what is compared between is compared
+/// undisturbed
+[[nodiscard]] RandomHistory runRandomHistory(core::EditEngine& engine, int commands,
+    std::uint32_t seed, const std::function<void(bool)>& acting = {});
 
 } // namespace test

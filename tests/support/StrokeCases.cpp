@@ -34,8 +34,7 @@ void require(const core::Result<void>& result, const char* what)
 std::unique_ptr<EditSession> begun(
     core::EditEngine& engine, const StrokeCase& strokeCase, const QString& file)
 {
-    auto session =
-        EditSession::create(engine, strokeCase.volume, {.file = file, .replaceExisting = true});
+    auto session = EditSession::create(engine, strokeCase.volume, {.file = file});
     if (!session)
         throw Failure{
             QStringLiteral("create: ") + session.error().arguments.join(QStringLiteral(": "))};

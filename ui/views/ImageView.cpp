@@ -167,6 +167,9 @@ void ImageView::requestFrame(bool interacting)
     update();
     if (!m_workspace.volume())
         return drawWithoutEngine();
+    // Under a pointer at rest is another place once the picture has moved.
+    if (m_pointer && context().isSlice() && rect().contains(m_pointer->toPoint()))
+        m_workspace.setPointedLps(context().toLps(*m_pointer));
     if (!isVisible() || width() <= 0 || height() <= 0)
         return;
     gpu::FrameRequest request;

@@ -58,6 +58,8 @@ std::array<ImageView*, 5> ViewGrid::views() const
 
 void ViewGrid::give(const gpu::Frame& frame)
 {
+    if (frame.failure)
+        return m_workspace.fail(*frame.failure);
     for (ImageView* view : views()) {
         if (view->takes(frame.view))
             view->takeFrame(frame);

@@ -72,7 +72,7 @@ private Q_SLOTS:
     void leadsThereAndBack()
     {
         const std::vector<BrickChange> changes = randomChanges(1, 20, 7);
-        const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes, grid));
+        const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes, grid), grid);
         QVERIFY(images);
         QCOMPARE(images->size(), changes.size());
         for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -87,7 +87,7 @@ private Q_SLOTS:
     void nothingChangedNeedsNoBytes()
     {
         QVERIFY(makeDelta({}, grid).empty());
-        QVERIFY(expandDelta({})->empty());
+        QVERIFY(expandDelta({}, grid)->empty());
     }
 
     void piecesStaySmall()
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(delta.pieces.size() > 1);
         for (const QByteArray& piece : delta.pieces)
             QVERIFY(std::size_t(piece.size()) <= BrickDelta::maxPieceBytes);
-        const Result<std::vector<BrickImage>> images = expandDelta(delta);
+        const Result<std::vector<BrickImage>> images = expandDelta(delta, grid);
         QVERIFY(images);
         QCOMPARE(images->size(), changes.size());
         const BrickChange& last = changes.back();
@@ -127,61 +127,10 @@ private Q_SLOTS:
         QVERIFY(together.bytes() < 1200);
         QVERIFY(together.bytes() + 100
             < makeDelta({changes[0]}, grid).bytes() + makeDelta({changes[1]}, grid).bytes());
-        const Result<std::vector<BrickImage>> images = expandDelta(together);
+        const Result<std::vector<BrickImage>> images = expandDelta(together, grid);
         QVERIFY(images);
         for (std::size_t i = 0; i < changes.size(); ++i)
             QVERIFY(exclusiveOr({changes[i].key, {}}, images->at(i)).bytes == changes[i].after);
-    }
-
-    /// What a Burin whose sessions had schema version 2 made of the same.
-    void differencesOfFormat2AreRead()
-    {
-        QFile file(
-            QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/difference2.bdl"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray stream = file.readAll();
-        const Result<std::vector<BrickImage>> images = expandDelta({{stream}});
-        QVERIFY(images);
-        QCOMPARE(images->size(), std::size_t(3));
-        QVERIFY((images->at(0).key == BrickKey{Field::Coverage, 1, 78}));
-        for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel)
-            QCOMPARE(images->at(0).bytes[voxel], std::uint8_t(voxel < 700 ? voxel % 251 : 0));
-        const std::vector<BrickChange> changes = frontInNoise();
-        for (std::size_t i = 0; i < changes.size(); ++i) {
-            QVERIFY(images->at(i + 1).key == changes[i].key);
-            QVERIFY(exclusiveOr({changes[i].key, {}}, images->at(i + 1)).bytes == changes[i].after);
-        }
-        for (const qsizetype length : {stream.size() - 5, stream.size() / 2, qsizetype(3)}) {
-            const Result<std::vector<BrickImage>> cut = expandDelta({{stream.left(length)}});
-            QVERIFY(!cut);
-            QCOMPARE(cut.error().code, ErrorCode::SessionDamaged);
-        }
-    }
-
-    /// Whole bricks, bytes of words by significance.
-    void differencesOfFormat1AreRead()
-    {
-        std::mt19937 random(5);
-        const std::vector<std::uint8_t> labels = randomBytes(random, Field::Labels, 3);
-        const std::vector<std::uint8_t> words = randomBytes(random, Field::SeedWords, 256);
-        QByteArray stream("BDL1");
-        stream += QByteArray("\x02\x01\0\0\x05\x01\0\0", 8);
-        stream.append(reinterpret_cast<const char*>(labels.data()), qsizetype(labels.size()));
-        stream += QByteArray("\x03\x01\0\0\x06\0\0\0", 8);
-        for (std::size_t byte = 0; byte < 4; ++byte) {
-            for (std::size_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel)
-                stream += char(words[voxel * 4 + byte]);
-        }
-        QByteArray packed(qsizetype(ZSTD_compressBound(std::size_t(stream.size()))), '\0');
-        packed.resize(qsizetype(ZSTD_compress(packed.data(), std::size_t(packed.size()),
-            stream.constData(), std::size_t(stream.size()), 3)));
-        const Result<std::vector<BrickImage>> images = expandDelta({{packed}});
-        QVERIFY(images);
-        QCOMPARE(images->size(), std::size_t(2));
-        QVERIFY((images->at(0).key == BrickKey{Field::Labels, 1, 0x105}));
-        QVERIFY(images->at(0).bytes == labels);
-        QVERIFY((images->at(1).key == BrickKey{Field::SeedWords, 1, 6}));
-        QVERIFY(images->at(1).bytes == words);
     }
 
     void damageIsNoticed_data()
@@ -205,7 +154,7 @@ private Q_SLOTS:
             first = QByteArray("no zstd at all");
         else
             delta.pieces.pop_back();
-        const Result<std::vector<BrickImage>> images = expandDelta(delta);
+        const Result<std::vector<BrickImage>> images = expandDelta(delta, grid);
         QVERIFY(!images);
         QCOMPARE(images.error().code, ErrorCode::SessionDamaged);
     }

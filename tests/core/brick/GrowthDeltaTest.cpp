@@ -91,7 +91,7 @@ std::size_t bytesOfLabels(const std::vector<BrickChange>& changes)
 /// Both ways, to the bit.
 bool comesBack(const std::vector<BrickChange>& changes)
 {
-    const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes, grid));
+    const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes, grid), grid);
     if (!images || images->size() != changes.size())
         return false;
     for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -223,7 +223,8 @@ private Q_SLOTS:
                 change.before = bytesOf(before);
                 change.after = bytesOf(after);
             }
-            const Result<std::vector<BrickImage>> images = expandDelta(makeDelta(changes, grid));
+            const Result<std::vector<BrickImage>> images =
+                expandDelta(makeDelta(changes, grid), grid);
             QVERIFY(images);
             for (std::size_t i = 0; i < changes.size(); ++i) {
                 const std::vector<std::uint32_t> difference = wordsOf(images->at(i).bytes);
@@ -284,9 +285,9 @@ private Q_SLOTS:
         QVERIFY((changes[0].key == BrickKey{Field::Labels, 0, 0}));
         QVERIFY((changes[1].key == BrickKey{Field::Labels, 0, 1}));
         QByteArray stream = expanded(makeDelta(changes, grid));
-        QVERIFY(expandDelta(packed(stream)));
+        QVERIFY(expandDelta(packed(stream), grid));
         stream.replace(at, bytes.size(), bytes);
-        const Result<std::vector<BrickImage>> images = expandDelta(packed(stream));
+        const Result<std::vector<BrickImage>> images = expandDelta(packed(stream), grid);
         QVERIFY(!images);
         QCOMPARE(images.error().code, ErrorCode::SessionDamaged);
     }
@@ -296,9 +297,9 @@ private Q_SLOTS:
         const QByteArray stream = expanded(makeDelta(grow(13, 2, {-1}).front(), grid));
         QVERIFY(stream.size() > 1000);
         for (qsizetype length = 0; length < stream.size(); length += 1 + length / 9)
-            QVERIFY(!expandDelta(packed(stream.left(length))));
-        QVERIFY(!expandDelta(packed(stream.left(stream.size() - 1))));
-        QVERIFY(!expandDelta(packed(stream + '\0')));
+            QVERIFY(!expandDelta(packed(stream.left(length)), grid));
+        QVERIFY(!expandDelta(packed(stream.left(stream.size() - 1)), grid));
+        QVERIFY(!expandDelta(packed(stream + '\0'), grid));
     }
 
     /// All foretold, and nothing to foretell it from.
@@ -310,12 +311,12 @@ private Q_SLOTS:
         const BrickChange change{
             .key = {Field::SeedWords, 0, 0}, .before = {}, .after = bytesOf(words)};
         QByteArray stream = expanded(makeDelta({change}, grid));
-        QVERIFY(expandDelta(packed(stream)));
+        QVERIFY(expandDelta(packed(stream), grid));
         const qsizetype kept = 16 + 8 + 512;
         QCOMPARE(stream.at(kept), '\x01');
         stream[kept] = '\0';
         stream.chop(3); // one label more, four bytes of a word less
-        QVERIFY(!expandDelta(packed(stream)));
+        QVERIFY(!expandDelta(packed(stream), grid));
         // Beyond the last generation there is none.
         words[0] = seedWord::member(seedWord::maxGeneration, 1, seedWord::seedDirection);
         words[1] = seedWord::member(0, 1, 0);
@@ -335,7 +336,7 @@ private Q_SLOTS:
                 const auto at = qsizetype(random() % std::uint32_t(noisy.size()));
                 noisy[at] = char(random());
             }
-            const Result<std::vector<BrickImage>> images = expandDelta(packed(noisy));
+            const Result<std::vector<BrickImage>> images = expandDelta(packed(noisy), grid);
             refused += images ? 0 : 1;
             for (std::size_t image = 0; images && image < images->size(); ++image) {
                 const BrickImage& whole = (*images)[image];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicomweb/WebConnection.h"
 #include "core/dicomweb/WebQuery.h"
 #include "core/dicomweb/WebRetrieve.h"
 #include "core/dicomweb/WebSend.h"
@@ -50,6 +51,7 @@ private Q_SLOTS:
     void slowServerIsNot();
     void cancelledWhileItWaits();
     void loginGoesNowhereElse();
+    void loginIsNotToldPlainly();
     void diesAndGoesOn();
     void diesForEver();
     void answersOfObjects_data();
@@ -383,6 +385,38 @@ void DicomWebFaultsTest::cancelledWhileItWaits()
     const auto answered = core::echoNode(patient, second);
     again.join();
     VERIFY_ERROR(answered, ErrorCode::Cancelled);
+}
+
+/// Over plain http to another machine everybody on the way would read it; nothing is sent.
+void DicomWebFaultsTest::loginIsNotToldPlainly()
+{
+    using namespace core;
+    for (const char* address : {"http://pacs.example.org/dicom-web",
+             "http://192.0.2.1:8042/dicom-web", "http://[2001:db8::1]/dicom-web"}) {
+        Result<WebNode> node = WebNode::parse(QLatin1String(address));
+        QVERIFY(node);
+        node->login = {
+            .user = QStringLiteral("u"), .password = QStringLiteral("SECRET"), .token = {}};
+        const auto refused = WebConnection::open(*node, {});
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::InvalidField);
+        QVERIFY(refused.error().arguments.join(u' ').contains(u"unencrypted"));
+        QVERIFY(!refused.error().arguments.join(u' ').contains(u"SECRET"));
+        node->login = {};
+        QVERIFY(WebConnection::open(*node, {}));
+    }
+    for (const char* address : {"http://127.0.0.1:1/w", "http://localhost:1/w", "http://[::1]:1/w",
+             "https://pacs.example.org/w"}) {
+        Result<WebNode> node = WebNode::parse(QLatin1String(address));
+        node->login = {.user = {}, .password = {}, .token = QStringLiteral("t")};
+        QVERIFY2(WebConnection::open(*node, {}), address);
+    }
+    qputenv("BURIN_PLAIN_LOGIN", "yes");
+    Result<WebNode> node = WebNode::parse(QStringLiteral("http://pacs.example.org/dicom-web"));
+    node->login = {.user = {}, .password = {}, .token = QStringLiteral("t")};
+    const bool agreed = bool(WebConnection::open(*node, {}));
+    qunsetenv("BURIN_PLAIN_LOGIN");
+    QVERIFY(agreed);
 }
 
 void DicomWebFaultsTest::loginGoesNowhereElse()

@@ -128,7 +128,22 @@ private Q_SLOTS:
     void namesAreCleaned();
     void picturesWithTextAreRefused();
     void aNameThatWasLeftIsFound();
+    void wordsOfTheStandardAreNoNames();
 };
+
+/// Somebody may be called as an attribute of DICOM is.
+void DeidentifiedExportTest::wordsOfTheStandardAreNoNames()
+{
+    const Marked on;
+    StudyIdentity somebody = on.study.volume.identity;
+    somebody.patientName = QStringLiteral("Position^PATIENT");
+    const auto by = std::make_shared<Deidentifier>(DeidentifyOptions{}, somebody, "secret");
+    for (const ExportFormat format : {ExportFormat::DicomSeg, ExportFormat::DicomSegFractional,
+             ExportFormat::DicomSegLabelMap, ExportFormat::RtStruct}) {
+        const auto made = on.write(format, QStringLiteral("p.dcm"), by);
+        QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+    }
+}
 
 /// What the others look for can be found.
 void DeidentifiedExportTest::theSourceIsMarked()

@@ -222,30 +222,14 @@ private Q_SLOTS:
         QCOMPARE(loadSessionImages(path("t.burin")).error().code, ErrorCode::NoImages);
     }
 
-    void aSessionGoesOnWithThem_data()
-    {
-        QTest::addColumn<QString>("old");
-        QTest::newRow("of today") << QString();
-        QTest::newRow("of schema version 2") << QStringLiteral("version2series.burin");
-    }
     void aSessionGoesOnWithThem()
     {
-        QFETCH(QString, old);
         const LoadedVolume study = test::openVolume(path("ct"));
         const QString file = path("a.burin");
         reference::ReferenceEngine engine;
-        std::unique_ptr<EditSession> session;
-        if (old.isEmpty()) {
-            session = *EditSession::create(engine, study, {.file = file});
-            for (const Edit& edit : test::manyEdits())
-                QVERIFY(session->apply(edit));
-        } else {
-            QVERIFY(QFile::copy(QStringLiteral(BURIN_TEST_DATA_DIR "/sessions/") + old, file));
-            QVERIFY(QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner));
-            auto opened = EditSession::open(engine, study, file);
-            QVERIFY2(opened, qPrintable(opened ? QString() : test::errorText(opened.error())));
-            session = *std::move(opened);
-        }
+        std::unique_ptr<EditSession> session = *EditSession::create(engine, study, {.file = file});
+        for (const Edit& edit : test::manyEdits())
+            QVERIFY(session->apply(edit));
         QVERIFY(session->settle());
         const QByteArray hash = session->stateHash();
         const std::size_t rows = session->history().rows().size();
@@ -265,8 +249,6 @@ private Q_SLOTS:
         // Kept when it is saved once more, as it is.
         QVERIFY(saveAs(*session, path("c.burin"), {}));
         session.reset();
-        if (!old.isEmpty())
-            QCOMPARE(test::text(file, QStringLiteral("PRAGMA user_version")), QStringLiteral("2"));
         for (const char* name : {"b.burin", "c.burin"}) {
             const Result<SessionContents> contents = checkSession(path(name));
             QVERIFY(contents && !contents->damage && contents->redo.empty());

@@ -82,18 +82,6 @@ private Q_SLOTS:
         QCOMPARE(previewSession(file)->condition, Condition::InUse);
     }
 
-    void olderSessionsHaveNoThumbnail()
-    {
-        const QString file = path("old.burin");
-        QVERIFY(QFile::copy(
-            QStringLiteral(BURIN_TEST_DATA_DIR) + QStringLiteral("/sessions/version1.burin"),
-            file));
-        const Result<SessionPreview> preview = previewSession(file);
-        QVERIFY(preview);
-        QCOMPARE(preview->steps, std::int64_t(13));
-        QCOMPARE(preview->thumbnail, QByteArray());
-    }
-
     void whatIsNoSessionIsNotOffered()
     {
         QVERIFY(!previewSession(path("none.burin")));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/FrameTest.h"
+#include "tests/support/RefusingGl.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
@@ -203,6 +204,38 @@ private Q_SLOTS:
         m_fixture->scheduler.request(request);
         (void)m_fixture->settle();
         QCOMPARE(m_fixture->edits.shown.to_ullong(), 1ull << 4);
+    }
+
+    /// Wherever the GPU refuses memory, that is said once, and the next picture is drawn as ever.
+    void refusedMemoryIsSaid()
+    {
+        m_fixture->scheduler.request(volumeRequest(1));
+        const auto expected = m_fixture->settle().back().rgba;
+        const auto anew = [this] {
+            m_fixture->scheduler.forget(1);
+            m_fixture->scheduler.request(volumeRequest(1));
+            return m_fixture->settle();
+        };
+        int calls = 0;
+        {
+            const test::RefusingGl counting(0);
+            QVERIFY(*anew().back().rgba == *expected);
+            calls = counting.calls();
+        }
+        QVERIFY(calls >= 3);
+        for (int first = 1; first <= calls; ++first) {
+            {
+                const test::RefusingGl refusing(first);
+                const std::vector<Frame> frames = anew();
+                QCOMPARE(frames.size(), std::size_t(1));
+                QVERIFY(frames[0].failure && !frames[0].rgba);
+                QCOMPARE(frames[0].failure->code, core::ErrorCode::OutOfMemory);
+                QVERIFY(m_fixture->settle().empty());
+            }
+            const std::vector<Frame> after = anew();
+            QVERIFY(!after.back().failure && *after.back().rgba == *expected);
+        }
+        QVERIFY(newErrors() >= calls);
     }
 
     void withoutAVolumeItIsBlack()

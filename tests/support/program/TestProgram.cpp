@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/program/TestProgram.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <execinfo.h>
+#include <unistd.h>
 
 namespace test {
 
@@ -31,7 +35,37 @@ void shareCompiledShaders()
         setenv("MESA_SHADER_CACHE_DIR", shaders.c_str(), 0);
 }
 
+// Calls nothing that takes a lock or memory: the heap may be what is broken.
+void tellStack(int number)
+{
+    constexpr int deepest = 64;
+    void* frames[deepest];
+    const char told[] = "The test crashed; its stack (addr2line -Cfpe tells the lines):\n";
+    static_cast<void>(!::write(STDERR_FILENO, told, sizeof(told) - 1));
+    backtrace_symbols_fd(frames, backtrace(frames, deepest), STDERR_FILENO);
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+}
+
+void tellStacks()
+{
+    void* frame = nullptr;
+    backtrace(&frame, 1); // loads what it needs while that is safe
+    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+        std::signal(number, tellStack);
+}
+
 } // namespace
+
+int execute(QObject& test, int argc, char** argv)
+{
+    std::string noHandler = "-nocrashhandler";
+    std::vector<char*> arguments(argv, argv + argc);
+    arguments.insert(arguments.begin() + 1, noHandler.data());
+    arguments.push_back(nullptr);
+    tellStacks();
+    return QTest::qExec(&test, argc + 1, arguments.data());
+}
 
 RegisteredTest::RegisteredTest(const char* name, TestRun run)
 {

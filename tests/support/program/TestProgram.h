@@ -40,11 +40,15 @@ struct NoApplication {
     NoApplication(int&, char**) { }
 };
 
+/// As QTest::qExec(); a crash ends the process at once, with its stack on stderr. (Qt Test's own
+/// handler forks a debugger, and can hang in a process whose heap is broken.)
+int execute(QObject& test, int argc, char** argv);
+
 template <typename Test, typename Application> int runTest(int argc, char** argv)
 {
     const Application application(argc, argv);
     Test test;
-    return QTest::qExec(&test, argc, argv);
+    return execute(test, argc, argv);
 }
 
 } // namespace test

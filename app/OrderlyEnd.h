@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+
+namespace app {
+
+/// However a program with an event loop is told to end, what is open is closed. SIGTERM, SIGINT and
+/// SIGHUP leave the event loop, as closing the last window does, with the exit status that shells
+/// give to such an end (128 + signal); nothing is asked, since nobody may be there. When Qt ends
+/// the program itself (the X server is gone), @p closing runs before its globals go.
+///
+/// One per process, on the GUI thread, while the event loop runs.
+class OrderlyEnd : public QObject {
+public:
+    /// @param closing leaves what is open on disk; touches no window
+    explicit OrderlyEnd(std::function<void()> closing);
+    ~OrderlyEnd() override;
+    OrderlyEnd(const OrderlyEnd&) = delete;
+    OrderlyEnd& operator=(const OrderlyEnd&) = delete;
+
+private:
+    void take();
+
+    std::function<void()> m_closing;
+    int m_ends[2] = {-1, -1}; ///< of the pipe that a signal is told through
+};
+
+} // namespace app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Error.h"
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace gpu {
+
+/// The driver refused memory, or a command. Thrown on the engine thread where storage is made, and
+/// before what an edit or a picture has written is believed. Whoever runs a slice of that thread
+/// catches it and takes back what was under way.
+class GlFailure : public std::runtime_error {
+public:
+    explicit GlFailure(core::Error error);
+    [[nodiscard]] const core::Error& error() const { return m_error; }
+
+private:
+    core::Error m_error;
+};
+
+/// What was under way could not be taken back: what the GPU holds is no longer known.
+class FieldsLost : public GlFailure {
+public:
+    using GlFailure::GlFailure;
+};
+
+/// What is being handled, as a value; only inside a catch block. GlFailure, ShaderError
+/// (GraphicsUnavailable), std::bad_alloc (OutOfMemory), anything else (Internal).
+[[nodiscard]] core::Error errorBeingHandled();
+
+/// Throws GlFailure (OutOfMemory: what, and how much of it) where a command has failed since the
+/// last look. Call it after making storage.
+void requireStorage(const char* label, std::size_t bytes);
+/// Throws GlFailure (OutOfMemory or Internal) where a command has failed since the last look.
+/// Commands that the GPU still works on may fail later.
+void requireNoError();
+
+} // namespace gpu

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/EditEngineFixture.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/RandomHistory.h"
+#include "tests/support/RefusingGl.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QtTest>
+
+#include <map>
+#include <optional>
+
+using namespace core;
+using test::EngineCase;
+using test::RefusingGl;
+
+namespace {
+
+/// What an engine holds, and what strokes read of it.
+struct Held {
+    std::vector<BrickChange> bricks;
+    std::vector<std::uint8_t> radiation;
+};
+
+/// Hands everything on to the GPU's engine, and looks at what it holds before and after each edit:
+/// one that was refused must have changed nothing, any other exactly what it says.
+class WatchedEngine final : public EditEngine {
+public:
+    WatchedEngine(test::EditEngineFixture& gpu, RefusingGl& refusing)
+        : m_gpu(gpu)
+        , m_inner(gpu.engine())
+        , m_refusing(refusing)
+    {
+    }
+
+    /// What it found wrong first; empty: nothing.
+    QString found;
+    int refusedEdits = 0;
+    int lost = 0; ///< how often nothing could be read any more
+
+    Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) override
+    {
+        m_grid = {size};
+        auto opened = m_inner.openVolume(size, codes);
+        if (!opened && opened.error().code != ErrorCode::OutOfMemory)
+            complain(QStringLiteral("opening a volume fails for another reason"));
+        return opened;
+    }
+
+    Ticket submit(EngineCommand command) override
+    {
+        const bool begins = std::holds_alternative<BeginEdit>(command);
+        const bool whole = std::holds_alternative<SwapBricks>(command)
+            || std::holds_alternative<MuteLayers>(command);
+        const bool ends = std::holds_alternative<EndEdit>(command);
+        if ((begins || whole) && !m_editing)
+            m_before = look();
+        m_editing = m_editing || begins;
+        const bool rollsBack = ends && std::get<EndEdit>(command).ending == Ending::Rollback;
+        const Ticket inner = m_inner.submit(std::move(command));
+        m_outer[inner] = ++m_last;
+        if (ends || (whole && !m_editing)) {
+            m_inner.finish();
+            take();
+            compare(rollsBack);
+        }
+        m_editing = m_editing && !ends;
+        return m_last;
+    }
+
+    std::vector<EngineResult> collect() override
+    {
+        take();
+        return std::exchange(m_results, {});
+    }
+
+    void finish() override { m_inner.finish(); }
+    void setWakeUp(std::function<void()>) override { }
+    [[nodiscard]] GrowthProgress growthProgress() const override
+    {
+        return m_inner.growthProgress();
+    }
+
+private:
+    void take()
+    {
+        for (EngineResult& result : m_inner.collect()) {
+            result.ticket = m_outer.at(result.ticket);
+            m_results.push_back(std::move(result));
+        }
+    }
+
+    std::optional<Held> look()
+    {
+        take();
+        const RefusingGl::Pause pause(m_refusing);
+        ReadBricks read;
+        for (const Field field : {Field::Coverage, Field::Labels, Field::SeedWords, Field::Beneath})
+            for (std::uint8_t plane = 0; plane < 3; ++plane)
+                for (int brick = 0; brick < m_grid.brickCount(); ++brick)
+                    read.keys.push_back({field, plane, std::uint32_t(brick)});
+        const Ticket asked = m_inner.submit(std::move(read));
+        m_inner.finish();
+        Held held;
+        bool answered = false;
+        for (EngineResult& result : m_inner.collect()) {
+            if (result.ticket != asked) {
+                result.ticket = m_outer.at(result.ticket);
+                m_results.push_back(std::move(result));
+            } else if (!result.error) {
+                answered = true;
+                held.bricks = std::move(result.changes);
+            }
+        }
+        if (!answered)
+            return std::nullopt;
+        held.radiation = m_gpu.read(gpu::VolumeField::Radiation).values;
+        return held;
+    }
+
+    void compare(bool rolledBack)
+    {
+        const std::optional<Held> now = look();
+        if (!m_before || !now) {
+            lost += m_before && !now ? 1 : 0;
+            return;
+        }
+        const EngineResult& result = m_results.back();
+        if (result.error) {
+            refusedEdits += result.error->code == ErrorCode::OutOfMemory ? 1 : 0;
+            if (now->radiation != m_before->radiation)
+                complain(QStringLiteral("radiation changed where an edit was refused"));
+        }
+        std::map<BrickKey, const std::vector<std::uint8_t>*> changed;
+        if (!result.error && !rolledBack) {
+            for (const BrickChange& change : result.changes)
+                changed[change.key] = &change.after;
+        }
+        for (std::size_t i = 0; i < now->bricks.size(); ++i) {
+            const BrickChange& before = m_before->bricks[i];
+            const auto told = changed.find(before.key);
+            const auto& expected = told == changed.end() ? before.after : *told->second;
+            if (now->bricks[i].after != expected)
+                complain(QStringLiteral("field %1, plane %2, brick %3 %4")
+                             .arg(int(before.key.field))
+                             .arg(before.key.plane)
+                             .arg(before.key.brick)
+                             .arg(result.error ? QStringLiteral("changed in a refused edit (%1)")
+                                                     .arg(result.error->arguments.join(u' '))
+                                               : QStringLiteral("is not what the result says")));
+        }
+    }
+
+    void complain(const QString& what)
+    {
+        if (found.isEmpty())
+            found = what;
+    }
+
+    test::EditEngineFixture& m_gpu;
+    EditEngine& m_inner;
+    RefusingGl& m_refusing;
+    BrickGrid m_grid;
+    std::map<Ticket, Ticket> m_outer;
+    std::vector<EngineResult> m_results;
+    std::optional<Held> m_before;
+    Ticket m_last = 0;
+    bool m_editing = false;
+};
+
+std::vector<EngineCase> cases()
+{
+    const int count = test::longRun() ? 12 : 1;
+    std::vector<EngineCase> made;
+    for (auto more : {test::growthCases(count), test::growLimitCases(count),
+             test::seedGroupCases(count), test::intervalCases(count), test::beneathCases(count),
+             test::wideGrowthCases(count), test::passageCases(count), test::drillCases(count),
+             test::peelCases(count), test::scissorsCases(count), test::laserCases(count),
+             test::carveCases(count), test::pickCases(count), test::eraseCases(count),
+             test::layerCases(count), test::capsuleCases(count), test::layerWriteCases(count),
+             test::relabelCases(count), test::shutCases(count), test::sparedCases(count),
+             test::spreadCases(count), test::toleranceCases(count)})
+        made.insert(made.end(), more.begin(), more.end());
+    if (test::longRun())
+        return made;
+    std::vector<EngineCase> some;
+    for (std::size_t i = 0; i < made.size(); i += 7)
+        some.push_back(std::move(made[i]));
+    return some;
+}
+
+} // namespace
+
+/// The GPU has no more memory: at each of the places where it is asked for some, an edit is either
+/// carried out whole or refused with everything as it was.
+class RefusedMemoryGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void everyEditIsWholeOrRefused_data();
+    void everyEditIsWholeOrRefused();
+    void aSessionGoesOn_data();
+    void aSessionGoesOn();
+    void aVolumeThatDoesNotFit();
+
+private:
+    test::EditEngineFixture m_gpu;
+};
+
+void RefusedMemoryGlTest::initTestCase()
+{
+    QVERIFY2(m_gpu.isReady(), m_gpu.why());
+}
+
+void RefusedMemoryGlTest::everyEditIsWholeOrRefused_data()
+{
+    QTest::addColumn<int>("number");
+    QTest::addColumn<bool>("onAndOn");
+    int number = 0;
+    for (const EngineCase& each : cases()) {
+        QTest::addRow("%s", each.name.constData()) << number << false;
+        QTest::addRow("%s, from then on", each.name.constData()) << number << true;
+        ++number;
+    }
+}
+
+void RefusedMemoryGlTest::everyEditIsWholeOrRefused()
+{
+    QFETCH(int, number);
+    QFETCH(bool, onAndOn);
+    static const std::vector<EngineCase> all = cases();
+    const EngineCase& engineCase = all.at(std::size_t(number));
+    int calls = 0;
+    {
+        RefusingGl counting(0);
+        WatchedEngine watched(m_gpu, counting);
+        (void)test::runCase(watched, engineCase);
+        QVERIFY2(watched.found.isEmpty(), qPrintable(watched.found));
+        QCOMPARE(watched.refusedEdits, 0);
+        calls = counting.calls();
+    }
+    QVERIFY(calls > 0);
+    const int tried = test::longRun() ? calls : std::min(calls, 8);
+    int refused = 0;
+    int refusedEdits = 0;
+    int lost = 0;
+    for (int i = 0; i < tried; ++i) {
+        const int first = 1 + int(std::int64_t(i) * calls / tried);
+        RefusingGl refusing(first, onAndOn ? RefusingGl::From::OnAndOn : RefusingGl::From::Once);
+        WatchedEngine watched(m_gpu, refusing);
+        (void)test::runCase(watched, engineCase);
+        QVERIFY2(watched.found.isEmpty(),
+            qPrintable(
+                QStringLiteral("call %1 of %2: %3").arg(first).arg(calls).arg(watched.found)));
+        refused += refusing.refused() > 0 ? 1 : 0; // how much is asked for varies a little
+        refusedEdits += watched.refusedEdits;
+        lost += watched.lost;
+        if (!onAndOn)
+            QCOMPARE(watched.lost, 0);
+    }
+    QVERIFY(refused > tried / 2);
+    qInfo("%d of %d storages refused: %d edits refused, lost %d times", refused, calls,
+        refusedEdits, lost);
+}
+
+void RefusedMemoryGlTest::aSessionGoesOn_data()
+{
+    QTest::addColumn<uint>("seed");
+    for (uint seed = 71; seed < (test::longRun() ? 91u : 72u); ++seed)
+        QTest::addRow("seed %u", seed) << seed;
+}
+
+/// A hasty user whose GPU refuses memory now and then: after each step the session holds what its
+/// history says, and the file opens again.
+void RefusedMemoryGlTest::aSessionGoesOn()
+{
+    QFETCH(uint, seed);
+    RefusingGl refusing(seed, 30, 90);
+    std::optional<RefusingGl::Pause> pause(std::in_place, refusing);
+    const test::RandomHistory history =
+        test::runRandomHistory(m_gpu.engine(), test::longRun() ? 1000 : 400, seed, [&](bool acting) {
+            if (acting)
+                pause.reset();
+            else
+                pause.emplace(refusing);
+        });
+    QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+    int done = 0;
+    for (const auto& [what, count] : history.done)
+        done += count;
+    qInfo("%d storages of %d refused, %d steps done", refusing.refused(), refusing.calls(), done);
+    QVERIFY(refusing.refused() > 10);
+    QVERIFY(done > 20);
+}
+
+void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
+{
+    const std::vector<std::uint16_t> codes(std::size_t(24 * 24 * 24), 7);
+    int calls = 0;
+    {
+        const RefusingGl counting(0);
+        QVERIFY(m_gpu.engine().openVolume({24, 24, 24}, codes));
+        calls = counting.calls();
+    }
+    QVERIFY(calls >= 8);
+    for (int first = 1; first <= calls; ++first) {
+        {
+            const RefusingGl refusing(first);
+            const auto opened = m_gpu.engine().openVolume({24, 24, 24}, codes);
+            QVERIFY(!opened);
+            QCOMPARE(opened.error().code, ErrorCode::OutOfMemory);
+        }
+        // Nothing is open, and that is said.
+        m_gpu.engine().submit(ReadBricks{{{Field::Labels, 0, 0}}});
+        QVERIFY(test::lastResult(m_gpu.engine()).error);
+        QVERIFY(m_gpu.engine().openVolume({24, 24, 24}, codes));
+        m_gpu.engine().submit(ReadBricks{{{Field::Labels, 0, 0}}});
+        QVERIFY(!test::lastResult(m_gpu.engine()).error);
+    }
+}
+
+BURIN_TEST(RefusedMemoryGlTest)
+#include "RefusedMemoryGlTest.moc"

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/widgets/FieldManners.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <optional>
+
+/// What one did not mean does not happen: the wheel over a panel, keys in a number field.
+class FieldMannersUiTest : public QObject {
+    Q_OBJECT
+
+    struct Panel {
+        QScrollArea area;
+        QDoubleSpinBox* number = new QDoubleSpinBox;
+        QComboBox* list = new QComboBox;
+        QSlider* slider = new QSlider(Qt::Horizontal);
+        QLineEdit* name = new QLineEdit;
+        QAction undo{QStringLiteral("Undo")};
+        QAction hide{QStringLiteral("Hide")};
+
+        Panel()
+        {
+            auto* content = new QWidget;
+            auto* layout = new QVBoxLayout(content);
+            number->setRange(0.0, 100.0);
+            number->setValue(50.0);
+            list->addItems({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
+            list->setCurrentIndex(1);
+            slider->setValue(50);
+            for (QWidget* each : std::initializer_list<QWidget*>{number, list, slider, name})
+                layout->addWidget(each);
+            content->setMinimumHeight(2000);
+            area.setWidget(content);
+            area.setWidgetResizable(true);
+            undo.setShortcut(QKeySequence::Undo);
+            hide.setShortcut(Qt::Key_H);
+            area.addActions({&undo, &hide});
+            area.resize(300, 300);
+            area.show();
+        }
+    };
+    std::optional<ui::FieldManners> m_manners;
+    std::optional<Panel> m_panel;
+
+    static void wheelOver(QWidget& widget)
+    {
+        const QPointF at = QRectF(widget.rect()).center();
+        QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+            Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&widget, &event);
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_manners.emplace();
+        qApp->installEventFilter(&*m_manners);
+        m_panel.emplace();
+        m_panel->area.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&m_panel->area));
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_manners.reset();
+    }
+
+    void theWheelChangesNothingUnasked()
+    {
+        Panel& panel = *m_panel;
+        panel.name->setFocus();
+        for (QWidget* field :
+            std::initializer_list<QWidget*>{panel.number, panel.list, panel.slider}) {
+            wheelOver(*field);
+            QVERIFY(!field->hasFocus());
+            QVERIFY(field->focusPolicy() != Qt::WheelFocus);
+        }
+        QCOMPARE(panel.number->value(), 50.0);
+        QCOMPARE(panel.list->currentIndex(), 1);
+        QCOMPARE(panel.slider->value(), 50);
+    }
+
+    void theWheelTurnsWhatHasTheFocus()
+    {
+        Panel& panel = *m_panel;
+        panel.number->setFocus();
+        wheelOver(*panel.number);
+        QCOMPARE(panel.number->value(), 49.0);
+        panel.list->setFocus();
+        wheelOver(*panel.list);
+        QCOMPARE(panel.list->currentIndex(), 2);
+    }
+
+    void keysOfTheWindowReachIt()
+    {
+        Panel& panel = *m_panel;
+        const QSignalSpy undone(&panel.undo, &QAction::triggered);
+        const QSignalSpy hidden(&panel.hide, &QAction::triggered);
+        panel.number->setFocus();
+        panel.number->selectAll();
+        QTest::keyClicks(panel.number, QStringLiteral("7"));
+        QTest::keyClick(panel.number, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(undone.size(), 1);
+        QTest::keyClick(panel.number, Qt::Key_H);
+        QCOMPARE(hidden.size(), 1);
+        QCOMPARE(panel.number->value(), 7.0);
+        // Where words are written both are the field's.
+        panel.name->setFocus();
+        QTest::keyClicks(panel.name, QStringLiteral("Hh"));
+        QTest::keyClick(panel.name, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(undone.size(), 1);
+        QCOMPARE(hidden.size(), 1);
+    }
+};
+
+BURIN_WINDOW_TEST(FieldMannersUiTest)
+#include "FieldMannersUiTest.moc"
