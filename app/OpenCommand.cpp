@@ -214,7 +214,9 @@ int runOpen(const QStringList& arguments)
         window.opener().open(parsed.path, parsed.series);
     else if (screenshot)
         screenshot->saveSoon();
-    const OrderlyEnd end([&application] { (*application)->workspace().dropSession(); });
+    OrderlyEnd end([&application] { (*application)->workspace().dropSession(); });
+    QObject::connect(&(*application)->workspace(), &ui::Workspace::sessionChanged, &end,
+        [&end] { end.comeFirst(); });
     return QApplication::exec();
 }
 

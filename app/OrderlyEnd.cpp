@@ -49,8 +49,7 @@ OrderlyEnd::OrderlyEnd(std::function<void()> closing)
     Q_ASSERT(!current);
     current = this;
     closingAtExit = &m_closing;
-    static const int registered = std::atexit(onExit);
-    static_cast<void>(registered);
+    comeFirst();
     if (::pipe2(m_ends, O_CLOEXEC | O_NONBLOCK) != 0)
         return;
     toTell = m_ends[1];
@@ -78,6 +77,11 @@ OrderlyEnd::~OrderlyEnd()
     toTell = -1;
     ::close(m_ends[0]);
     ::close(m_ends[1]);
+}
+
+void OrderlyEnd::comeFirst()
+{
+    static_cast<void>(std::atexit(onExit));
 }
 
 void OrderlyEnd::take()

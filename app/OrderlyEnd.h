@@ -18,6 +18,9 @@ public:
     /// @param closing leaves what is open on disk; touches no window
     explicit OrderlyEnd(std::function<void()> closing);
     ~OrderlyEnd() override;
+    /// Of what ends with the program what was made last ends first. Call it when something is open
+    /// that closing it needs, so that @p closing comes before that.
+    void comeFirst();
     OrderlyEnd(const OrderlyEnd&) = delete;
     OrderlyEnd& operator=(const OrderlyEnd&) = delete;
 

@@ -10,7 +10,6 @@
 #include "core/base/ReadableFile.h"
 #include "core/base/StagedFile.h"
 #include "core/edits/DocumentEdits.h"
-#include "core/export/StatisticsText.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
@@ -195,7 +194,7 @@ Result<void> checkExportsBeside(const core::Recipe& recipe, const QString& sessi
 {
     const std::optional<core::FileIdentity> own = core::FileIdentity::of(session);
     for (const core::RecipeExport& target : recipe.exports) {
-        for (const QString& file : {target.file, core::segBeside(target.file)}) {
+        for (const QString& file : core::filesWritten(target)) {
             if (own && core::FileIdentity::of(file) == own)
                 return core::failure(core::ErrorCode::FileUnwritable, file,
                     QStringLiteral("it is the session's own name"));

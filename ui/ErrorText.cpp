@@ -41,6 +41,9 @@ QString errorText(const core::Error& error)
         return QStringLiteral("%1: cannot be written%2").arg(first, reason);
     case ErrorCode::FolderEmpty:
         return QStringLiteral("%1: the folder is empty").arg(first);
+    case ErrorCode::TooManyFiles:
+        return QStringLiteral("%1: more than %2 files lie in this folder; name the study's own")
+            .arg(first, second);
     case ErrorCode::NoImages:
         return QStringLiteral("%1: holds no image volume%2").arg(first, reason);
     case ErrorCode::UnsupportedFormat:
@@ -123,9 +126,10 @@ QString errorText(const core::Error& error)
     case ErrorCode::OutOfMemory:
         return QStringLiteral("not enough memory: %1").arg(first);
     case ErrorCode::EngineLost:
-        return QStringLiteral("the graphics processor failed (%1); nothing more can be done to this "
-                              "study until it is closed and opened again, and every step so far is "
-                              "in its session")
+        return QStringLiteral(
+            "the graphics processor failed (%1); nothing more can be done to this "
+            "study until it is closed and opened again, and every step so far is "
+            "in its session")
             .arg(first);
     case ErrorCode::Cancelled:
         return QStringLiteral("cancelled");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/Screenshot.h"
 
+#include "core/base/StagedFile.h"
+
 #include "core/export/MaskSelection.h"
 #include "ui/Workspace.h"
 #include "ui/dialogs/ExportRun.h"
@@ -28,8 +30,13 @@ core::Result<core::ExportReport> savePicture(
         return core::failure(core::ErrorCode::FileUnwritable, file,
             QStringLiteral("it is a file of the study itself"));
     if (!isDicomPicture(file)) {
-        if (!picture.save(file, "PNG"))
+        auto staged = core::StagedFile::create(file, true);
+        if (!staged)
+            return tl::unexpected(staged.error());
+        if (!picture.save(staged->path(), "PNG"))
             return core::failure(core::ErrorCode::FileUnwritable, file);
+        if (const core::Result<void> placed = staged->commit(); !placed)
+            return tl::unexpected(placed.error());
         core::ExportReport report;
         report.file = file;
         report.written +=

@@ -15,6 +15,7 @@ enum class ErrorCode {
     FileExists,
     FileUnwritable,
     FolderEmpty,
+    TooManyFiles, ///< below the folder; argument 1: how many are looked through
     NoImages,
     UnsupportedFormat,
     InvalidGeometry,

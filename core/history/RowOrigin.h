@@ -8,7 +8,7 @@ namespace core {
 
 /// Who made a row of the history, when, and with which program.
 struct RowOrigin {
-    QDateTime at; ///< UTC, to the millisecond; invalid: not recorded (session files of version 1)
+    QDateTime at; ///< UTC, to the millisecond; invalid: not recorded
     QString author; ///< as the user chose to be named; may be empty
     QString program; ///< "burin 0.1.0"
 };

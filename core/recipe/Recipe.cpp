@@ -4,7 +4,6 @@
 #include "core/base/FileInUse.h"
 #include "core/base/ReadableFile.h"
 #include "core/edits/DocumentEdits.h"
-#include "core/export/StatisticsText.h"
 #include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 
@@ -202,11 +201,7 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
         if (const Result<void> checked = checkExportTarget(target, volume, replaceExisting);
             !checked)
             return checked;
-        // A report brings a second file along.
-        QStringList written{target.file};
-        if (target.what == RecipeExport::What::Segments && target.format == ExportFormat::Sr)
-            written += segBeside(target.file);
-        for (const QString& file : written) {
+        for (const QString& file : filesWritten(target)) {
             const std::optional<FileIdentity> identity = FileIdentity::of(file);
             if (identity && std::find(files.begin(), files.end(), *identity) != files.end())
                 return at({ErrorCode::InvalidField,

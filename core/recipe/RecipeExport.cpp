@@ -239,6 +239,14 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
     return made;
 }
 
+QStringList filesWritten(const RecipeExport& target)
+{
+    QStringList files{target.file};
+    if (target.what == RecipeExport::What::Segments && target.format == ExportFormat::Sr)
+        files += segBeside(target.file);
+    return files;
+}
+
 Result<void> checkExportTarget(
     const RecipeExport& target, const Volume& volume, bool replaceExisting)
 {
@@ -249,11 +257,7 @@ Result<void> checkExportTarget(
         target.what == RecipeExport::What::CarvedVolume && !isNiftiName(target.file);
     if (series && info.exists() && !(info.isDir() && QDir(target.file).isEmpty()))
         return failure(ErrorCode::FileExists, target.file); // a folder is never replaced
-    const bool report =
-        target.what == RecipeExport::What::Segments && target.format == ExportFormat::Sr;
-    for (const QString& file : {target.file, report ? segBeside(target.file) : target.file}) {
-        if (series)
-            break;
+    for (const QString& file : series ? QStringList() : filesWritten(target)) {
         if (const Result<void> checked = checkFileTarget(file, replaceExisting); !checked)
             return checked;
     }

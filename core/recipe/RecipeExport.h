@@ -30,6 +30,9 @@ struct RecipeExport {
 /// One entry of "export". Errors: InvalidField ("export.layer").
 [[nodiscard]] Result<RecipeExport> exportFromJson(const QJsonValue& json);
 
+/// The files that a target is written into: its own, and of a report (SR) the SEG beside it.
+[[nodiscard]] QStringList filesWritten(const RecipeExport& target);
+
 /// What a target's name and place say of whether it can be written.
 /// Errors: UnsupportedFormat, FileExists (unless @p replaceExisting), FileUnwritable.
 [[nodiscard]] Result<void> checkExportTarget(

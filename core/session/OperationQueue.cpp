@@ -172,7 +172,8 @@ bool OperationQueue::collect()
 
 void OperationQueue::take(EngineResult&& result)
 {
-    m_state.noteResult(result);
+    if (m_state.noteResult(result))
+        return;
     if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
@@ -200,12 +201,18 @@ void OperationQueue::advance()
     if (m_advancing)
         return;
     m_advancing = true;
+    if (m_state.lost()) {
+        m_operations.clear();
+        m_started = false;
+    }
     while (!m_operations.empty()) {
-        if (!m_started && !m_state.lost()) {
+        if (!m_started && m_state.owes())
+            break;
+        if (!m_started) {
             m_started = true;
             m_operations.front()->start(m_state);
         }
-        if (m_started && !m_operations.front()->done())
+        if (!m_operations.front()->done())
             break;
         m_operations.pop_front();
         m_started = false;

@@ -64,7 +64,10 @@ private:
     void take(EngineResult&& result);
     void take(CommitWorker::Report&& report);
     [[nodiscard]] bool nothingAhead() const;
-    [[nodiscard]] bool settled() const { return nothingAhead() && m_answers.empty(); }
+    [[nodiscard]] bool settled() const
+    {
+        return nothingAhead() && m_answers.empty() && !m_state.owes();
+    }
 
     SessionState m_state;
     std::function<void()> m_wakeUp;

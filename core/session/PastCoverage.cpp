@@ -64,8 +64,10 @@ void PastCoverage::walk(std::size_t place)
 SwapBricks PastCoverage::takeToPut()
 {
     SwapBricks swap;
-    for (auto& [key, image] : m_toPut)
+    for (auto& [key, image] : m_toPut) {
+        m_touched.insert(key);
         swap.bricks.push_back(std::move(image));
+    }
     m_toPut.clear();
     return swap;
 }
@@ -119,9 +121,22 @@ StrokeCut PastCoverage::cutOf(const EngineResult& result)
     return cut;
 }
 
+void PastCoverage::discard(const EngineResult& result)
+{
+    for (const BrickChange& change : result.changes) {
+        if (change.key.field == Field::Coverage && change.key.plane == scratchLayer)
+            m_toPut[change.key] = {change.key, {}};
+    }
+}
+
 void PastCoverage::restore(SessionState& state)
 {
     walk(m_path.size());
+    // All that was ever put, since on the way some of it may have been refused.
+    for (const BrickKey& key : m_touched) {
+        const bool ofCuts = key.field == Field::Coverage && key.plane == scratchLayer;
+        m_toPut[key] = ofCuts ? BrickImage{key, {}} : m_images.at(key);
+    }
     if (!m_toPut.empty())
         state.require(takeToPut());
     state.require(mutedAt(state, state.history.position()));

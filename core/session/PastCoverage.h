@@ -5,6 +5,7 @@
 #include "core/session/SessionState.h"
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace core {
@@ -44,7 +45,9 @@ public:
     /// stroke gives back is cut too.
     [[nodiscard]] Result<Ticket> cut(SessionState& state, const SculptEdit& edit);
     [[nodiscard]] StrokeCut cutOf(const EngineResult& result);
-    /// Back to the position.
+    /// Of a result that nobody reads: what may stand in the layer of the cuts goes with restore().
+    void discard(const EngineResult& result);
+    /// Back to the position; done when SessionState owes nothing any more.
     void restore(SessionState& state);
 
 private:
@@ -59,6 +62,7 @@ private:
     std::map<RowId, std::vector<BrickImage>> m_differences; ///< of coverage, and of labels
     std::map<BrickKey, BrickImage> m_images; ///< at m_place
     std::map<BrickKey, BrickImage> m_toPut;
+    std::set<BrickKey> m_touched; ///< all that was put, done or refused
     std::size_t m_place; ///< rows of the path that are done there
 };
 

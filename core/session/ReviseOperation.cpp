@@ -180,10 +180,16 @@ void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
 {
     if (!m_then)
         return;
-    if (result.error)
-        return giveUp(state, *result.error);
-    if (result.ticket == m_awaited)
-        std::exchange(m_then, nullptr)(state, std::move(result));
+    if (result.error && !m_refused)
+        m_refused = result.error;
+    if (result.ticket != m_awaited)
+        return;
+    if (m_refused) {
+        // All that was asked for until then has been done or refused by now.
+        m_past.discard(result);
+        return giveUp(state, *std::exchange(m_refused, std::nullopt));
+    }
+    std::exchange(m_then, nullptr)(state, std::move(result));
 }
 
 void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
@@ -307,6 +313,11 @@ void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
 void ReviseOperation::put(SessionState& state)
 {
     m_past.restore(state);
+    state.afterRequired([this](SessionState& now) { putFolded(now); });
+}
+
+void ReviseOperation::putFolded(SessionState& state)
+{
     std::vector<BrickImage> bricks;
     for (auto& [key, image] : m_folded)
         bricks.push_back(std::move(image));

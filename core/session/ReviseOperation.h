@@ -53,6 +53,7 @@ private:
     /// Whether a stroke would start on another surface now; goes on with foldNext().
     void compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded);
     void put(SessionState& state);
+    void putFolded(SessionState& state);
     void swap(SessionState& state, std::vector<BrickImage> bricks);
     void finish(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
@@ -71,6 +72,7 @@ private:
     std::map<BrickKey, BrickImage> m_folded; ///< the bricks that are evaluated again
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;
+    std::optional<Error> m_refused; ///< why something before the awaited one was
     Then m_then;
     bool m_done = false;
 };

@@ -19,7 +19,7 @@ struct RowText {
     QString edit; ///< compact JSON
     QString statistics; ///< compact JSON
     qint64 growthGeneration = 0;
-    QString at; ///< ISO 8601, UTC, with milliseconds; empty: a row as version 1 wrote them
+    QString at; ///< ISO 8601, UTC, with milliseconds; empty: nobody recorded it
     QString author;
     QString program;
 

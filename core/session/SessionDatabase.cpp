@@ -77,10 +77,11 @@ bool isNetworkFileSystem(const QString& path)
 }
 
 /// SQLite's own door for files by strangers (https://www.sqlite.org/security.html): no statement
-/// can harm the file's structure, and nothing in it is larger than a piece of ours ever is.
+/// can harm the file's structure, and nothing in it is larger than anything of ours ever is.
 bool harden(const QSqlDatabase& database)
 {
-    constexpr int mostBytes = 64 << 20; // of a value, and of a row
+    // Of a value, and of a row: masks that were read with a hundred segments are tens of megabytes.
+    constexpr int mostBytes = 512 << 20;
     sqlite3* const handle = sqliteOf(database);
     if (!handle)
         return false;

@@ -244,15 +244,52 @@ void SessionState::muteLayers()
 
 void SessionState::require(EngineCommand command)
 {
-    m_required.insert(engine.submit(std::move(command)));
+    submitRequired({.command = std::move(command)});
 }
 
-void SessionState::noteResult(const EngineResult& result)
+void SessionState::submitRequired(Required required)
 {
-    const bool required = m_required.erase(result.ticket) > 0;
-    if (!result.error || m_lost || !(required || result.error->code == ErrorCode::EngineLost))
-        return;
-    m_lost = Error{ErrorCode::EngineLost, result.error->arguments};
+    const Ticket ticket = engine.submit(required.command);
+    if (std::holds_alternative<MuteLayers>(required.command))
+        m_lastMute = ticket;
+    m_required.emplace(ticket, std::move(required));
+}
+
+void SessionState::afterRequired(std::function<void(SessionState&)> then)
+{
+    if (owes())
+        m_afterRequired = std::move(then);
+    else if (!m_lost)
+        then(*this);
+}
+
+bool SessionState::noteResult(const EngineResult& result)
+{
+    constexpr int mostTries = 20;
+    auto required = m_required.extract(result.ticket);
+    const bool known = !required.empty();
+    if (result.error && !m_lost) {
+        if (result.error->code == ErrorCode::EngineLost
+            || (known && required.mapped().tries >= mostTries)) {
+            lose(*result.error);
+        } else if (known) {
+            // Of two that mute the later one counts, whenever the earlier one is done.
+            Required again = std::move(required.mapped());
+            ++again.tries;
+            if (!std::holds_alternative<MuteLayers>(again.command) || result.ticket == m_lastMute)
+                submitRequired(std::move(again));
+        }
+    }
+    if (known && !owes() && m_afterRequired)
+        std::exchange(m_afterRequired, {})(*this);
+    return known;
+}
+
+void SessionState::lose(const Error& why)
+{
+    m_lost = Error{ErrorCode::EngineLost, why.arguments};
+    m_required.clear();
+    m_afterRequired = {};
     fail(*m_lost);
 }
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <bitset>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -58,11 +59,15 @@ public:
     void hide(const std::vector<int>& labels);
     void setDisplay(const QJsonObject& shown);
 
-    /// Has the engine do what all that follows relies on. Where it cannot, the session is lost:
-    /// its voxels are not what the history says, so nothing is carried out any more.
+    /// Has the engine do what all that follows relies on: no operation begins before it is done.
+    /// What is refused is asked for again; where that is of no use either, the session is lost: its
+    /// voxels are not what the history says, so nothing is carried out any more.
     void require(EngineCommand command);
-    /// Every result comes by here first.
-    void noteResult(const EngineResult& result);
+    [[nodiscard]] bool owes() const { return !m_required.empty(); }
+    /// Calls @p then once nothing is owed, now or later; never in a session that is lost.
+    void afterRequired(std::function<void(SessionState&)> then);
+    /// Every result comes by here first. @return whether it was of something required
+    bool noteResult(const EngineResult& result);
     /// Why nothing is carried out any more.
     [[nodiscard]] const std::optional<Error>& lost() const { return m_lost; }
 
@@ -113,7 +118,16 @@ private:
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
     std::bitset<256> m_muted; ///< layers, as the engine was told
-    std::set<Ticket> m_required;
+    struct Required {
+        EngineCommand command; ///< to be asked for again
+        int tries = 1;
+    };
+    void submitRequired(Required required);
+    void lose(const Error& why);
+
+    std::map<Ticket, Required> m_required;
+    Ticket m_lastMute = 0; ///< of the required ones
+    std::function<void(SessionState&)> m_afterRequired;
     std::optional<Error> m_lost;
     bool m_isSurfaceShown = false;
 };

@@ -24,11 +24,14 @@ bool isOfASession(const QString& path)
     const bool whole = path.startsWith(QLatin1Char('/')) && QDir::cleanPath(path) == path
         && !path.split(QLatin1Char('/')).contains(QLatin1String("..")) && path.size() < 4096
         && !path.contains(QChar::Null);
+    if (!whole || path == QLatin1String("/"))
+        return false;
     const QString first = path.section(QLatin1Char('/'), 1, 1);
-    return whole && !first.isEmpty()
-        && !QStringList{QStringLiteral("proc"), QStringLiteral("sys"), QStringLiteral("dev"),
-            QStringLiteral("run")}
-                .contains(first);
+    // Sticks and discs are mounted below /run/media.
+    if (first == QLatin1String("run"))
+        return path.startsWith(QLatin1String("/run/media/"));
+    return first != QLatin1String("proc") && first != QLatin1String("sys")
+        && first != QLatin1String("dev");
 }
 
 /// The longest end of @p path that exists below @p folder.
@@ -91,18 +94,26 @@ QStringList keysOf(const StudyListing& listing, const SessionSource& source, con
     return keys;
 }
 
+/// Who says that the study is there. A stranger's session may name any folder of this machine.
+enum class Asked { ByUser, BySession };
+constexpr int mostFilesOfASessionsPlace = 100'000;
+
 Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
-    const SessionSource& source, const QString& series, const Progress& progress)
+    const QString& series, const SessionSource& source, Asked asked, const Progress& progress)
 {
-    // A study is no larger; a stranger's session may name a folder that is.
-    constexpr int mostFiles = 20'000;
-    const Result<Study> study = Study::scan(place, progress, mostFiles);
-    if (!study)
-        return tl::unexpected(study.error());
     const auto mismatch = [&](const QString& difference) {
         return failure(ErrorCode::SessionMismatch, sessionFile,
             QStringLiteral("of what is in %1, %2").arg(place, difference));
     };
+    const int mostFiles =
+        asked == Asked::ByUser ? Study::mostFilesScanned : mostFilesOfASessionsPlace;
+    const Result<Study> study = Study::scan(place, progress, mostFiles);
+    if (!study && study.error().code == ErrorCode::TooManyFiles)
+        return mismatch(QStringLiteral("more than %1 files are not looked through unless somebody "
+                                       "asks for it; name the study's own folder")
+                            .arg(mostFiles));
+    if (!study)
+        return tl::unexpected(study.error());
     const QStringList keys = keysOf(study->listing(), source, series);
     if (keys.isEmpty())
         return mismatch(
@@ -170,7 +181,8 @@ Result<LoadedVolume> loadSessionStudy(const QString& sessionFile, const SessionS
         place.isEmpty() ? studyPlaces(sessionFile, source) : QStringList{place};
     std::optional<Error> first;
     for (const QString& candidate : places) {
-        Result<LoadedVolume> loaded = loadFrom(candidate, sessionFile, source, series, progress);
+        Result<LoadedVolume> loaded = loadFrom(candidate, sessionFile, series, source,
+            place.isEmpty() ? Asked::BySession : Asked::ByUser, progress);
         if (loaded || loaded.error().code == ErrorCode::Cancelled)
             return loaded;
         if (!first)

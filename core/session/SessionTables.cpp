@@ -20,7 +20,7 @@ QVariant sqlId(RowId id)
     return qint64(id);
 }
 
-/// Text that is there though it may be empty; rows of version 1 have none, which is NULL.
+/// Text that is there though it may be empty; a row without a time has none, which is NULL.
 QVariant sqlText(const QString& text, bool isThere)
 {
     if (!isThere)
@@ -284,7 +284,7 @@ void SessionTables::readRows(SessionContents& contents)
     std::vector<HistoryRow>& rows = contents.rows;
     QString problem;
     const bool read = m_database->query(
-        QStringLiteral("SELECT id, parent, iif(length(name) > 10000, NULL, name), edit,"
+        QStringLiteral("SELECT id, parent, iif(length(name) > 1000000, NULL, name), edit,"
                        " statistics, growthGeneration, chain, stateHash, deltaSha256, seal, at,"
                        " author, program FROM row ORDER BY id"),
         {}, [this, &rows, &problem](const QSqlQuery& answer) {

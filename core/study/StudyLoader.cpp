@@ -76,9 +76,7 @@ Result<QStringList> filesBelow(const QString& path, int mostFiles)
         root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
     while (iterator.hasNext()) {
         if (files.size() >= mostFiles)
-            return failure(ErrorCode::FileUnreadable, path,
-                QStringLiteral("more than %1 files lie below it; name the study itself")
-                    .arg(mostFiles));
+            return failure(ErrorCode::TooManyFiles, path, QString::number(mostFiles));
         const QString file = iterator.next();
         if (isSession(iterator.fileName())) {
             sessions = true;

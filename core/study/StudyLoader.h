@@ -21,12 +21,13 @@ namespace core {
 /// is a hint only. All calls block; make them beside the UI thread.
 class Study {
 public:
+    static constexpr int mostFilesScanned = 500'000;
     /// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error
     /// is returned when nothing at all could be read: FileNotFound, FolderEmpty, NoImages, the
     /// file's own error if @p path is one file, or Cancelled.
-    /// @param mostFiles below a folder; more are FileUnreadable
+    /// @param mostFiles below a folder; where there are more: TooManyFiles
     [[nodiscard]] static Result<Study> scan(const QString& path,
-        const Progress& progress = Progress(), int mostFiles = 500'000);
+        const Progress& progress = Progress(), int mostFiles = mostFilesScanned);
 
     Study(Study&&) noexcept;
     Study& operator=(Study&&) noexcept;

@@ -2,7 +2,6 @@
 #include "gpu/edit/BeforeImages.h"
 
 #include "gpu/edit/BrickImages.h"
-#include "gpu/gl/GlFailure.h"
 
 #include <algorithm>
 
@@ -71,7 +70,7 @@ std::vector<core::BrickChange> BeforeImages::changes(std::vector<core::BrickKey>
     return changes;
 }
 
-void BeforeImages::restore(std::vector<core::BrickKey> keys)
+std::vector<core::BrickImage> BeforeImages::saved(std::vector<core::BrickKey> keys) const
 {
     std::sort(keys.begin(), keys.end());
     auto before = images(keys);
@@ -79,25 +78,17 @@ void BeforeImages::restore(std::vector<core::BrickKey> keys)
     saved.reserve(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i)
         saved.push_back({.key = keys[i], .bytes = std::move(before[i])});
-    writeImages(m_fields, std::move(saved));
+    return saved;
+}
+
+void BeforeImages::restore(std::vector<core::BrickKey> keys)
+{
+    writeImages(m_fields, saved(std::move(keys)));
 }
 
 void BeforeImages::restoreAll()
 {
-    try {
-        restore(keys());
-        requireNoError();
-        return;
-    } catch (const std::exception&) {
-        // Not all at once, then: whatever was written, each brick is written again.
-    }
-    try {
-        for (const core::BrickKey& key : keys())
-            restore({key});
-        requireNoError();
-    } catch (const std::exception&) {
-        throw FieldsLost(errorBeingHandled());
-    }
+    putBackImages(m_fields, saved(keys()));
 }
 
 std::vector<core::BrickKey> BeforeImages::keys() const

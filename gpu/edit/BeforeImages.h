@@ -25,8 +25,8 @@ public:
     [[nodiscard]] std::vector<core::BrickChange> changes(std::vector<core::BrickKey> keys);
     /// Puts the saved images of the listed keys back.
     void restore(std::vector<core::BrickKey> keys);
-    /// Puts all that was saved back after something failed in between, brick by brick where memory
-    /// is short. Throws FieldsLost.
+    /// Puts all that was saved back after something failed in between (putBackImages()). Throws
+    /// FieldsLost.
     void restoreAll();
 
 private:
@@ -41,6 +41,7 @@ private:
         std::size_t slot = 0;
     };
     [[nodiscard]] std::vector<core::BrickKey> keys() const;
+    [[nodiscard]] std::vector<core::BrickImage> saved(std::vector<core::BrickKey> keys) const;
     /// What was saved of each key (no key twice).
     [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
         std::span<const core::BrickKey> keys) const;

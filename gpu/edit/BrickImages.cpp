@@ -103,18 +103,6 @@ void write(VoxelFields& fields, std::span<const Write> writes)
         });
 }
 
-/// What there was, brick by brick: memory is short. Throws FieldsLost.
-void putBack(VoxelFields& fields, const std::vector<core::BrickChange>& changes)
-{
-    try {
-        for (const core::BrickChange& change : changes)
-            writeImages(fields, {{.key = change.key, .bytes = change.before}});
-        requireNoError();
-    } catch (const std::exception&) {
-        throw FieldsLost(errorBeingHandled());
-    }
-}
-
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> readImages(
@@ -152,6 +140,32 @@ void writeImages(VoxelFields& fields, std::vector<core::BrickImage> images)
     write(fields, writes);
 }
 
+void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& images)
+{
+    constexpr int tries = 3;
+    const auto written = [&fields](const std::vector<core::BrickImage>& some) {
+        for (int i = 0; i < tries; ++i) {
+            try {
+                writeImages(fields, some);
+                requireNoError();
+                return true;
+            } catch (const std::exception&) {
+                // Whatever of it was written is written again.
+            }
+        }
+        return false;
+    };
+    if (written(images))
+        return;
+    // Where there is no memory for all of them at once there may be for one.
+    for (const core::BrickImage& image : images) {
+        if (!written({image}))
+            throw FieldsLost({core::ErrorCode::OutOfMemory,
+                {QStringLiteral("the graphics processor has no more, not even to put back what was "
+                                "there")}});
+    }
+}
+
 std::vector<core::BrickChange> swapImages(VoxelFields& fields, std::vector<core::BrickImage> images)
 {
     sortByKey(images);
@@ -181,7 +195,11 @@ std::vector<core::BrickChange> swapImages(VoxelFields& fields, std::vector<core:
         requireNoError();
     } catch (const std::exception&) {
         const core::Error error = errorBeingHandled();
-        putBack(fields, changes);
+        std::vector<core::BrickImage> saved;
+        saved.reserve(changes.size());
+        for (core::BrickChange& change : changes)
+            saved.push_back({.key = change.key, .bytes = std::move(change.before)});
+        putBackImages(fields, saved);
         throw GlFailure(error);
     }
     return changes;

@@ -19,6 +19,10 @@ namespace gpu {
 /// changed. Voxels outside the volume stay empty.
 void writeImages(VoxelFields& fields, std::vector<core::BrickImage> images);
 
+/// The same after something failed in between: with patience, and brick by brick where there is no
+/// memory for all at once. Throws FieldsLost.
+void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& images);
+
 /// The same, and reads before what is there: bricks that hold their image already are left alone,
 /// and what follows from a brick is worked out anew only around the voxels that differ. Throws
 /// GlFailure with everything as it was, or FieldsLost.

@@ -24,13 +24,15 @@ class OrderlyEndUiTest : public QObject, test::CommandFixture {
     static constexpr int endMs = 10'000; // a loaded machine; alone it is a fraction of a second
 
     /// The window, with a.burin open in it.
-    std::unique_ptr<QProcess> opened() const
+    std::unique_ptr<QProcess> opened(const QString& display = {}) const
     {
         auto process = std::make_unique<QProcess>();
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
             environment.insert(QLatin1String(name), path(name));
         environment.insert(key("QT_QPA_PLATFORM"), key("xcb"));
+        if (!display.isEmpty())
+            environment.insert(key("DISPLAY"), display);
         process->setProcessEnvironment(environment);
         process->setProcessChannelMode(QProcess::MergedChannels);
         process->start(QStringLiteral(BURIN_PROGRAM), {key("open"), path("a.burin")});
@@ -79,6 +81,29 @@ private Q_SLOTS:
         QCOMPARE(process->exitStatus(), QProcess::NormalExit);
         QCOMPARE(process->exitCode(), 128 + number);
         isWhole(hash);
+    }
+
+    void theDisplaysDeathClosesTheSession()
+    {
+        const QString hash = lastHash("a.burin");
+        for (const int laterMs : {0, 300, 1500}) {
+            QProcess server;
+            server.start(key("Xvfb"),
+                {key("-displayfd"), key("1"), key("-screen"), key("0"), key("1600x1000x24"),
+                    key("-nolisten"), key("tcp"), key("-noreset")});
+            QVERIFY(server.waitForReadyRead(startMs));
+            const auto process =
+                opened(QLatin1Char(':') + QString::fromLatin1(server.readLine().trimmed()));
+            QVERIFY2(process->state() == QProcess::Running, process->readAll().constData());
+            QVERIFY(QFile::exists(path("a.burin-wal")));
+            QTest::qWait(laterMs); // while it opens, while it draws, at rest
+            server.kill();
+            server.waitForFinished();
+            QVERIFY(process->waitForFinished(endMs));
+            QCOMPARE(process->exitStatus(), QProcess::NormalExit);
+            QVERIFY(process->exitCode() != 0);
+            isWhole(hash);
+        }
     }
 };
 

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
-"""Small real files for the fuzzers to begin with: seeds.py OUT [SHARED_DATA]
+"""Small real files for the fuzzers to begin with: seeds.py OUT [SHARED_DATA [EDITS [SESSIONS]]]
 
-OUT/TARGET/… for every target of FuzzTargets.h. From pydicom's test files, the sessions under
-tests/data, the cases that fuzzing found (tests/data/fuzz) and, where they are, the shared studies;
-volumes of these are cropped to a few voxels. Needs python3-pydicom and python3-nibabel.
+OUT/TARGET/… for every target of FuzzTargets.h. From pydicom's test files, the cases that fuzzing
+found (tests/data/fuzz) and, where they are, the shared studies, of which volumes are cropped to a
+few voxels. EDITS is what `burin edits --json` prints; SESSIONS a folder of small sessions of this
+version (`burin run`), of which the differences are seeds, too. Needs python3-pydicom and python3-nibabel.
 """
 import gzip
 import json
 import pathlib
+import sqlite3
 import struct
 import sys
 import tarfile
@@ -165,8 +167,15 @@ def recipes():
 
 
 def sessions():
-    for path in (HERE.parent / "data" / "sessions").glob("*"):
-        put("delta" if path.suffix == ".bdl" else "session", path.name, path.read_bytes())
+    if len(sys.argv) <= 4:
+        return
+    for path in pathlib.Path(sys.argv[4]).glob("*.burin"):
+        put("session", path.name, path.read_bytes())
+        with sqlite3.connect(f"file:{path}?mode=ro", uri=True) as database:
+            for (row,) in database.execute("SELECT DISTINCT row FROM delta").fetchall():
+                pieces = database.execute(
+                    "SELECT bytes FROM delta WHERE row=? ORDER BY piece", (row,))
+                put("delta", f"{path.stem}-{row}", b"".join(piece for (piece,) in pieces))
 
 
 def found():

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -58,6 +59,7 @@ class FieldMannersUiTest : public QObject {
         const QPointF at = QRectF(widget.rect()).center();
         QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
             Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&event); // only such ones go on to the parent
         QApplication::sendEvent(&widget, &event);
     }
 
@@ -77,13 +79,17 @@ private Q_SLOTS:
         m_manners.reset();
     }
 
-    void theWheelChangesNothingUnasked()
+    void theWheelScrollsThePanel()
     {
         Panel& panel = *m_panel;
         panel.name->setFocus();
+        int scrolled = panel.area.verticalScrollBar()->value();
         for (QWidget* field :
             std::initializer_list<QWidget*>{panel.number, panel.list, panel.slider}) {
             wheelOver(*field);
+            QVERIFY2(panel.area.verticalScrollBar()->value() > scrolled,
+                field->metaObject()->className());
+            scrolled = panel.area.verticalScrollBar()->value();
             QVERIFY(!field->hasFocus());
             QVERIFY(field->focusPolicy() != Qt::WheelFocus);
         }
