@@ -59,8 +59,9 @@ class FieldMannersUiTest : public QObject {
         const QPointF at = QRectF(widget.rect()).center();
         QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
             Qt::NoScrollPhase, false);
-        QSpontaneKeyEvent::setSpontaneous(&event); // only such ones go on to the parent
-        QApplication::sendEvent(&widget, &event);
+        // As the window system tells it: only such ones go on to the parent.
+        QSpontaneKeyEvent::setSpontaneous(&event);
+        qApp->notify(&widget, &event);
     }
 
 private Q_SLOTS:
