@@ -89,6 +89,7 @@ private Q_SLOTS:
     void lettersFollowTheDirection_data();
     void lettersFollowTheDirection();
     void wheelWalksThroughSlices();
+    void thePointerPointsIntoTheSliceThatIsShown();
     void keysWalkThroughSlices();
     void leftDragWithoutToolIsWindowLevel();
     void toolStrokeNeverTouchesWindowLevel();
@@ -177,6 +178,25 @@ void ViewsUiTest::lettersFollowTheDirection()
         QCOMPARE(
             ui::directionLetters(direction), sagittal ? QStringLiteral("P") : QStringLiteral("L"));
     }
+}
+
+/// What the readout says is of the voxel under a pointer at rest, too, when the slice changes.
+void ViewsUiTest::thePointerPointsIntoTheSliceThatIsShown()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    const QPoint at = axial.rect().center() + QPoint(20, 10);
+    QTest::mouseMove(&axial, at);
+    QTRY_VERIFY(fixture.workspace.pointedLps().has_value());
+    const glm::dvec3 before = *fixture.workspace.pointedLps();
+    wheel(axial, -1);
+    const glm::dvec3 after = fixture.workspace.pointedLps().value_or(glm::dvec3(1e9));
+    QCOMPARE(after.x, before.x);
+    QCOMPARE(after.y, before.y);
+    QCOMPARE(after.z, fixture.workspace.crosshairLps().z);
+    QVERIFY(after.z != before.z);
+    QTest::keyClick(&axial, Qt::Key_Up);
+    QCOMPARE(fixture.workspace.pointedLps()->z, fixture.workspace.crosshairLps().z);
 }
 
 void ViewsUiTest::wheelWalksThroughSlices()
