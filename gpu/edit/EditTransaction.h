@@ -114,6 +114,9 @@ private:
 /// Counts over the changes, as EditStatistics wants them.
 [[nodiscard]] core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes);
 
+/// Whether an edit could begin in a volume. Errors: InvalidField.
+[[nodiscard]] core::Result<void> checkEdit(
+    const core::EngineEdit& edit, const core::BrickGrid& grid);
 /// Whether a cut of this volume could begin.
 [[nodiscard]] core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid);
 /// Whether these groups of seeds are sound and lie in a volume.

@@ -50,6 +50,10 @@ public:
     [[nodiscard]] std::size_t brickBytes() const;
 
 private:
+    using Clock = EngineThread::Clock;
+    static constexpr double sliceMilliseconds = 10.0;
+    [[nodiscard]] static double millisecondsSince(Clock::time_point start);
+
     struct Waiting {
         core::Ticket ticket = 0;
         core::EngineCommand command;
@@ -114,7 +118,7 @@ private:
     double m_editMilliseconds = 0.0; ///< of the open transaction
     int m_followUpsFailed = 0; ///< one after the other
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
-    EngineThread::Clock::time_point m_nextGeneration;
+    Clock::time_point m_nextGeneration;
 
     // Any thread.
     mutable std::mutex m_mutex;
