@@ -214,9 +214,10 @@ int runOpen(const QStringList& arguments)
         window.opener().open(parsed.path, parsed.series);
     else if (screenshot)
         screenshot->saveSoon();
-    OrderlyEnd end([&application] { (*application)->workspace().dropSession(); });
-    QObject::connect(&(*application)->workspace(), &ui::Workspace::sessionChanged, &end,
-        [&end] { end.comeFirst(); });
+    const OrderlyEnd end([&application] {
+        (*application)->window().opener().abandon();
+        (*application)->workspace().dropSession();
+    });
     return QApplication::exec();
 }
 

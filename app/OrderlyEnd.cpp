@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QSocketNotifier>
+#include <QThread>
 
 #include <cerrno>
 #include <csignal>
@@ -21,7 +22,8 @@ constexpr int signals[] = {SIGTERM, SIGINT, SIGHUP};
 // What a signal handler and an exit handler can reach.
 volatile std::sig_atomic_t toTell = -1;
 OrderlyEnd* current = nullptr;
-std::function<void()>* closingAtExit = nullptr;
+std::function<void()>* closing = nullptr;
+QtMessageHandler messagesBefore = nullptr;
 
 void onSignal(int number)
 {
@@ -32,24 +34,38 @@ void onSignal(int number)
     errno = error;
 }
 
-void onExit()
+void closeAndEnd()
 {
-    if (!closingAtExit)
+    if (!closing || !*closing)
         return;
-    std::exchange(*closingAtExit, {})();
+    std::exchange(*closing, {})();
     // Threads are at work, and windows without a display are not to be taken apart.
     ::_exit(EXIT_FAILURE);
 }
 
+/// Qt says so and calls exit() then. Here everything is alive still; in exit() globals of libraries
+/// go that were made after the handler was registered, and closing a session needs some.
+void onMessage(QtMsgType type, const QMessageLogContext& context, const QString& message)
+{
+    if (messagesBefore)
+        messagesBefore(type, context, message);
+    const bool displayIsGone = message.startsWith(QLatin1String("The X11 connection broke"))
+        || message.startsWith(QLatin1String("The Wayland connection broke"));
+    if (displayIsGone && qApp && QThread::currentThread() == qApp->thread())
+        closeAndEnd();
+}
+
 } // namespace
 
-OrderlyEnd::OrderlyEnd(std::function<void()> closing)
-    : m_closing(std::move(closing))
+OrderlyEnd::OrderlyEnd(std::function<void()> closesAll)
+    : m_closing(std::move(closesAll))
 {
     Q_ASSERT(!current);
     current = this;
-    closingAtExit = &m_closing;
-    comeFirst();
+    closing = &m_closing;
+    static const int registered = std::atexit(closeAndEnd);
+    static_cast<void>(registered);
+    messagesBefore = qInstallMessageHandler(onMessage);
     if (::pipe2(m_ends, O_CLOEXEC | O_NONBLOCK) != 0)
         return;
     toTell = m_ends[1];
@@ -68,7 +84,8 @@ OrderlyEnd::OrderlyEnd(std::function<void()> closing)
 
 OrderlyEnd::~OrderlyEnd()
 {
-    closingAtExit = nullptr;
+    qInstallMessageHandler(messagesBefore);
+    closing = nullptr;
     current = nullptr;
     if (m_ends[0] < 0)
         return;
@@ -77,11 +94,6 @@ OrderlyEnd::~OrderlyEnd()
     toTell = -1;
     ::close(m_ends[0]);
     ::close(m_ends[1]);
-}
-
-void OrderlyEnd::comeFirst()
-{
-    static_cast<void>(std::atexit(onExit));
 }
 
 void OrderlyEnd::take()

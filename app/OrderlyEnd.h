@@ -10,17 +10,15 @@ namespace app {
 /// However a program with an event loop is told to end, what is open is closed. SIGTERM, SIGINT and
 /// SIGHUP leave the event loop, as closing the last window does, with the exit status that shells
 /// give to such an end (128 + signal); nothing is asked, since nobody may be there. When Qt ends
-/// the program itself (the X server is gone), @p closing runs before its globals go.
+/// the program itself (the display is gone), what is open is closed, and the program ends there
+/// with status 1.
 ///
 /// One per process, on the GUI thread, while the event loop runs.
 class OrderlyEnd : public QObject {
 public:
-    /// @param closing leaves what is open on disk; touches no window
-    explicit OrderlyEnd(std::function<void()> closing);
+    /// @param closesAll leaves what is open whole on disk; touches no window
+    explicit OrderlyEnd(std::function<void()> closesAll);
     ~OrderlyEnd() override;
-    /// Of what ends with the program what was made last ends first. Call it when something is open
-    /// that closing it needs, so that @p closing comes before that.
-    void comeFirst();
     OrderlyEnd(const OrderlyEnd&) = delete;
     OrderlyEnd& operator=(const OrderlyEnd&) = delete;
 

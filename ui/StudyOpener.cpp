@@ -60,7 +60,12 @@ StudyOpener::StudyOpener(QObject* parent)
 
 StudyOpener::~StudyOpener()
 {
-    blockSignals(true); // who listens may be coming apart, too
+    abandon(); // who listens may be coming apart, too
+}
+
+void StudyOpener::abandon()
+{
+    blockSignals(true);
     cancel();
     if (m_worker.joinable())
         m_worker.join();

@@ -27,7 +27,7 @@ class StudyOpener : public QObject {
 
 public:
     explicit StudyOpener(QObject* parent = nullptr);
-    ~StudyOpener() override; ///< cancels and waits; tells nobody
+    ~StudyOpener() override; ///< abandon()
 
     /// A session file ends in sessionLoaded() or what openSession() says, anything else in a
     /// volume.
@@ -51,6 +51,8 @@ public:
     /// finished() follows what @p work returns. When called off, that is dropped.
     void goOn(const QString& step, std::function<Tell()> work);
     void cancel();
+    /// Cancels and waits; tells nobody, now or later: the program ends.
+    void abandon();
     [[nodiscard]] bool busy() const { return m_busy; }
 
 Q_SIGNALS:
