@@ -109,7 +109,8 @@ std::span<const Command> commands()
             " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
             "[--with-images] [--apply-elsewhere] [--author NAME]",
             "carries out a recipe without a window (burin edits: what it can hold); --with-images"
-            " puts the study's images, and with them who the patient is, into the session;"
+            " puts the study's images, and with them who the patient is, into the session; --force"
+            " replaces a session, which stays until the new one is whole;"
             " --repair, here and in info and open: what is done to the series on loading it, of"
             " tilt, spacing=even, gap=fill, gap=split:NUMBER, duplicates=first, duplicates=last,"
             " with commas between; none: nothing; --spacing: how many mm the voxels of PNG and TIFF"
