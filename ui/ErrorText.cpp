@@ -127,9 +127,8 @@ QString errorText(const core::Error& error)
         return QStringLiteral("not enough memory: %1").arg(first);
     case ErrorCode::EngineLost:
         return QStringLiteral(
-            "the graphics processor failed (%1); nothing more can be done to this "
-            "study until it is closed and opened again, and every step so far is "
-            "in its session")
+            "the graphics processor failed (%1); close the study and open it again: "
+            "every step so far is in its session")
             .arg(first);
     case ErrorCode::Cancelled:
         return QStringLiteral("cancelled");
