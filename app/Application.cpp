@@ -54,6 +54,7 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QMenu>
@@ -61,6 +62,15 @@
 #include <utility>
 
 namespace app {
+
+namespace {
+
+QString stepsText(std::size_t steps)
+{
+    return steps == 1 ? QStringLiteral("1 step") : QStringLiteral("%1 steps").arg(steps);
+}
+
+} // namespace
 
 core::Result<std::unique_ptr<Application>> Application::create()
 {
@@ -260,10 +270,11 @@ void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, c
     const bool givenSpacing = repair && repair->givenSpacingMm;
     make(loaded, {.file = file},
         [this, file, path, series, givenSpacing](const core::Result<void>& opened) {
-            if (opened)
-                ui::RecentStudies::add(path, givenSpacing ? series : QString());
-            else
-                tellWhyNot(opened.error(), file, path, series);
+            if (!opened)
+                return tellWhyNot(opened.error(), file, path, series);
+            ui::RecentStudies::add(path, givenSpacing ? series : QString());
+            if (m_goesOn)
+                tellThatItGoesOn(path, series);
         });
 }
 
@@ -274,9 +285,12 @@ void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
         return;
     make(loaded, {.file = file, .contents = contents}, [this](const core::Result<void>& opened) {
         if (!opened)
-            tell(opened.error());
-        else if (!isWorkingSession(m_sessionFile))
+            return tell(opened.error());
+        if (!isWorkingSession(m_sessionFile))
             ui::RecentStudies::add(m_sessionFile);
+        if (m_goesOn)
+            m_workspace->say(QStringLiteral("The session goes on with %1")
+                                 .arg(stepsText(m_workspace->session()->history().rows().size())));
     });
 }
 
@@ -316,9 +330,8 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     m_sessionFile = opening.file;
     m_rowsAtFirst = madeForIt ? std::optional(steps) : std::nullopt;
     m_workspace->setSession(std::move(*opening.session));
-    if (opening.plan)
-        tellOfSession(opening, file, steps);
-    else if (whyNoFile)
+    m_goesOn = opening.plan && !tellOfSession(opening, file) && steps > 0;
+    if (!opening.plan && whyNoFile)
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("Steps stay in memory only, until you save the session elsewhere: %1.")
                 .arg(ui::noFileText(*whyNoFile)),
@@ -326,8 +339,7 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     return {};
 }
 
-void Application::tellOfSession(
-    const SessionOpening& opening, const QString& file, std::size_t steps)
+bool Application::tellOfSession(const SessionOpening& opening, const QString& file)
 {
     const SessionPlan& plan = *opening.plan;
     const core::SessionContents& contents = *opening.contents;
@@ -348,11 +360,38 @@ void Application::tellOfSession(
                 .arg(QFileInfo(file).fileName(), contents.leftOpen));
     } else if (opening.notFromStudy) {
         tellWhereImagesAre(*opening.notFromStudy, file);
-    } else if (steps > 0) {
-        m_workspace->say(steps == 1
-                ? QStringLiteral("The session of this study was continued: 1 step")
-                : QStringLiteral("The session of this study was continued: %1 steps").arg(steps));
+    } else {
+        return false;
     }
+    return true;
+}
+
+void Application::tellThatItGoesOn(const QString& path, const QString& series)
+{
+    m_window->messages().show(ui::MessageBar::Kind::Notice,
+        QStringLiteral(
+            "This study was worked on before; its session goes on with %1. Begin anew to "
+            "leave that session as it is.")
+            .arg(stepsText(m_workspace->session()->history().rows().size())),
+        QStringLiteral("Begin anew"), [this, path, series] { beginAnew(path, series); });
+}
+
+void Application::beginAnew(const QString& path, const QString& series)
+{
+    const QString old = m_sessionFile;
+    if (old.isEmpty() || !makeRoom())
+        return;
+    const QFileInfo file(old);
+    const QString beside = file.dir().filePath(
+        QStringLiteral("%1-%2.burin")
+            .arg(file.completeBaseName(),
+                QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
+    if (!QFile::rename(old, beside))
+        m_workspace->fail({core::ErrorCode::FileUnwritable, {old}});
+    else if (path == demonstrationFolder())
+        openDemonstration();
+    else
+        m_window->opener().open(path, series);
 }
 
 void Application::tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file)

@@ -50,8 +50,15 @@ private:
     /// Into the window. @p file that was asked for. Cancelled also where it is opened once more
     /// (SessionPlan::redo).
     core::Result<void> take(SessionOpening& opening, const QString& file);
-    /// What is to be known of a session that was gone on with.
-    void tellOfSession(const SessionOpening& opening, const QString& file, std::size_t steps);
+    /// What is to be known of a session that was gone on with. @return whether anything had to be
+    /// told
+    bool tellOfSession(const SessionOpening& opening, const QString& file);
+    /// A study was opened that has a session already: the user sees what came of it, and may begin
+    /// anew.
+    void tellThatItGoesOn(const QString& path, const QString& series);
+    /// The open session is closed and put beside, to be found on the start page; its study opens
+    /// with a new one.
+    void beginAnew(const QString& path, const QString& series);
     /// The engine holds one volume at a time: the old session closes its file first. Errors:
     /// Cancelled (it holds steps that are on no disk, and the user stays with them).
     core::Result<void> makeRoom();
@@ -71,6 +78,7 @@ private:
     std::atomic<bool> m_pollQueued = false;
     QString m_sessionFile;
     QSet<QString> m_notRedone; ///< files whose rows did not come to their hashes again
+    bool m_goesOn = false; ///< the open session had steps when it was opened, and nothing was amiss
     /// Of a file that was made for this session: how many rows it began with. None: it stays.
     std::optional<std::size_t> m_rowsAtFirst;
     std::unique_ptr<ui::Workspace> m_workspace;

@@ -104,6 +104,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
     connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);
+    connect(&workspace, &Workspace::clipChanged, this, refresh);
     connect(m_views, &ViewGrid::layoutChanged, this, refresh);
     connect(m_panels, &PanelColumn::changed, this, refresh);
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);

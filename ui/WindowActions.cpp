@@ -3,6 +3,7 @@
 
 #include "ui/AuditSaver.h"
 #include "ui/BookmarkMenu.h"
+#include "ui/ClipSteps.h"
 #include "ui/InitialDisplay.h"
 #include "ui/LayerActions.h"
 #include "ui/MainWindow.h"
@@ -157,13 +158,22 @@ void addEditActions(MainWindow& window)
         .text = QStringLiteral("Undo"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Z"))},
         .icon = QStringLiteral("undo"),
-        .run = [&workspace] { carryOut(workspace, &core::EditSession::undo); },
+        .run =
+            [&workspace] {
+                if (workspace.clipSteps().canUndo())
+                    workspace.clipSteps().undo();
+                else
+                    carryOut(workspace, &core::EditSession::undo);
+            },
         .possible =
             [&workspace] {
-                return workspace.session() && workspace.session()->history().canUndo();
+                return workspace.clipSteps().canUndo()
+                    || (workspace.session() && workspace.session()->history().canUndo());
             },
         .currentText =
             [&workspace] {
+                if (workspace.clipSteps().canUndo())
+                    return QStringLiteral("Undo: Clip");
                 if (!workspace.session() || !workspace.session()->history().canUndo())
                     return QStringLiteral("Undo");
                 const core::History& history = workspace.session()->history();
@@ -174,13 +184,22 @@ void addEditActions(MainWindow& window)
         .keys = {QKeySequence(QStringLiteral("Ctrl+Y")),
             QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         .icon = QStringLiteral("redo"),
-        .run = [&workspace] { carryOut(workspace, &core::EditSession::redo); },
+        .run =
+            [&workspace] {
+                if (workspace.clipSteps().canRedo())
+                    workspace.clipSteps().redo();
+                else
+                    carryOut(workspace, &core::EditSession::redo);
+            },
         .possible =
             [&workspace] {
-                return workspace.session() && workspace.session()->history().canRedo();
+                return workspace.clipSteps().canRedo()
+                    || (workspace.session() && workspace.session()->history().canRedo());
             },
         .currentText =
             [&workspace] {
+                if (workspace.clipSteps().canRedo())
+                    return QStringLiteral("Redo: Clip");
                 if (!workspace.session() || !workspace.session()->history().canRedo())
                     return QStringLiteral("Redo");
                 const core::History& history = workspace.session()->history();

@@ -3,6 +3,7 @@
 
 #include "ui/AuthorName.h"
 #include "ui/Chunks.h"
+#include "ui/ClipSteps.h"
 #include "ui/CuttingPlane.h"
 #include "ui/HistoryMemory.h"
 #include "ui/InitialDisplay.h"
@@ -22,6 +23,7 @@ namespace ui {
 Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     : QObject(parent)
     , m_frames(frames)
+    , m_clipSteps(new ClipSteps(*this))
     , m_pieces(new Pieces(*this))
     , m_seeds(new PendingSeeds(*this))
     , m_refinement(new Refinement(*this))

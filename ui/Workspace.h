@@ -17,6 +17,7 @@
 namespace ui {
 
 class Chunks;
+class ClipSteps;
 class CuttingPlane;
 class LayerLooks;
 class PendingSeeds;
@@ -122,9 +123,11 @@ public:
     void setActiveLayer(int id);
     [[nodiscard]] const VolumeDisplay& volumeDisplay() const { return m_volumeDisplay; }
     void setVolumeDisplay(const VolumeDisplay& display);
-    /// What of the volume the 3D view shows; no step of undo. A new session shows all.
+    /// What of the volume the 3D view shows; no step of the history. A new session shows all.
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
+    /// The way for whatever the user does to the clip, so that undo takes it back.
+    [[nodiscard]] ClipSteps& clipSteps() const { return *m_clipSteps; }
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
@@ -217,6 +220,7 @@ private:
     int m_activeLayer = 0;
     VolumeDisplay m_volumeDisplay;
     core::ClipRegion m_clip;
+    ClipSteps* m_clipSteps = nullptr;
     Pieces* m_pieces = nullptr;
     PendingSeeds* m_seeds = nullptr;
     Refinement* m_refinement = nullptr;

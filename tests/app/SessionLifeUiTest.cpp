@@ -133,7 +133,8 @@ private Q_SLOTS:
         QCOMPARE(test::fingerprint(QDir(app::sessionFolder()).filePath(aside.first())), before);
         open(path("case/ct"));
         QCOMPARE(int(session().history().rows().size()), rows);
-        QVERIFY(bar().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bar().startsWith(QStringLiteral("This study was worked on before")), patience);
     }
 
     /// A hash that its edit does not come to: what cannot be carried out again is lost after all.
@@ -283,7 +284,40 @@ private Q_SLOTS:
         window().opener().open(path("case/ct"));
         QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, patience); // closed, opened
         QCOMPARE(session().history().rows().size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(bar().contains(QStringLiteral("goes on with 1 step.")), patience);
+    }
+
+    /// A study that was open before goes on, and says so; whoever wants none of that begins anew,
+    /// and loses nothing.
+    void aStudyThatWasOpenBeforeSaysSo()
+    {
+        open(path("case/ct"));
         QVERIFY(bar().isEmpty());
+        edit(test::drillAt(0));
+        edit(test::drillAt(6));
+        const QString working = session().file();
+        const QByteArray hash = session().stateHash();
+        window().closeStudy();
+        open(path("case/ct"));
+        QCOMPARE(session().history().rows().size(), std::size_t(2));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bar().contains(QStringLiteral("its session goes on with 2 steps")), patience);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
+        look(window().grab(), "goes-on.png");
+        QSignalSpy changed(&workspace(), &ui::Workspace::sessionChanged);
+        press(window(), QStringLiteral("Begin anew"));
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, patience); // closed, opened
+        QCOMPARE(session().history().rows().size(), std::size_t(0));
+        QCOMPARE(session().file(), working);
+        edit(test::drillAt(0));
+        window().closeStudy();
+        // The one before lies beside it, as it was.
+        QStringList files = filesIn(QFileInfo(working).path(), "*.burin");
+        QCOMPARE(files.size(), 2);
+        files.removeAll(QFileInfo(working).fileName());
+        open(QFileInfo(working).dir().filePath(files.front()));
+        QCOMPARE(session().history().rows().size(), std::size_t(2));
+        QCOMPARE(session().stateHash(), hash);
     }
 
     void aPlaceThatCannotBeWrittenChangesNothing()

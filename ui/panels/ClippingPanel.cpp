@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/ClippingPanel.h"
 
+#include "ui/ClipSteps.h"
 #include "ui/Icons.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
@@ -270,7 +271,7 @@ void ClippingPanel::takeBox(bool on)
 {
     core::ClipRegion clip = m_workspace.clip();
     clip.box.on = on;
-    m_workspace.setClip(clip);
+    m_workspace.clipSteps().change(clip);
 }
 
 void ClippingPanel::takeAxis(int axis, double lower, double upper)
@@ -280,7 +281,7 @@ void ClippingPanel::takeAxis(int axis, double lower, double upper)
     clip.box.minimum[axis] = lower / spacing - 0.5;
     clip.box.maximum[axis] = upper / spacing - 0.5;
     clip.box.on = true;
-    m_workspace.setClip(clip);
+    m_workspace.clipSteps().change(clip);
 }
 
 void ClippingPanel::takeOffset(std::size_t row, double offsetMm)
@@ -302,12 +303,12 @@ void ClippingPanel::change(std::size_t row, const core::ClipPlane& plane)
 {
     core::ClipRegion clip = m_workspace.clip();
     clip.planes[row] = plane;
-    m_workspace.setClip(clip);
+    m_workspace.clipSteps().change(clip);
 }
 
 void ClippingPanel::reset()
 {
-    m_workspace.setClip(core::wholeVolume(m_workspace.volume()->geometry));
+    m_workspace.clipSteps().change(core::wholeVolume(m_workspace.volume()->geometry));
 }
 
 } // namespace ui

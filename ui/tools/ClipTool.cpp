@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/ClipTool.h"
 
+#include "ui/ClipSteps.h"
 #include "ui/StudyTexts.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
@@ -82,8 +83,10 @@ bool ClipTool::takes(const PointerSample& sample, const ViewContext& view) const
 
 void ClipTool::press(const PointerSample& sample, const ViewContext& view)
 {
-    if (const auto handle = handleAt(sample.position, view))
+    if (const auto handle = handleAt(sample.position, view)) {
         m_drag = Drag{*handle, view.view, sample.position, m_workspace.clip()};
+        m_workspace.clipSteps().hold();
+    }
     hover(sample, view);
 }
 
@@ -96,7 +99,7 @@ void ClipTool::drag(const PointerSample& sample, const ViewContext& view)
     const QPointF way = m_drag->handle.pixelsPerMm;
     const double mm =
         QPointF::dotProduct(moved, way) / std::max(QPointF::dotProduct(way, way), 1e-9);
-    m_workspace.setClip(
+    m_workspace.clipSteps().change(
         movedClip(m_drag->before, m_drag->handle.face, mm, m_workspace.volume()->geometry));
     Q_EMIT overlayChanged();
 }
@@ -104,6 +107,7 @@ void ClipTool::drag(const PointerSample& sample, const ViewContext& view)
 void ClipTool::release(const PointerSample& sample, const ViewContext& view)
 {
     m_drag.reset();
+    m_workspace.clipSteps().release();
     hover(sample, view);
 }
 
@@ -111,7 +115,7 @@ void ClipTool::cancel()
 {
     if (!m_drag)
         return;
-    m_workspace.setClip(m_drag->before);
+    m_workspace.clipSteps().cancelHold();
     m_drag.reset();
     Q_EMIT overlayChanged();
 }

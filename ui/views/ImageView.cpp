@@ -65,6 +65,8 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
                 update(); // the picture stays, what lies over it does not
         });
     connect(&m_workspace, &Workspace::activeToolChanged, this, &ImageView::followTool);
+    // Another study: what the tool showed under the pointer was for the one before.
+    connect(&m_workspace, &Workspace::sessionChanged, this, &ImageView::takeToolAway);
     connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
     qApp->installEventFilter(this); // proximity of a pen is told to the application alone
 }
@@ -268,9 +270,13 @@ void ImageView::pointerPressed(const PointerReading& reading)
         return; // one drag at a time; a second button does not change what the first began
     setFocus(Qt::MouseFocusReason);
     if (reading.doubleClick && reading.button == Qt::LeftButton && !toolWorksHere()) {
+        // The first of the two clicks was meant for this, not for the crosshair.
+        if (m_crosshairBeforePressLps)
+            m_workspace.setCrosshairLps(*std::exchange(m_crosshairBeforePressLps, std::nullopt));
         Q_EMIT maximiseToggled();
         return;
     }
+    m_crosshairBeforePressLps = m_workspace.crosshairLps();
     const bool tools = toolWorksHere() && m_tool->takes(reading.sample, context());
     m_gesture = gestureFor(reading.button, tools);
     if (m_navigateKey && reading.button == Qt::LeftButton && m_gesture == Gesture::Window)
@@ -402,10 +408,15 @@ void ImageView::leaveEvent(QEvent* event)
     QWidget::leaveEvent(event);
     m_pointer.reset();
     m_workspace.setPointedLps(std::nullopt);
+    takeToolAway();
+    update();
+}
+
+void ImageView::takeToolAway()
+{
     // The mouse may leave here when a pen is over another view already.
     if (m_tool && m_gesture != Gesture::Tool && std::exchange(m_toolIsHere, false))
         m_tool->leave();
-    update();
 }
 
 void ImageView::keyPressEvent(QKeyEvent* event)

@@ -125,6 +125,7 @@ private:
     void followTool();
     /// The pointer was taken away while a tool was at work.
     void loseStroke();
+    void takeToolAway();
     void endStrokeWithoutPen();
 
     Workspace& m_workspace;
@@ -145,6 +146,7 @@ private:
     Qt::MouseButton m_gestureButton = Qt::NoButton;
     QPointF m_pressedAt;
     QPointF m_lastAt;
+    std::optional<glm::dvec3> m_crosshairBeforePressLps;
     bool m_dragging = false; ///< moved farther than a click does
     bool m_navigateKey = false; ///< Space: the left button navigates with a tool in hand
     bool m_toolIsHere = false; ///< it was told of the pointer here, and not that it left

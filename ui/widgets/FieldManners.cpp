@@ -49,7 +49,8 @@ bool FieldManners::eventFilter(QObject* watched, QEvent* event)
     }
     if (event->type() == QEvent::Wheel && isField(watched)) {
         const auto* field = static_cast<QWidget*>(watched);
-        if (!field->hasFocus()) {
+        const bool isList = qobject_cast<const QComboBox*>(watched) != nullptr;
+        if (isList || !field->hasFocus()) {
             event->ignore(); // whatever holds it scrolls
             return true;
         }

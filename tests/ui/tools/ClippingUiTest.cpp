@@ -232,6 +232,69 @@ private Q_SLOTS:
         QVERIFY(isNear(box.maximum.z - box.minimum.z, 1.0, 1e-9));
     }
 
+    /// Who presses undo after a clip means the clip, and not the step before it.
+    void undoTakesBackTheClip()
+    {
+        ClippingFixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("First")}));
+        QVERIFY(session.settle());
+        const auto trigger = [&fixture](const char* id) {
+            QAction& action = fixture.window.actionTable()[QLatin1String(id)];
+            QVERIFY2(action.isEnabled(), id);
+            action.trigger();
+            QVERIFY(fixture.workspace.session()->settle());
+        };
+        const auto text = [&fixture](const char* id) {
+            return fixture.window.actionTable()[QLatin1String(id)].text();
+        };
+        const auto segments = [&session] { return session.document().segments.size(); };
+        const core::ClipRegion whole = fixture.workspace.clip();
+        test::Pen pen(fixture.view);
+        fixture.pull(pen, fixture.view, 1, -9.0);
+        pen.release({}, 1030);
+        const core::ClipRegion once = fixture.workspace.clip();
+        QVERIFY(once != whole);
+        fixture.pull(pen, fixture.view, 1, -4.0);
+        pen.release({}, 1030);
+        const core::ClipRegion twice = fixture.workspace.clip();
+        QVERIFY(twice != once);
+        // A drag that is called off is none.
+        fixture.pull(pen, fixture.view, 0, -4.0);
+        fixture.tool.cancel();
+        QVERIFY(fixture.workspace.clip() == twice);
+        QCOMPARE(text("edit.undo"), QStringLiteral("Undo: Clip"));
+        trigger("edit.undo");
+        QVERIFY(fixture.workspace.clip() == once);
+        trigger("edit.undo");
+        QVERIFY(fixture.workspace.clip() == whole);
+        QCOMPARE(segments(), std::size_t(1));
+        QCOMPARE(text("edit.redo"), QStringLiteral("Redo: Clip"));
+        trigger("edit.redo");
+        QVERIFY(fixture.workspace.clip() == once);
+        trigger("edit.undo");
+        // Then what was before the clips.
+        QVERIFY(text("edit.undo") != QStringLiteral("Undo: Clip"));
+        trigger("edit.undo");
+        QCOMPARE(segments(), std::size_t(0));
+        QVERIFY(fixture.workspace.clip() == whole);
+        // A step that follows a clip comes first, and a clip from elsewhere is nobody's step.
+        fixture.part<QToolButton>("clipReset").click();
+        fixture.workspace.setClip(once);
+        trigger("edit.redo");
+        QCOMPARE(segments(), std::size_t(1));
+        QVERIFY(fixture.workspace.clip() == once);
+        fixture.part<QToolButton>("clipReset").click();
+        QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("Second")}));
+        QVERIFY(session.settle());
+        trigger("edit.undo");
+        QCOMPARE(segments(), std::size_t(1));
+        QVERIFY(fixture.workspace.clip() == whole);
+        trigger("edit.undo");
+        QVERIFY(fixture.workspace.clip() == once);
+        QCOMPARE(segments(), std::size_t(1));
+    }
+
     /// A seed goes to what the picture shows: behind a plane, or on the cut itself.
     void seedsLandOnWhatIsLeft()
     {

@@ -27,10 +27,13 @@ public:
     void drag(const ui::PointerSample&, const ui::ViewContext&) override { heard += 'd'; }
     void release(const ui::PointerSample&, const ui::ViewContext&) override { heard += 'r'; }
     void cancel() override { heard += 'c'; }
+    void hover(const ui::PointerSample&, const ui::ViewContext&) override { isHere = true; }
+    void leave() override { isHere = false; }
     void changeRadius(int steps) override { radius += steps; }
     void changeDepth(int steps) override { depth += steps; }
 
     QByteArray heard;
+    bool isHere = false; ///< the pointer
     int radius = 0;
     int depth = 0;
 };
@@ -99,6 +102,7 @@ private Q_SLOTS:
     void shiftMovesTheCrosshairAlong();
     void doubleClickMaximises();
     void spaceNavigatesWithAToolInHand();
+    void aToolForgetsThePointerWithTheStudy();
     void toolsDrawOverAnnotations();
     void volumeViewTurnsAndZooms();
     void maximumIntensityHasItsOwnWindow();
@@ -365,8 +369,13 @@ void ViewsUiTest::doubleClickMaximises()
 {
     test::WindowFixture fixture(test::headFirstSupine());
     ui::ViewGrid& grid = fixture.window.views();
-    QTest::mouseDClick(&grid.sagittal(), Qt::LeftButton);
+    const glm::dvec3 crosshair = fixture.workspace.crosshairLps();
+    // As the window system tells it: a click comes before.
+    QTest::mouseClick(&grid.sagittal(), Qt::LeftButton, {}, QPoint(31, 43));
+    QVERIFY(fixture.workspace.crosshairLps() != crosshair);
+    QTest::mouseDClick(&grid.sagittal(), Qt::LeftButton, {}, QPoint(31, 43));
     QCOMPARE(grid.maximised(), &grid.sagittal());
+    QVERIFY(fixture.workspace.crosshairLps() == crosshair);
     QVERIFY(!grid.axial().isVisible());
     QTRY_VERIFY(grid.sagittal().width() == grid.width());
     QTest::mouseDClick(&grid.sagittal(), Qt::LeftButton);
@@ -389,6 +398,22 @@ void ViewsUiTest::spaceNavigatesWithAToolInHand()
     QVERIFY(tool.heard.isEmpty());
     QVERIFY(sliceScene(fixture, axial).centreLps != centre);
     QCOMPARE(fixture.workspace.windowLevel(), window);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+/// Its cursor was for the study that was there.
+void ViewsUiTest::aToolForgetsThePointerWithTheStudy()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    const QPointF at(axial.width() / 2.0, axial.height() / 2.0);
+    QMouseEvent move(QEvent::MouseMove, at, axial.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&axial, &move);
+    QVERIFY(tool.isHere);
+    fixture.workspace.setSession(nullptr);
+    QVERIFY(!tool.isHere);
     fixture.workspace.setActiveTool(nullptr);
 }
 

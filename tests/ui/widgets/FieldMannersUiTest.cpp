@@ -105,9 +105,10 @@ private Q_SLOTS:
         panel.number->setFocus();
         wheelOver(*panel.number);
         QCOMPARE(panel.number->value(), 49.0);
+        // But no list that is folded up: a panel that is scrolled would change what is drawn.
         panel.list->setFocus();
         wheelOver(*panel.list);
-        QCOMPARE(panel.list->currentIndex(), 2);
+        QCOMPARE(panel.list->currentIndex(), 1);
     }
 
     void keysOfTheWindowReachIt()

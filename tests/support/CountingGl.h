@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace test {
+
+/// Counts the GL objects (buffers, textures, framebuffers, vertex arrays, queries, shaders,
+/// programs, fences) that this process makes and deletes while it lives. One at a time; GL is
+/// called by one thread.
+class CountingGl {
+public:
+    CountingGl();
+    ~CountingGl();
+    CountingGl(const CountingGl&) = delete;
+    CountingGl& operator=(const CountingGl&) = delete;
+
+    [[nodiscard]] int made() const;
+    [[nodiscard]] int living() const; ///< of those made meanwhile
+};
+
+} // namespace test
