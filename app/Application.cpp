@@ -3,6 +3,7 @@
 
 #include "app/DemonstrationStudy.h"
 #include "app/SessionFiles.h"
+#include "core/base/Guarded.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionSalvage.h"
 #include "core/session/SessionUse.h"
@@ -59,6 +60,8 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace app {
@@ -74,10 +77,12 @@ QString stepsText(std::size_t steps)
 
 core::Result<std::unique_ptr<Application>> Application::create()
 {
-    auto engine = gpu::GpuEngine::create();
-    if (!engine)
-        return tl::unexpected(engine.error());
-    return std::unique_ptr<Application>(new Application(std::move(*engine)));
+    return core::guarded([]() -> core::Result<std::unique_ptr<Application>> {
+        auto engine = gpu::GpuEngine::create();
+        if (!engine)
+            return tl::unexpected(engine.error());
+        return std::unique_ptr<Application>(new Application(std::move(*engine)));
+    });
 }
 
 Application::Application(std::unique_ptr<gpu::GpuEngine> engine)
@@ -458,9 +463,16 @@ void Application::followSaved(const QString& before, const QString& now)
 void Application::wake()
 {
     // Any number of wake-ups before the GUI looks are one.
-    if (!m_pollQueued.exchange(true))
+    if (m_pollQueued.exchange(true))
+        return;
+    constexpr std::chrono::milliseconds pause{5};
+    const auto queue = [this] {
         QMetaObject::invokeMethod(
             this, [this] { poll(); }, Qt::QueuedConnection);
+    };
+    // One that is lost would leave the session waiting for ever.
+    while (!core::guarded(queue))
+        std::this_thread::sleep_for(pause);
 }
 
 void Application::poll()

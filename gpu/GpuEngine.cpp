@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/GpuEngine.h"
 
+#include "core/base/Guarded.h"
 #include "gpu/edit/GpuEditEngine.h"
 #include "gpu/engine/EngineThread.h"
 #include "gpu/frame/FrameScheduler.h"
@@ -47,10 +48,14 @@ public:
     {
         if (!m_onThread)
             return;
-        m_thread.run([this] {
-            m_thread.setSlices({}, {});
-            m_onThread.reset();
-        });
+        constexpr int tries = 3;
+        for (int i = 0; i < tries; ++i) {
+            const core::Result<void> done =
+                core::guarded([this] { m_thread.run([this] { end(); }); });
+            if (done)
+                return;
+        }
+        static_cast<void>(m_onThread.release()); // on no other thread can it be destroyed
     }
 
     core::Result<void> start()
@@ -63,7 +68,7 @@ public:
             m_version = glText(GL_VERSION);
             try {
                 m_onThread = std::make_unique<OnThread>(m_thread);
-            } catch (const std::exception&) {
+            } catch (...) {
                 core::Error error = errorBeingHandled();
                 if (error.code == core::ErrorCode::GraphicsUnavailable)
                     error.arguments.prepend(m_renderer);
@@ -82,23 +87,33 @@ public:
     QString m_version;
 
 private:
+    void end()
+    {
+        m_thread.setSlices({}, {});
+        m_onThread.reset();
+    }
+
     bool m_editing = false; ///< engine thread
 };
 
 core::Result<std::unique_ptr<GpuEngine>> GpuEngine::create()
 {
-    auto context = EglContext::create();
-    if (!context)
-        return tl::unexpected(context.error());
-    return create(std::move(*context));
+    return core::guarded([]() -> core::Result<std::unique_ptr<GpuEngine>> {
+        auto context = EglContext::create();
+        if (!context)
+            return tl::unexpected(context.error());
+        return create(std::move(*context));
+    });
 }
 
 core::Result<std::unique_ptr<GpuEngine>> GpuEngine::create(std::unique_ptr<GlContext> context)
 {
-    auto implementation = std::make_unique<Implementation>(std::move(context));
-    if (auto started = implementation->start(); !started)
-        return tl::unexpected(started.error());
-    return std::unique_ptr<GpuEngine>(new GpuEngine(std::move(implementation)));
+    return core::guarded([&]() -> core::Result<std::unique_ptr<GpuEngine>> {
+        auto implementation = std::make_unique<Implementation>(std::move(context));
+        if (auto started = implementation->start(); !started)
+            return tl::unexpected(started.error());
+        return std::unique_ptr<GpuEngine>(new GpuEngine(std::move(implementation)));
+    });
 }
 
 GpuEngine::GpuEngine(std::unique_ptr<Implementation> implementation)
@@ -121,9 +136,8 @@ FrameSource& GpuEngine::frames()
 void GpuEngine::setVolumeGeometry(
     const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding)
 {
-    m_implementation->m_thread.post([all = m_implementation->m_onThread.get(), geometry, encoding] {
-        all->textures.setGeometry(geometry, encoding);
-    });
+    m_implementation->m_thread.run(
+        [&] { m_implementation->m_onThread->textures.setGeometry(geometry, encoding); });
 }
 
 QString GpuEngine::rendererName() const

@@ -19,7 +19,7 @@ class GlContext;
 class GpuEngine {
 public:
     /// Starts the thread with its own headless EGL context (first hardware device, else surfaceless
-    /// Mesa). Errors: GraphicsUnavailable with the driver's reason.
+    /// Mesa). Errors: GraphicsUnavailable with the driver's reason, OutOfMemory.
     static core::Result<std::unique_ptr<GpuEngine>> create();
     /// The same with a context of the caller's making that is current nowhere.
     static core::Result<std::unique_ptr<GpuEngine>> create(std::unique_ptr<GlContext> context);
@@ -28,10 +28,11 @@ public:
     [[nodiscard]] core::EditEngine& edits();
     [[nodiscard]] FrameSource& frames();
     /// Where and what the codes are, for the renderers; call it beside EditEngine::openVolume().
-    void setVolumeGeometry(const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding);
+    void setVolumeGeometry(
+        const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding);
 
     [[nodiscard]] QString rendererName() const; ///< GL_RENDERER
-    [[nodiscard]] QString versionText() const;  ///< GL_VERSION
+    [[nodiscard]] QString versionText() const; ///< GL_VERSION
 
 private:
     class Implementation;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/AuditSaver.h"
 
+#include "core/base/Guarded.h"
 #include "ui/Workspace.h"
 #include "ui/report/WriteAudit.h"
 
@@ -21,8 +22,7 @@ AuditSaver::AuditSaver(Workspace& workspace, QWidget* window)
 
 AuditSaver::~AuditSaver()
 {
-    if (m_thread)
-        m_thread->wait();
+    m_thread.reset();
 }
 
 void AuditSaver::ask()
@@ -72,21 +72,27 @@ void AuditSaver::save(const QString& path)
 
 void AuditSaver::write(const core::AuditReport& report, const QString& path)
 {
-    m_thread.reset(QThread::create([this, report, path] {
-        const core::Result<void> written = writeAudit(report, path, true);
+    const auto tell = [this, path](const core::Result<void>& written) {
         QMetaObject::invokeMethod(
-            this,
-            [this, path, written] {
-                m_thread->wait();
-                m_busy = false;
-                if (written)
-                    Q_EMIT saved(path);
-                else
-                    Q_EMIT failed(written.error());
-            },
-            Qt::QueuedConnection);
-    }));
-    m_thread->start();
+            this, [this, path, written] { take(path, written); }, Qt::QueuedConnection);
+    };
+    const core::Result<void> begun = core::guarded([&] {
+        m_thread.emplace();
+        m_thread->post([tell, report, path] { tell(writeAudit(report, path, true)); },
+            [tell](const core::Error& error) { tell(tl::unexpected(error)); });
+    });
+    if (!begun)
+        take(path, begun);
+}
+
+void AuditSaver::take(const QString& path, const core::Result<void>& written)
+{
+    m_thread.reset();
+    m_busy = false;
+    if (written)
+        Q_EMIT saved(path);
+    else
+        Q_EMIT failed(written.error());
 }
 
 } // namespace ui

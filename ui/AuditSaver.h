@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/TaskThread.h"
 #include "core/session/AuditReport.h"
 
 #include <QObject>
-#include <QThread>
 
-#include <memory>
+#include <optional>
 
 class QWidget;
 
@@ -34,11 +34,12 @@ Q_SIGNALS:
 
 private:
     void write(const core::AuditReport& report, const QString& path);
+    void take(const QString& path, const core::Result<void>& written);
 
     Workspace& m_workspace;
     QWidget* m_window;
     bool m_busy = false;
-    std::unique_ptr<QThread> m_thread;
+    std::optional<core::TaskThread> m_thread; ///< while a report is laid out
 };
 
 } // namespace ui

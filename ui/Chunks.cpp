@@ -116,12 +116,22 @@ void Chunks::follow()
         m_members.begin(nullptr, 0);
         colour();
         if (m_wanted)
-            m_thread.post([this, map = m_wanted] {
-                auto leaves = std::make_shared<const ChunkLeaves>(map);
-                QMetaObject::invokeMethod(
-                    this, [this, leaves = std::move(leaves)] { take(leaves); },
-                    Qt::QueuedConnection);
-            });
+            m_thread.post(
+                [this, map = m_wanted] {
+                    auto leaves = std::make_shared<const ChunkLeaves>(map);
+                    QMetaObject::invokeMethod(
+                        this, [this, leaves = std::move(leaves)] { take(leaves); },
+                        Qt::QueuedConnection);
+                },
+                [this](const core::Error& error) {
+                    QMetaObject::invokeMethod(
+                        this,
+                        [this, error] {
+                            takeBack();
+                            m_workspace.fail(error);
+                        },
+                        Qt::QueuedConnection);
+                });
     }
     Q_EMIT changed();
 }

@@ -70,14 +70,16 @@ void KeyframeRecorder::keep(core::RowId row, const QImage& picture)
 {
     m_due = false;
     m_rule.kept(row, m_rows, m_clock());
-    m_encoder.post([this, row, picture] {
-        QByteArray png = keyframePng(picture);
-        {
-            const std::lock_guard lock(m_mutex);
-            m_done.emplace_back(row, std::move(png));
-        }
-        QMetaObject::invokeMethod(this, &KeyframeRecorder::deliver, Qt::QueuedConnection);
-    });
+    m_encoder.post(
+        [this, row, picture] {
+            QByteArray png = keyframePng(picture);
+            {
+                const std::lock_guard lock(m_mutex);
+                m_done.emplace_back(row, std::move(png));
+            }
+            QMetaObject::invokeMethod(this, &KeyframeRecorder::deliver, Qt::QueuedConnection);
+        },
+        [](const core::Error&) {}); // the row has no picture, then
 }
 
 void KeyframeRecorder::deliver()

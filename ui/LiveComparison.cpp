@@ -72,12 +72,18 @@ void LiveComparison::read(const QString& path)
     m_reading = true;
     m_path = path;
     // The thread ends before the object does; another study may be open by then.
-    m_thread.post([this, path, volume = std::make_shared<const core::Volume>(*volume)] {
-        auto done =
-            std::make_shared<core::Result<core::MaskOnVolume>>(core::readMask(path, *volume, {}));
+    const auto tell = [this, path](const std::shared_ptr<core::Result<core::MaskOnVolume>>& done) {
         QMetaObject::invokeMethod(
             this, [this, path, done] { takeMasks(path, std::move(*done)); }, Qt::QueuedConnection);
-    });
+    };
+    m_thread.post(
+        [tell, path, volume = std::make_shared<const core::Volume>(*volume)] {
+            tell(std::make_shared<core::Result<core::MaskOnVolume>>(
+                core::readMask(path, *volume, {})));
+        },
+        [tell](const core::Error& error) {
+            tell(std::make_shared<core::Result<core::MaskOnVolume>>(tl::unexpected(error)));
+        });
     Q_EMIT changed();
 }
 
@@ -171,7 +177,12 @@ void LiveComparison::compare()
     m_job->masks = m_masks;
     m_job->reference = std::size_t(m_chosen);
     m_job->geometry = m_workspace.volume()->geometry;
-    m_thread.post([this, job = m_job] {
+    const auto tell = [this, job = m_job](
+                          const std::shared_ptr<core::Result<core::MaskComparison>>& done) {
+        QMetaObject::invokeMethod(
+            this, [this, job, done] { take(job, *done); }, Qt::QueuedConnection);
+    };
+    const auto compared = [job = m_job] {
         const Job& work = *job;
         const core::Result<core::VoxelRuns> voxels = work.labels
             ? core::Result<core::VoxelRuns>(
@@ -183,9 +194,12 @@ void LiveComparison::compare()
                 *voxels, (*work.masks)[work.reference].voxels, work.geometry, work.progress);
         else
             *done = tl::unexpected(voxels.error());
-        QMetaObject::invokeMethod(
-            this, [this, job, done] { take(job, *done); }, Qt::QueuedConnection);
-    });
+        return done;
+    };
+    m_thread.post([tell, compared] { tell(compared()); },
+        [tell](const core::Error& error) {
+            tell(std::make_shared<core::Result<core::MaskComparison>>(tl::unexpected(error)));
+        });
     Q_EMIT changed();
 }
 

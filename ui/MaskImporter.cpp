@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/MaskImporter.h"
 
+#include "core/base/Guarded.h"
 #include "core/dicom/DicomFile.h"
 #include "core/masks/ReadImport.h"
 #include "core/meshfile/MeshReader.h"
@@ -39,8 +40,7 @@ MaskImporter::~MaskImporter()
 {
     if (m_progress)
         m_progress->cancel();
-    if (m_thread)
-        m_thread->wait();
+    m_thread.reset();
 }
 
 bool MaskImporter::looksLikeMask(const QString& path)
@@ -79,19 +79,32 @@ void MaskImporter::import(const QString& path)
     m_progress = std::make_shared<core::Progress>();
     Q_EMIT started(path);
     const core::Document document = session->foreseenDocument();
-    m_thread.reset(QThread::create([this, path, volume = document.volumes.front(),
-                                       before = document.segments.size(), progress = m_progress] {
-        auto read = core::readImport(core::ImportMask{.file = path}, volume, before, *progress);
+    using Read = core::Result<core::ReadImport>;
+    const auto tell = [this, path](const std::shared_ptr<const Read>& read) {
         QMetaObject::invokeMethod(
-            this,
-            [this, path, result = std::move(read)] {
-                m_thread->wait();
-                m_progress.reset();
-                apply(result, path);
+            this, [this, path, read] { take(*read, path); }, Qt::QueuedConnection);
+    };
+    const core::Result<void> begun = core::guarded([&] {
+        m_thread.emplace();
+        m_thread->post(
+            [tell, path, volume = document.volumes.front(), before = document.segments.size(),
+                progress = m_progress] {
+                tell(std::make_shared<const Read>(
+                    core::readImport(core::ImportMask{.file = path}, volume, before, *progress)));
             },
-            Qt::QueuedConnection);
-    }));
-    m_thread->start();
+            [tell](const core::Error& error) {
+                tell(std::make_shared<const Read>(tl::unexpected(error)));
+            });
+    });
+    if (!begun)
+        tell(std::make_shared<const Read>(tl::unexpected(begun.error())));
+}
+
+void MaskImporter::take(const core::Result<core::ReadImport>& read, const QString& path)
+{
+    m_thread.reset();
+    m_progress.reset();
+    apply(read, path);
 }
 
 void MaskImporter::apply(const core::Result<core::ReadImport>& read, const QString& path)

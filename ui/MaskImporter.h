@@ -3,12 +3,13 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/TaskThread.h"
 
 #include <QObject>
 #include <QStringList>
-#include <QThread>
 
 #include <memory>
+#include <optional>
 
 class QWidget;
 
@@ -50,13 +51,14 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
+    void take(const core::Result<core::ReadImport>& read, const QString& path);
     void apply(const core::Result<core::ReadImport>& read, const QString& path);
 
     Workspace& m_workspace;
     QWidget* m_window;
     const void* m_session = nullptr; ///< that it was begun for
     std::shared_ptr<core::Progress> m_progress; ///< none: nothing is under way
-    std::unique_ptr<QThread> m_thread;
+    std::optional<core::TaskThread> m_thread; ///< while a file is read
 };
 
 } // namespace ui

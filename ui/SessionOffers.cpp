@@ -119,13 +119,16 @@ void SessionOffers::showFolder(const QString& folder)
 {
     m_folder = folder;
     const int reading = ++m_reading;
-    m_reader.post([this, reading, folder] {
-        auto offers = folder.isEmpty() ? std::vector<core::SessionPreview>() : readFolder(folder);
-        QMetaObject::invokeMethod(this, [this, reading, offers = std::move(offers)] {
-            if (reading == m_reading)
-                showOffers(offers);
-        });
-    });
+    m_reader.post(
+        [this, reading, folder] {
+            auto offers =
+                folder.isEmpty() ? std::vector<core::SessionPreview>() : readFolder(folder);
+            QMetaObject::invokeMethod(this, [this, reading, offers = std::move(offers)] {
+                if (reading == m_reading)
+                    showOffers(offers);
+            });
+        },
+        [](const core::Error&) {}); // none are offered, then; they can be opened by name
 }
 
 void SessionOffers::showOffers(std::vector<core::SessionPreview> offers)

@@ -155,11 +155,13 @@ void SessionSaver::stage(const Choice& choice, const std::function<void(bool)>& 
     *listener = m_progress.get();
     Q_EMIT imagesBegun(choice.target);
     const core::SessionSource source = core::SessionSource::of(*m_workspace.volume());
-    m_worker.post([this, progress = m_progress, choice, source, done] {
-        const Staged staged = stageFromStudy(choice.target, source, *progress);
+    const auto tell = [this, progress = m_progress, choice, done](const Staged& staged) {
         QMetaObject::invokeMethod(this,
             [this, progress, choice, staged, done] { takeStaged(progress, choice, staged, done); });
-    });
+    };
+    m_worker.post([tell, progress = m_progress, choice,
+                      source] { tell(stageFromStudy(choice.target, source, *progress)); },
+        [tell](const core::Error& error) { tell(tl::unexpected(error)); });
 }
 
 void SessionSaver::takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,

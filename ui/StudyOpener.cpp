@@ -67,8 +67,7 @@ void StudyOpener::abandon()
 {
     blockSignals(true);
     cancel();
-    if (m_worker.joinable())
-        m_worker.join();
+    m_worker.finish();
 }
 
 void StudyOpener::open(const QString& path, const QString& series)
@@ -182,24 +181,30 @@ void StudyOpener::launch(std::function<Tell()> work)
     const auto outcome = std::make_shared<Outcome>();
     m_outcome = outcome;
     // What was called off may take a while to notice; nobody but the next worker waits for it.
-    m_worker = std::thread(
-        [this, outcome, work = std::move(work), before = std::move(m_worker)]() mutable {
-            if (before.joinable())
-                before.join();
+    m_worker.post(
+        [this, outcome, work = std::move(work)]() mutable {
             Tell tell = work();
             work = {};
-            {
-                const std::lock_guard lock(outcome->mutex);
-                // What it holds then goes here, before another worker begins.
-                if (outcome->calledOff)
-                    return;
-                outcome->tell = std::move(tell);
-            }
-            QMetaObject::invokeMethod(this, [this, outcome] {
-                if (m_outcome == outcome)
-                    take();
-            });
+            setOutcome(outcome, std::move(tell));
+        },
+        [this, outcome](const core::Error& error) {
+            setOutcome(outcome, [this, error] { Q_EMIT failed(error); });
         });
+}
+
+void StudyOpener::setOutcome(const std::shared_ptr<Outcome>& outcome, Tell tell)
+{
+    {
+        const std::lock_guard lock(outcome->mutex);
+        // What it holds then goes here, before another work begins.
+        if (outcome->calledOff)
+            return;
+        outcome->tell = std::move(tell);
+    }
+    QMetaObject::invokeMethod(this, [this, outcome] {
+        if (m_outcome == outcome)
+            take();
+    });
 }
 
 void StudyOpener::take()

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/TaskThread.h"
 #include "core/study/StudyLoader.h"
 #include "core/volume/EarlySlice.h"
 #include "core/volume/Volume.h"
@@ -12,7 +13,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace core {
 struct SessionContents;
@@ -89,10 +89,12 @@ private:
         bool calledOff = false; ///< guarded by the mutex
     };
 
-    std::thread m_worker; ///< waits for the one before it
+    void setOutcome(const std::shared_ptr<Outcome>& outcome, Tell tell); ///< the worker
+
     std::shared_ptr<core::Progress> m_progress; ///< none: nothing is under way
     std::shared_ptr<Outcome> m_outcome; ///< likewise
     bool m_busy = false;
+    core::TaskThread m_worker; ///< last: it uses all of the above
 };
 
 } // namespace ui

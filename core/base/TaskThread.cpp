@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/TaskThread.h"
 
+#include "core/base/Guarded.h"
+
+#include <exception>
 #include <utility>
 
 namespace core {
@@ -20,11 +23,11 @@ TaskThread::~TaskThread()
     m_thread.join();
 }
 
-void TaskThread::post(std::function<void()> task)
+void TaskThread::post(std::function<void()> task, std::function<void(const Error&)> failed)
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_tasks.push_back(std::move(task));
+        m_tasks.push_back({.carryOut = std::move(task), .failed = std::move(failed)});
     }
     m_changed.notify_all();
 }
@@ -34,14 +37,23 @@ void TaskThread::run(const std::function<void()>& task)
     std::mutex mutex;
     std::condition_variable changed;
     bool done = false;
-    post([&] {
-        task();
-        const std::lock_guard lock(mutex);
-        done = true;
-        changed.notify_all();
-    });
+    std::exception_ptr thrown;
+    post(
+        [&] {
+            try {
+                task();
+            } catch (...) {
+                thrown = std::current_exception();
+            }
+            const std::lock_guard lock(mutex);
+            done = true;
+            changed.notify_all();
+        },
+        [](const Error&) {});
     std::unique_lock lock(mutex);
     changed.wait(lock, [&] { return done; });
+    if (thrown)
+        std::rethrow_exception(thrown);
 }
 
 void TaskThread::finish()
@@ -57,10 +69,11 @@ void TaskThread::work()
         if (m_tasks.empty())
             return;
         {
-            const std::function<void()> task = std::move(m_tasks.front());
+            const Task task = std::move(m_tasks.front());
             m_tasks.pop_front();
             lock.unlock();
-            task();
+            if (const Result<void> done = guarded(task.carryOut); !done)
+                task.failed(done.error());
         }
         lock.lock();
     }

@@ -2,6 +2,7 @@
 #include "core/brick/DeltaStream.h"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <array>
 #include <new>
@@ -82,6 +83,8 @@ std::size_t DeltaReader::take(void* data, std::size_t size)
         ZSTD_inBuffer input{piece.constData(), std::size_t(piece.size()), m_position};
         const std::size_t before = output.pos;
         const std::size_t status = ZSTD_decompressStream(m_stream.get(), &output, &input);
+        if (ZSTD_getErrorCode(status) == ZSTD_error_memory_allocation)
+            throw std::bad_alloc();
         m_failed = ZSTD_isError(status) != 0;
         m_complete = status == 0;
         const bool stuck = output.pos == before && input.pos == m_position;

@@ -2,8 +2,10 @@
 #include "core/brick/VoxelRuns.h"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
+#include <new>
 
 namespace core {
 
@@ -100,7 +102,9 @@ QByteArray packedRuns(const VoxelRuns& runs)
     QByteArray out(qsizetype(ZSTD_compressBound(std::size_t(plain.size()))), Qt::Uninitialized);
     const std::size_t size = ZSTD_compress(out.data(), std::size_t(out.size()), plain.constData(),
         std::size_t(plain.size()), compressionLevel);
-    out.resize(ZSTD_isError(size) ? 0 : qsizetype(size));
+    if (ZSTD_isError(size)) // there is room for all
+        throw std::bad_alloc();
+    out.resize(qsizetype(size));
     return out;
 }
 
@@ -114,6 +118,8 @@ std::optional<VoxelRuns> unpackedRuns(const QByteArray& bytes, std::uint64_t vox
     QByteArray plain(qsizetype(size), Qt::Uninitialized);
     const std::size_t done = ZSTD_decompress(
         plain.data(), std::size_t(plain.size()), bytes.constData(), std::size_t(bytes.size()));
+    if (ZSTD_getErrorCode(done) == ZSTD_error_memory_allocation)
+        throw std::bad_alloc();
     if (ZSTD_isError(done) || done != size)
         return std::nullopt;
     VoxelRuns runs;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 
+#include "core/base/ParallelFor.h"
 #include "core/demo/HeadPhantom.h"
 #include "core/demo/Noise.h"
 #include "core/dicom/CtSeriesWriter.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace core {
 
@@ -114,20 +114,14 @@ Result<DemoStudy> makeDemoStudy(const Progress& progress)
     study.hounsfield.resize(study.geometry.voxelCount());
     study.parts.resize(study.geometry.voxelCount());
     const HeadPhantom head;
-    std::atomic<int> next = 0;
     std::atomic<int> done = 0;
     const int slices = study.geometry.size.z;
-    const auto work = [&] {
-        for (int k = next++; k < slices && !progress.cancelled(); k = next++) {
-            fillSlice(study, head, k);
-            progress.report(QStringLiteral("Demonstration study"), ++done, slices);
-        }
-    };
-    std::vector<std::thread> workers;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-        workers.emplace_back(work);
-    for (std::thread& worker : workers)
-        worker.join();
+    parallelFor(slices, [&](int k) {
+        if (progress.cancelled())
+            return;
+        fillSlice(study, head, k);
+        progress.report(QStringLiteral("Demonstration study"), ++done, slices);
+    });
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
     return study;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/CtSeriesWriter.h"
 
+#include "core/base/ParallelFor.h"
+
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 namespace core {
@@ -158,28 +159,23 @@ OFCondition writeSlice(const QString& file, const CtSeries& series, int k)
 Result<void> writeCtSeries(const QString& folder, const CtSeries& series)
 {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-    std::atomic<int> next = 0;
     std::mutex guard;
     QString failedFile;
     QString reason;
-    const auto work = [&] {
-        for (int k = next++; k < series.geometry.size.z; k = next++) {
-            const QString file =
-                QStringLiteral("%1/CT%2.dcm").arg(folder).arg(k + 1, 4, 10, QLatin1Char('0'));
-            const OFCondition condition = writeSlice(file, series, k);
-            if (condition.good())
-                continue;
-            const std::lock_guard lock(guard);
-            failedFile = file;
-            reason = QString::fromUtf8(condition.text());
-            next = series.geometry.size.z;
-        }
-    };
-    std::vector<std::thread> workers;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-        workers.emplace_back(work);
-    for (std::thread& worker : workers)
-        worker.join();
+    std::atomic<bool> failed = false;
+    parallelFor(series.geometry.size.z, [&](int k) {
+        if (failed)
+            return;
+        const QString file =
+            QStringLiteral("%1/CT%2.dcm").arg(folder).arg(k + 1, 4, 10, QLatin1Char('0'));
+        const OFCondition condition = writeSlice(file, series, k);
+        if (condition.good())
+            return;
+        const std::lock_guard lock(guard);
+        failed = true;
+        failedFile = file;
+        reason = QString::fromUtf8(condition.text());
+    });
     if (!failedFile.isEmpty())
         return failure(ErrorCode::FileUnwritable, failedFile, reason);
     return {};

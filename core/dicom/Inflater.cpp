@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <new>
 
 namespace core {
 
@@ -21,7 +22,7 @@ Inflater::Inflater(DicomBytes deflated)
     : m_stream(std::make_unique<Stream>(deflated))
 {
     if (inflateInit2(m_stream.get(), -MAX_WBITS) != Z_OK)
-        m_state = State::Damaged;
+        throw std::bad_alloc(); // nothing was read that could be wrong
 }
 
 Inflater::~Inflater()
@@ -52,6 +53,8 @@ Inflater::State Inflater::growTo(std::size_t size, std::size_t freeBytes)
         m_stream->next_out = m_output.data() + before;
         m_stream->avail_out = uInt(wanted);
         const int result = inflate(m_stream.get(), Z_NO_FLUSH);
+        if (result == Z_MEM_ERROR)
+            throw std::bad_alloc();
         m_output.resize(before + wanted - m_stream->avail_out);
         if (result == Z_STREAM_END)
             m_state = State::Finished;

@@ -220,7 +220,9 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
     // It takes the system a while to find that much memory: who waits sees a slice meanwhile.
     std::future<Result<Stored>> first;
     if (early && hasWindow(wanted)) {
-        first = std::async(std::launch::async, [&]() -> Result<Stored> {
+        // Where no thread can be had it is decoded when it is asked for.
+        const auto beside = std::launch::async | std::launch::deferred;
+        first = std::async(beside, [&]() -> Result<Stored> {
             Stored stored(sliceSize(wanted));
             const Result<void> decoded = files.decode(wanted.slices[middle], stored);
             if (!decoded)

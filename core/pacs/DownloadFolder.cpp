@@ -2,6 +2,7 @@
 #include "core/pacs/DownloadFolder.h"
 
 #include "core/base/FolderCache.h"
+#include "core/base/ParallelFor.h"
 #include "core/dicom/DicomFile.h"
 
 #include <QCryptographicHash>
@@ -17,8 +18,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <thread>
-#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -79,21 +78,15 @@ int bringToDisk(const QString& path, int (*sync)(int))
 int bringToDisk(const QDir& folder)
 {
     const QStringList names = folder.entryList(QDir::Files);
-    std::atomic<qsizetype> next = 0;
     std::atomic<int> trouble = 0;
-    const auto work = [&] {
-        for (qsizetype i = next++; i < names.size(); i = next++) {
+    constexpr int atOnce = 8;
+    parallelFor(
+        int(names.size()),
+        [&](int i) {
             if (const int one = bringToDisk(folder.filePath(names[i]), ::fdatasync))
                 trouble = one;
-        }
-    };
-    constexpr qsizetype most = 8;
-    std::vector<std::thread> threads;
-    for (qsizetype i = 1; i < std::min(most, names.size()); ++i)
-        threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads)
-        thread.join();
+        },
+        atOnce);
     return trouble != 0 ? int(trouble) : bringToDisk(folder.path(), ::fsync);
 }
 

@@ -12,6 +12,7 @@
 #include <dcmtk/dcmnet/dimse.h>
 
 #include <chrono>
+#include <thread>
 #include <vector>
 
 namespace core {
@@ -66,7 +67,9 @@ Result<std::unique_ptr<MoveListener>> MoveListener::start(
             QStringLiteral("nobody can listen on port %1; it may be taken").arg(port));
     }
     ASC_setTransportLayer(listener->m_network, listener->m_layer.get(), 0);
-    listener->m_thread = std::thread([raw = listener.get()] { raw->work(); });
+    listener->m_thread.emplace();
+    listener->m_thread->post([raw = listener.get()] { raw->work(); },
+        [raw = listener.get()](const Error& error) { raw->m_trouble = error; });
     return listener;
 }
 
@@ -80,8 +83,7 @@ MoveListener::~MoveListener()
 std::optional<Error> MoveListener::stop()
 {
     m_ending.cancel();
-    if (m_thread.joinable())
-        m_thread.join();
+    m_thread.reset();
     return m_trouble;
 }
 

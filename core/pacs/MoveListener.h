@@ -3,13 +3,13 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/TaskThread.h"
 #include "core/pacs/ObjectIntake.h"
 #include "core/pacs/PacsNode.h"
 #include "core/pacs/WatchedWire.h"
 
 #include <memory>
 #include <optional>
-#include <thread>
 
 struct T_ASC_Network;
 
@@ -45,7 +45,8 @@ private:
     std::unique_ptr<DcmTransportLayer> m_layer;
     T_ASC_Network* m_network = nullptr;
     std::optional<Error> m_trouble;
-    std::thread m_thread; ///< last: it uses all of the above
+    /// Last: it uses all of the above. None: it has ended.
+    std::optional<TaskThread> m_thread;
 };
 
 } // namespace core

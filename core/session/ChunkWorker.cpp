@@ -184,13 +184,18 @@ bool ChunkWorker::take(const EngineResult& result)
     // Answers come in the order of the questions.
     job->codes.insert(job->codes.end(), result.codes.begin(), result.codes.end());
     if (--job->questions == 0)
-        m_thread.post([this, job] { workOut(*job); });
+        m_thread.post([this, job] { workOut(*job); },
+            [this, job](const Error& error) { setOutcome(*job, tl::unexpected(error)); });
     return true;
 }
 
 void ChunkWorker::workOut(Job& job)
 {
-    Result<Map> outcome = mapOf(job);
+    setOutcome(job, mapOf(job));
+}
+
+void ChunkWorker::setOutcome(Job& job, Result<Map> outcome)
+{
     {
         const std::lock_guard lock(job.mutex);
         job.outcome = std::move(outcome);

@@ -67,6 +67,7 @@ private:
     [[nodiscard]] Result<void> begin(const Chunks& edit);
     void ask(const std::shared_ptr<Job>& job);
     void workOut(Job& job);
+    void setOutcome(Job& job, Result<Map> outcome);
     [[nodiscard]] Result<Map> mapOf(Job& job) const;
     void fail(const Error& error);
     void drop();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/CommitWorker.h"
 
+#include "core/base/Guarded.h"
+
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace core {
@@ -14,12 +18,37 @@ CommitWorker::CommitWorker(const BrickGrid& grid, SessionFile* file, std::functi
 
 void CommitWorker::start(std::vector<BrickImage> bricks)
 {
-    m_thread.post([this, bricks = std::move(bricks)] { m_hash.update(bricks); });
+    post([this, bricks = std::move(bricks)] { m_hash.update(bricks); });
+}
+
+/// Work that may be done over.
+void CommitWorker::post(std::function<void()> work)
+{
+    m_thread.post([this, work = std::move(work)] { attempt(work); },
+        [this](const Error& error) {
+            m_failed = true;
+            report({.error = error});
+        });
+}
+
+/// Memory may be there again in a moment; a row that is not completed ends the session.
+void CommitWorker::attempt(const std::function<void()>& work)
+{
+    constexpr int tries = 5;
+    constexpr std::chrono::milliseconds pause{20};
+    if (m_failed)
+        return;
+    for (int i = 1; i < tries; ++i) {
+        if (guarded(work))
+            return;
+        std::this_thread::sleep_for(pause);
+    }
+    work();
 }
 
 void CommitWorker::commit(RowId row, Changes changes, QByteArray documentJson)
 {
-    m_thread.post([this, row, changes = std::move(changes), json = std::move(documentJson)] {
+    post([this, row, changes = std::move(changes), json = std::move(documentJson)] {
         m_hash.update(*changes);
         complete(row, json, makeDelta(*changes, m_grid));
     });
@@ -28,7 +57,7 @@ void CommitWorker::commit(RowId row, Changes changes, QByteArray documentJson)
 void CommitWorker::commit(
     RowId row, std::shared_ptr<const SurfaceStep> step, QByteArray documentJson)
 {
-    m_thread.post([this, row, step = std::move(step), json = std::move(documentJson)] {
+    post([this, row, step = std::move(step), json = std::move(documentJson)] {
         complete(row, json, packed(*step));
     });
 }
@@ -39,6 +68,11 @@ void CommitWorker::complete(RowId row, const QByteArray& documentJson, BrickDelt
         .deltaBytes = delta.bytes(),
         .stateHash = m_hash.root(documentJson),
         .differences = {}};
+    {
+        // So that nothing is thrown behind what cannot be done over.
+        const std::lock_guard lock(m_mutex);
+        m_reports.reserve(m_reports.size() + 1);
+    }
     if (m_file)
         m_file->completeRow(row, done.stateHash, delta);
     else
@@ -48,14 +82,18 @@ void CommitWorker::complete(RowId row, const QByteArray& documentJson, BrickDelt
 
 void CommitWorker::move(Changes changes)
 {
-    m_thread.post([this, changes = std::move(changes)] { m_hash.update(*changes); });
+    post([this, changes = std::move(changes)] { m_hash.update(*changes); });
 }
 
 void CommitWorker::load(RowId row)
 {
-    m_thread.post([this, row] {
-        report({.row = row, .deltaBytes = 0, .stateHash = {}, .differences = differencesOf(row)});
-    });
+    m_thread.post(
+        [this, row] {
+            report(
+                {.row = row, .deltaBytes = 0, .stateHash = {}, .differences = differencesOf(row)});
+        },
+        [this, row](
+            const Error& error) { report({.row = row, .differences = tl::unexpected(error)}); });
 }
 
 Result<std::vector<BrickImage>> CommitWorker::differencesOf(RowId row)

@@ -30,6 +30,7 @@ public:
         std::size_t deltaBytes = 0; ///< after commit()
         QByteArray stateHash; ///< after commit()
         std::optional<Result<std::vector<BrickImage>>> differences; ///< after load()
+        std::optional<Error> error; ///< it cannot be had; the hashes that follow cannot, either
     };
 
     /// @param grid of the volume
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] QByteArray stateHash(const QByteArray& documentJson);
 
 private:
+    void post(std::function<void()> work);
+    void attempt(const std::function<void()>& work);
     void complete(RowId row, const QByteArray& documentJson, BrickDelta delta);
     void report(Report report);
     [[nodiscard]] Result<std::vector<BrickImage>> differencesOf(RowId row);
@@ -65,6 +68,7 @@ private:
 
     // The worker's thread only:
     StateHash m_hash;
+    bool m_failed = false; ///< m_hash is not what it should be
     std::map<RowId, BrickDelta> m_deltas;
 
     TaskThread m_thread; ///< last: it uses all of the above

@@ -21,6 +21,8 @@ public:
     void start(SessionState& state, std::vector<BrickImage> differences, Check check = {});
     /// Where the bricks are known already.
     void put(SessionState& state, std::vector<BrickImage> images);
+    /// The engine has been told to change something, and has not answered.
+    [[nodiscard]] bool swapping() const { return m_swapping.has_value(); }
 
     /// @return the engine's result once the bricks are swapped in, or what went wrong; none: it
     /// goes on, or the result is somebody else's

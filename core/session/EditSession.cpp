@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
 
+#include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EditSchema.h"
@@ -9,6 +10,7 @@
 #include "core/session/OperationQueue.h"
 #include "core/session/ReadLabels.h"
 #include "core/session/RestoreSession.h"
+#include "core/session/SessionUse.h"
 #include "core/session/SurfaceOperation.h"
 #include "core/session/TouchSearch.h"
 #include "core/session/WalkOperation.h"
@@ -28,48 +30,60 @@ EditSession::~EditSession() = default;
 Result<std::unique_ptr<EditSession>> EditSession::create(
     EditEngine& engine, LoadedVolume volume, Options options)
 {
-    if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes); !put)
-        return tl::unexpected(put.error());
-    std::unique_ptr<SessionFile> file;
-    if (!options.file.isEmpty()) {
-        Result<std::unique_ptr<SessionFile>> created =
-            SessionFile::create(options.file, SessionSource::of(volume.volume));
-        const bool waits = !created && options.beginWithoutFile
-            && created.error().code == ErrorCode::FileUnwritable;
-        if (!created && !waits)
-            return tl::unexpected(created.error());
-        file = created
-            ? *std::move(created)
-            : SessionFile::waiting(options.file, SessionSource::of(volume.volume), created.error());
-    }
-    FileInUse sources(sourceFiles(volume.volume), FileInUse::As::Study);
-    std::unique_ptr<EditSession> session(new EditSession(std::make_unique<OperationQueue>(
-        engine, std::move(volume.volume), std::move(file), std::move(options.wakeUp))));
-    session->m_sources = std::move(sources);
-    return session;
+    bool made = false;
+    auto begun = guarded([&]() -> Result<std::unique_ptr<EditSession>> {
+        if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes);
+            !put)
+            return tl::unexpected(put.error());
+        std::unique_ptr<SessionFile> file;
+        if (!options.file.isEmpty()) {
+            Result<std::unique_ptr<SessionFile>> created =
+                SessionFile::create(options.file, SessionSource::of(volume.volume));
+            const bool waits = !created && options.beginWithoutFile
+                && created.error().code == ErrorCode::FileUnwritable;
+            if (!created && !waits)
+                return tl::unexpected(created.error());
+            made = created.has_value();
+            file = created ? *std::move(created)
+                           : SessionFile::waiting(
+                               options.file, SessionSource::of(volume.volume), created.error());
+        }
+        FileInUse sources(sourceFiles(volume.volume), FileInUse::As::Study);
+        std::unique_ptr<EditSession> session(new EditSession(std::make_unique<OperationQueue>(
+            engine, std::move(volume.volume), std::move(file), std::move(options.wakeUp))));
+        session->m_sources = std::move(sources);
+        return session;
+    });
+    if (!begun && made)
+        removeSession(options.file);
+    return begun;
 }
 
 Result<std::unique_ptr<EditSession>> EditSession::open(
     EditEngine& engine, LoadedVolume volume, const QString& file, std::function<void()> wakeUp)
 {
-    Result<std::unique_ptr<SessionFile>> opened =
-        SessionFile::open(file, SessionFile::Access::ReadWrite);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    return continued(engine, std::move(volume), *std::move(opened), std::move(wakeUp));
+    return guarded([&]() -> Result<std::unique_ptr<EditSession>> {
+        Result<std::unique_ptr<SessionFile>> opened =
+            SessionFile::open(file, SessionFile::Access::ReadWrite);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        return continued(engine, std::move(volume), *std::move(opened), std::move(wakeUp));
+    });
 }
 
 Result<std::unique_ptr<EditSession>> EditSession::view(EditEngine& engine, LoadedVolume volume,
     const QString& file, const QString& why, std::function<void()> wakeUp)
 {
-    Result<std::unique_ptr<SessionFile>> opened =
-        SessionFile::open(file, SessionFile::Access::PrivateCopy);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    auto session = continued(engine, std::move(volume), *std::move(opened), std::move(wakeUp));
-    if (session)
-        (*session)->m_whyReadOnly = why;
-    return session;
+    return guarded([&]() -> Result<std::unique_ptr<EditSession>> {
+        Result<std::unique_ptr<SessionFile>> opened =
+            SessionFile::open(file, SessionFile::Access::PrivateCopy);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        auto session = continued(engine, std::move(volume), *std::move(opened), std::move(wakeUp));
+        if (session)
+            (*session)->m_whyReadOnly = why;
+        return session;
+    });
 }
 
 Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, LoadedVolume volume,
@@ -151,11 +165,14 @@ Result<void> EditSession::mayEdit() const
 
 Result<void> EditSession::renameFile(const QString& target)
 {
-    if (const Result<void> settled = m_queue->settle(); !settled)
-        return settled;
-    SessionFile* file = m_queue->state().file.get();
-    return file ? file->rename(target)
-                : failure(ErrorCode::FileUnwritable, target, QStringLiteral("there is no file"));
+    return guarded([&]() -> Result<void> {
+        if (const Result<void> settled = m_queue->settle(); !settled)
+            return settled;
+        SessionFile* file = m_queue->state().file.get();
+        return file
+            ? file->rename(target)
+            : failure(ErrorCode::FileUnwritable, target, QStringLiteral("there is no file"));
+    });
 }
 
 void EditSession::saveAs(const QString& target, bool replaceExisting,
@@ -171,85 +188,90 @@ void EditSession::saveAs(const QString& target, bool replaceExisting,
 
 Result<void> EditSession::apply(const Edit& edit)
 {
-    if (const Result<void> may = mayEdit(); !may)
-        return may;
-    if (const Result<void> checked = checkFields(edit); !checked)
-        return checked;
-    const Edit rounded = quantised(edit);
-    m_queue->closeGrowth();
-    if (const Result<void> checked = m_queue->check(rounded); !checked)
-        return checked;
-    m_queue->submit(operationOf(rounded));
-    return {};
+    return guarded([&]() -> Result<void> {
+        if (const Result<void> may = mayEdit(); !may)
+            return may;
+        if (const Result<void> checked = checkFields(edit); !checked)
+            return checked;
+        const Edit rounded = quantised(edit);
+        m_queue->closeGrowth();
+        if (const Result<void> checked = m_queue->check(rounded); !checked)
+            return checked;
+        m_queue->submit(operationOf(rounded));
+        return {};
+    });
 }
 
 Result<void> EditSession::begin(const Edit& edit)
 {
-    if (const Result<void> may = mayEdit(); !may)
-        return may;
-    if (const Result<void> checked = checkFieldsAtBegin(edit); !checked)
-        return checked;
-    const Edit rounded = quantised(edit);
-    const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
-        || std::holds_alternative<PaintStroke>(rounded)
-        || std::holds_alternative<BarrierStroke>(rounded)
-        || std::holds_alternative<BrushStroke>(rounded) || std::holds_alternative<PeelCut>(rounded)
-        || std::holds_alternative<LaserStroke>(rounded)
-        || std::holds_alternative<GrowFromSeeds>(rounded);
-    const bool isGrowth = std::holds_alternative<GrowSteps>(rounded)
-        || std::holds_alternative<ResumeGrowth>(rounded)
-        || std::holds_alternative<ChangeInterval>(rounded)
-        || std::holds_alternative<ShrinkSteps>(rounded);
-    // A template is begun to be looked at before it is taken.
-    const bool isSurface =
-        surfacePathOf(rounded) != nullptr || std::holds_alternative<ApplyTemplate>(rounded);
-    if (!isStroke && !isGrowth && !isSurface)
-        return failure(ErrorCode::InvalidField, editName(rounded),
-            QStringLiteral("it is carried out whole, there is nothing to begin"));
-    m_queue->closeGrowth();
-    if (m_queue->interactive())
-        return failure(ErrorCode::InvalidField, editName(rounded),
-            QStringLiteral("another stroke has not ended yet"));
-    if (const Result<void> checked = m_queue->check(rounded); !checked)
-        return checked;
-    if (isSurface)
-        m_queue->submit(
-            std::make_unique<SurfaceOperation>(rounded, SurfaceOperation::Kind::Interactive));
-    else
-        m_queue->submit(
-            std::make_unique<VoxelOperation>(rounded, VoxelOperation::Kind::Interactive));
-    return {};
+    return guarded([&]() -> Result<void> {
+        if (const Result<void> may = mayEdit(); !may)
+            return may;
+        if (const Result<void> checked = checkFieldsAtBegin(edit); !checked)
+            return checked;
+        const Edit rounded = quantised(edit);
+        const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
+            || std::holds_alternative<PaintStroke>(rounded)
+            || std::holds_alternative<BarrierStroke>(rounded)
+            || std::holds_alternative<BrushStroke>(rounded)
+            || std::holds_alternative<PeelCut>(rounded)
+            || std::holds_alternative<LaserStroke>(rounded)
+            || std::holds_alternative<GrowFromSeeds>(rounded);
+        const bool isGrowth = std::holds_alternative<GrowSteps>(rounded)
+            || std::holds_alternative<ResumeGrowth>(rounded)
+            || std::holds_alternative<ChangeInterval>(rounded)
+            || std::holds_alternative<ShrinkSteps>(rounded);
+        // A template is begun to be looked at before it is taken.
+        const bool isSurface =
+            surfacePathOf(rounded) != nullptr || std::holds_alternative<ApplyTemplate>(rounded);
+        if (!isStroke && !isGrowth && !isSurface)
+            return failure(ErrorCode::InvalidField, editName(rounded),
+                QStringLiteral("it is carried out whole, there is nothing to begin"));
+        m_queue->closeGrowth();
+        if (m_queue->interactive())
+            return failure(ErrorCode::InvalidField, editName(rounded),
+                QStringLiteral("another stroke has not ended yet"));
+        if (const Result<void> checked = m_queue->check(rounded); !checked)
+            return checked;
+        if (isSurface)
+            m_queue->submit(
+                std::make_unique<SurfaceOperation>(rounded, SurfaceOperation::Kind::Interactive));
+        else
+            m_queue->submit(
+                std::make_unique<VoxelOperation>(rounded, VoxelOperation::Kind::Interactive));
+        return {};
+    });
 }
 
 void EditSession::extendDrill(const std::vector<PenSample>& samples)
 {
     if (VoxelOperation* open = m_queue->interactiveVoxels())
-        open->extendDrill(m_queue->state(), quantised(samples));
+        m_queue->guard([&] { open->extendDrill(m_queue->state(), quantised(samples)); });
 }
 
 void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted)
 {
     if (OpenOperation* open = m_queue->interactive())
-        open->extendPath(m_queue->state(), quantised(pointsLps), lifted);
+        m_queue->guard([&] { open->extendPath(m_queue->state(), quantised(pointsLps), lifted); });
 }
 
 void EditSession::setPeelDepth(double depthMm)
 {
     const editFields::Number& field = editSchema::peelDepth;
     if (VoxelOperation* open = m_queue->interactiveVoxels(); open && field.check(depthMm).isEmpty())
-        open->setPeelDepth(m_queue->state(), field.rounded(depthMm));
+        m_queue->guard([&] { open->setPeelDepth(m_queue->state(), field.rounded(depthMm)); });
 }
 
 void EditSession::setShrinkSteps(int steps)
 {
     if (VoxelOperation* open = m_queue->interactiveVoxels(); open && steps >= 0)
-        open->setShrinkSteps(m_queue->state(), steps);
+        m_queue->guard([&] { open->setShrinkSteps(m_queue->state(), steps); });
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)
 {
     if (VoxelOperation* open = m_queue->interactiveVoxels())
-        open->extendGrowth(m_queue->state(), advance);
+        m_queue->guard([&] { open->extendGrowth(m_queue->state(), advance); });
 }
 
 void EditSession::setInterval(double lower, double upper)
@@ -257,13 +279,15 @@ void EditSession::setInterval(double lower, double upper)
     const editFields::Number& field = editSchema::modalityValue;
     VoxelOperation* open = m_queue->interactiveVoxels();
     if (open && lower <= upper && field.check(lower).isEmpty() && field.check(upper).isEmpty())
-        open->setInterval(m_queue->state(), field.rounded(lower), field.rounded(upper));
+        m_queue->guard([&] {
+            open->setInterval(m_queue->state(), field.rounded(lower), field.rounded(upper));
+        });
 }
 
 void EditSession::pauseGrowth()
 {
     if (VoxelOperation* open = m_queue->interactiveVoxels())
-        open->extendGrowth(m_queue->state(), GrowPause{});
+        m_queue->guard([&] { open->extendGrowth(m_queue->state(), GrowPause{}); });
 }
 
 void EditSession::end(Ending ending)
@@ -277,7 +301,7 @@ void EditSession::cancelPreview()
     VoxelOperation* open = m_queue->interactiveVoxels();
     if (!open || !open->isPreview())
         return;
-    open->forgetPreview(m_queue->state());
+    m_queue->guard([&] { open->forgetPreview(m_queue->state()); });
     m_queue->end(*open, Ending::Rollback);
 }
 
@@ -305,32 +329,38 @@ void EditSession::closeGrowth()
 
 Result<void> EditSession::undo()
 {
-    m_queue->closeGrowth();
-    if (m_queue->idle() && !history().canUndo())
-        return failure(ErrorCode::InvalidField, QStringLiteral("undo"),
-            QStringLiteral("the history is at its beginning"));
-    m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Undo));
-    return {};
+    return guarded([&]() -> Result<void> {
+        m_queue->closeGrowth();
+        if (m_queue->idle() && !history().canUndo())
+            return failure(ErrorCode::InvalidField, QStringLiteral("undo"),
+                QStringLiteral("the history is at its beginning"));
+        m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Undo));
+        return {};
+    });
 }
 
 Result<void> EditSession::redo()
 {
-    m_queue->closeGrowth();
-    if (m_queue->idle() && !history().canRedo())
-        return failure(ErrorCode::InvalidField, QStringLiteral("redo"),
-            QStringLiteral("the history is at its end"));
-    m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Redo));
-    return {};
+    return guarded([&]() -> Result<void> {
+        m_queue->closeGrowth();
+        if (m_queue->idle() && !history().canRedo())
+            return failure(ErrorCode::InvalidField, QStringLiteral("redo"),
+                QStringLiteral("the history is at its end"));
+        m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Redo));
+        return {};
+    });
 }
 
 Result<void> EditSession::goTo(RowId row)
 {
-    if (row < 0 || row > RowId(history().rows().size()))
-        return failure(ErrorCode::InvalidField, QStringLiteral("goTo"),
-            QStringLiteral("the history has no row %1").arg(row));
-    m_queue->closeGrowth();
-    m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
-    return {};
+    return guarded([&]() -> Result<void> {
+        if (row < 0 || row > RowId(history().rows().size()))
+            return failure(ErrorCode::InvalidField, QStringLiteral("goTo"),
+                QStringLiteral("the history has no row %1").arg(row));
+        m_queue->closeGrowth();
+        m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
+        return {};
+    });
 }
 
 void EditSession::findLastTouching(const Touch& touch, std::function<void(RowId)> answer)
@@ -403,12 +433,12 @@ QByteArray EditSession::stateHash() const
 
 Result<std::vector<std::uint8_t>> EditSession::labels(std::uint8_t plane)
 {
-    return readLabels(*m_queue, plane);
+    return guarded([&] { return readLabels(*m_queue, plane); });
 }
 
 Result<std::vector<std::uint8_t>> EditSession::coverage(std::uint8_t layer)
 {
-    return readLabels(*m_queue, layer, Field::Coverage);
+    return guarded([&] { return readLabels(*m_queue, layer, Field::Coverage); });
 }
 
 void EditSession::setStepMemory(std::size_t bytes)

@@ -4,6 +4,9 @@
 #include <QCryptographicHash>
 
 #include <zstd.h>
+#include <zstd_errors.h>
+
+#include <new>
 
 namespace core {
 
@@ -19,7 +22,9 @@ QByteArray packed(const QByteArray& bytes)
     QByteArray out(qsizetype(ZSTD_compressBound(std::size_t(bytes.size()))), Qt::Uninitialized);
     const std::size_t size = ZSTD_compress(out.data(), std::size_t(out.size()), bytes.constData(),
         std::size_t(bytes.size()), compressionLevel);
-    out.resize(ZSTD_isError(size) ? 0 : qsizetype(size));
+    if (ZSTD_isError(size)) // there is room for all
+        throw std::bad_alloc();
+    out.resize(qsizetype(size));
     return out;
 }
 
@@ -33,6 +38,8 @@ std::optional<QByteArray> unpacked(const QByteArray& bytes, qsizetype most)
     QByteArray out(qsizetype(size), Qt::Uninitialized);
     const std::size_t done = ZSTD_decompress(
         out.data(), std::size_t(out.size()), bytes.constData(), std::size_t(bytes.size()));
+    if (ZSTD_getErrorCode(done) == ZSTD_error_memory_allocation)
+        throw std::bad_alloc();
     if (ZSTD_isError(done) || done != size)
         return {};
     return out;

@@ -18,6 +18,9 @@ public:
     /// SessionState::chunks has something new.
     virtual void takeChunks(SessionState&) { }
     [[nodiscard]] virtual bool done() const = 0;
+    /// Something in one of the above has thrown @p error: what has begun is taken back, and told.
+    /// @return false: it cannot be, the engine may hold what no row tells of
+    [[nodiscard]] virtual bool abandon(SessionState&, const Error&) { return false; }
 
     /// What it will make of the document, for checks of what waits behind it.
     /// @return false if that cannot be told yet

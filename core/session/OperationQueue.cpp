@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/OperationQueue.h"
 
+#include "core/base/Guarded.h"
 #include "core/edits/DocumentEdits.h"
 
 #include <chrono>
@@ -55,8 +56,10 @@ OperationQueue::~OperationQueue()
     m_errorListener = {};
     m_answers.clear();
     m_closing = true;
-    if (OpenOperation* open = interactive())
-        open->end(m_state, open->usualEnding());
+    guard([this] {
+        if (OpenOperation* open = interactive())
+            open->end(m_state, open->usualEnding());
+    });
     static_cast<void>(settle());
     if (m_wakeUp)
         m_state.engine.setWakeUp({});
@@ -69,7 +72,7 @@ void OperationQueue::submit(std::unique_ptr<Operation> operation)
         return tellNews();
     }
     m_operations.push_back(std::move(operation));
-    advance();
+    guard([this] { advance(); });
     tellNews();
 }
 
@@ -101,8 +104,10 @@ VoxelOperation* OperationQueue::interactiveVoxels() const
 
 void OperationQueue::end(OpenOperation& stroke, Ending ending)
 {
-    stroke.end(m_state, ending);
-    advance();
+    guard([&] {
+        stroke.end(m_state, ending);
+        advance();
+    });
     tellNews();
 }
 
@@ -111,10 +116,34 @@ void OperationQueue::closeGrowth()
     OpenOperation* open = interactive();
     if (!open || !open->standsOpen())
         return;
-    if (VoxelOperation* voxels = interactiveVoxels(); voxels && voxels->isGrowth())
-        voxels->extendGrowth(m_state, GrowPause{});
-    open->end(m_state, open->usualEnding());
-    advance();
+    guard([&] {
+        if (VoxelOperation* voxels = interactiveVoxels(); voxels && voxels->isGrowth())
+            voxels->extendGrowth(m_state, GrowPause{});
+        open->end(m_state, open->usualEnding());
+        advance();
+    });
+}
+
+void OperationQueue::guard(const std::function<void()>& work)
+{
+    if (const Result<void> done = guarded(work); !done)
+        takeBack(done.error());
+}
+
+void OperationQueue::takeBack(const Error& error)
+{
+    m_advancing = false;
+    if (m_state.lost())
+        return;
+    bool taken = false;
+    if (m_started && !m_operations.empty()) {
+        const Result<void> tried =
+            guarded([&] { taken = m_operations.front()->abandon(m_state, error); });
+        taken = taken && tried;
+    }
+    if (!taken)
+        m_state.lose(error);
+    guard([this] { advance(); });
 }
 
 void OperationQueue::poll()
@@ -123,7 +152,7 @@ void OperationQueue::poll()
         return;
     m_polling = true;
     do
-        advance();
+        guard([this] { advance(); });
     while (collect());
     m_polling = false;
     noticeTrouble();
@@ -148,26 +177,36 @@ bool OperationQueue::collect()
     std::vector<EngineResult> results = m_state.engine.collect();
     std::vector<CommitWorker::Report> reports = m_state.worker->collect();
     for (EngineResult& result : results) {
-        take(std::move(result));
-        advance();
+        guard([&] {
+            take(std::move(result));
+            advance();
+        });
     }
     for (CommitWorker::Report& report : reports)
-        take(std::move(report));
+        guard([&] { take(std::move(report)); });
     const std::vector<SideThread::Sequel> sequels = m_state.side->collect();
     for (const SideThread::Sequel& sequel : sequels) {
-        sequel(m_state);
-        advance();
+        if (m_state.lost())
+            break; // what they belong to is gone
+        guard([&] {
+            sequel(m_state);
+            advance();
+        });
     }
     const bool haveChunks = m_state.chunks->collect();
-    if (haveChunks) {
-        m_state.tell(DocumentChange::What::Chunks);
-        if (m_started)
-            m_operations.front()->takeChunks(m_state);
-        // Nobody waited for them, or nobody of the session's.
-        if (const std::optional<Error> why = m_state.chunks->takeUntold())
-            m_state.fail(*why);
-    }
+    if (haveChunks)
+        guard([this] { takeChunks(); });
     return !results.empty() || !reports.empty() || !sequels.empty() || haveChunks;
+}
+
+void OperationQueue::takeChunks()
+{
+    m_state.tell(DocumentChange::What::Chunks);
+    if (m_started)
+        m_operations.front()->takeChunks(m_state);
+    // Nobody waited for them, or nobody of the session's.
+    if (const std::optional<Error> why = m_state.chunks->takeUntold())
+        m_state.fail(*why);
 }
 
 void OperationQueue::take(EngineResult&& result)
@@ -177,7 +216,9 @@ void OperationQueue::take(EngineResult&& result)
     if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
-        answer(result);
+        // Whoever asked hears of it, too, where it is his own answer that cannot be taken in.
+        if (const Result<void> taken = guarded([&] { answer(result); }); !taken)
+            answer({.ticket = result.ticket, .error = taken.error()});
     } else if (!m_state.chunks->take(result) && m_started) {
         m_operations.front()->takeResult(m_state, std::move(result));
     }
@@ -185,6 +226,8 @@ void OperationQueue::take(EngineResult&& result)
 
 void OperationQueue::take(CommitWorker::Report&& report)
 {
+    if (report.error)
+        return m_state.lose(*report.error);
     if (report.differences) {
         if (m_started)
             m_operations.front()->takeDifferences(m_state, *std::move(report.differences));
@@ -230,6 +273,11 @@ bool OperationQueue::nothingAhead() const
 }
 
 Result<void> OperationQueue::settle()
+{
+    return guarded([this] { return waitUntilSettled(); });
+}
+
+Result<void> OperationQueue::waitUntilSettled()
 {
     closeGrowth();
     m_state.engine.finish();

@@ -56,11 +56,17 @@ public:
     void setErrorListener(std::function<void(const Error&)> listener);
     /// Tells the listeners what the state has to tell.
     void tellNews();
+    /// For what is told to the operation that is open. What is thrown there takes that back; where
+    /// it cannot be, the session is lost (SessionState::lose()).
+    void guard(const std::function<void()>& work);
 
 private:
     void noticeTrouble();
+    void takeBack(const Error& error);
+    Result<void> waitUntilSettled();
     void advance();
     bool collect();
+    void takeChunks();
     void take(EngineResult&& result);
     void take(CommitWorker::Report&& report);
     [[nodiscard]] bool nothingAhead() const;

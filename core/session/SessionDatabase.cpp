@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionDatabase.h"
 
+#include "core/base/Guarded.h"
+
 #include <QFileInfo>
 #include <QSqlDatabase>
 #include <QSqlDriver>
@@ -12,6 +14,7 @@
 
 #include <atomic>
 #include <map>
+#include <new>
 #include <utility>
 
 #include <sqlite3.h>
@@ -104,8 +107,9 @@ SessionDatabase::SessionDatabase(QString path)
 SessionDatabase::~SessionDatabase()
 {
     // Leaving WAL checkpoints it and removes the file beside.
+    // Where that cannot be done, whoever opens the file next does it.
     if (!m_readOnly && QSqlDatabase::contains(m_connection))
-        run(QStringLiteral("PRAGMA journal_mode=DELETE"));
+        static_cast<void>(guarded([this] { run(QStringLiteral("PRAGMA journal_mode=DELETE")); }));
     QSqlDatabase::database(m_connection, false).close();
     QSqlDatabase::removeDatabase(m_connection);
 }
@@ -340,6 +344,9 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
     if (statement.lastError().isValid()) {
         m_reason = m_loss.cutOff.isEmpty() ? statement.lastError().databaseText() : m_loss.cutOff;
         m_code = statement.lastError().nativeErrorCode();
+        // What follows from it must not be taken for what the file says.
+        if ((m_code.toInt() & 0xFF) == 7) // SQLITE_NOMEM
+            throw std::bad_alloc();
         return false;
     }
     return good;
@@ -349,8 +356,13 @@ bool SessionDatabase::transaction(const std::function<bool()>& work)
 {
     if (!run(QStringLiteral("BEGIN IMMEDIATE")))
         return false;
-    if (work() && run(QStringLiteral("COMMIT")))
-        return true;
+    try {
+        if (work() && run(QStringLiteral("COMMIT")))
+            return true;
+    } catch (...) {
+        static_cast<void>(guarded([this] { run(QStringLiteral("ROLLBACK")); }));
+        throw;
+    }
     const QString reason = m_reason;
     const QString code = m_code;
     run(QStringLiteral("ROLLBACK"));

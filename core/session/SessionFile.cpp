@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionFile.h"
 
+#include "core/base/Guarded.h"
 #include "core/base/ReadableFile.h"
 #include "core/base/StagedFile.h"
 #include "core/session/AuditReport.h"
@@ -30,11 +31,20 @@ SessionFile::SessionFile(const QString& path)
 
 SessionFile::~SessionFile()
 {
-    m_writer.run([this] {
-        m_troubleListener = {};
-        writeWaiting();
-        m_tables.reset();
-    });
+    // What cannot be closed orderly is recovered when it is opened again.
+    constexpr int tries = 3;
+    for (int i = 0; i < tries; ++i) {
+        if (guarded([this] { m_writer.run([this] { close(); }); }))
+            return;
+    }
+}
+
+/// On the writer's thread.
+void SessionFile::close()
+{
+    m_troubleListener = {};
+    writeWaiting();
+    m_tables.reset();
 }
 
 Result<std::unique_ptr<SessionFile>> SessionFile::create(
@@ -51,7 +61,7 @@ Result<std::unique_ptr<SessionFile>> SessionFile::create(
             QFileDevice::ReadOwner | QFileDevice::WriteOwner))
         return failure(ErrorCode::FileUnwritable, path, empty.errorString());
     empty.close();
-    auto begun = begin(path, source);
+    auto begun = guarded([&] { return begin(path, source); });
     if (!begun)
         QFile::remove(path);
     return begun;
@@ -165,24 +175,28 @@ void SessionFile::addKeyframe(const Keyframe& keyframe)
 
 void SessionFile::fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take)
 {
-    m_writer.post([this, row, take = std::move(take)] {
-        const auto waits = std::find_if(m_waiting.rbegin(), m_waiting.rend(),
-            [row](const Write& write) { return !write.picture.isEmpty() && write.row == row; });
-        if (waits != m_waiting.rend())
-            take(waits->picture);
-        else
-            take(m_tables ? m_tables->readKeyframe(row) : QByteArray());
-    });
+    m_writer.post(
+        [this, row, take] {
+            const auto waits = std::find_if(m_waiting.rbegin(), m_waiting.rend(),
+                [row](const Write& write) { return !write.picture.isEmpty() && write.row == row; });
+            if (waits != m_waiting.rend())
+                take(waits->picture);
+            else
+                take(m_tables ? m_tables->readKeyframe(row) : QByteArray());
+        },
+        [take](const Error&) { take({}); });
 }
 
 void SessionFile::audit(std::function<void(const Result<AuditReport>&)> take)
 {
-    m_writer.post([this, take = std::move(take)] {
-        if (m_tables)
-            take(auditReport(*m_tables, m_path));
-        else
-            take(tl::unexpected(*m_whyNoFile));
-    });
+    m_writer.post(
+        [this, take] {
+            if (m_tables)
+                take(auditReport(*m_tables, m_path));
+            else
+                take(tl::unexpected(*m_whyNoFile));
+        },
+        [take](const Error& error) { take(tl::unexpected(error)); });
 }
 
 void SessionFile::setDisplay(const QJsonObject& display)
@@ -192,10 +206,15 @@ void SessionFile::setDisplay(const QJsonObject& display)
 
 void SessionFile::post(Write write)
 {
-    m_writer.post([this, write = std::move(write)] {
-        m_waiting.push_back(write);
-        writeWaiting();
-    });
+    // Made here, so that there is nothing on the other side for which memory may be short.
+    const auto written = std::make_shared<std::list<Write>>();
+    written->push_back(std::move(write));
+    m_writer.post(
+        [this, written] {
+            m_waiting.splice(m_waiting.end(), *written);
+            writeWaiting();
+        },
+        [this](const Error& error) { setTrouble(error); });
 }
 
 QString SessionFile::path() const
@@ -225,12 +244,17 @@ std::optional<Error> SessionFile::whyNoFile() const
 void SessionFile::saveAs(const QString& target, bool replaceExisting,
     std::function<void(const Result<void>&)> done, SavedImages images)
 {
-    m_writer.post([this, target, replaceExisting, images, done = std::move(done)]() mutable {
-        writeWaiting();
-        const Result<void> moved = moveTo(target, replaceExisting, images);
-        images = {}; // what was staged and is not used is gone before anybody is told
-        done(moved);
-    });
+    m_writer.post(
+        [this, target, replaceExisting, images = std::move(images), done]() mutable {
+            writeWaiting();
+            const Result<void> moved =
+                guarded([&] { return moveTo(target, replaceExisting, images); });
+            images = {}; // what was staged and is not used is gone before anybody is told
+            if (!m_tables && !whyNoFile())
+                static_cast<void>(reopen(path()));
+            done(moved);
+        },
+        [done](const Error& error) { done(tl::unexpected(error)); });
 }
 
 Result<void> SessionFile::rename(const QString& target)
@@ -264,13 +288,15 @@ Result<void> SessionFile::renameTo(const QString& target)
 
 void SessionFile::copyTo(const QString& path, std::function<void(const Result<void>&)> done)
 {
-    m_writer.post([this, path, done = std::move(done)] {
-        writeWaiting();
-        const Result<void> copied = copyInto(path, {.kept = false});
-        if (!copied)
-            removeSession(path);
-        done(copied);
-    });
+    m_writer.post(
+        [this, path, done] {
+            writeWaiting();
+            const Result<void> copied = guarded([&] { return copyInto(path, {.kept = false}); });
+            if (!copied)
+                removeSession(path);
+            done(copied);
+        },
+        [done](const Error& error) { done(tl::unexpected(error)); });
 }
 
 /// Into a staged file that is empty, or holds images and nothing else; with what waits.
@@ -363,7 +389,7 @@ Result<void> SessionFile::reopen(const QString& path)
 
 void SessionFile::retry()
 {
-    m_writer.post([this] { writeWaiting(); });
+    m_writer.post([this] { writeWaiting(); }, [this](const Error& error) { setTrouble(error); });
 }
 
 void SessionFile::writeWaiting()
@@ -375,12 +401,21 @@ void SessionFile::writeWaiting()
         return setTrouble(anyStep ? m_whyNoFile : std::nullopt);
     }
     while (!m_waiting.empty() && !trouble) {
-        if (const Result<void> written = m_waiting.front().carryOut(*m_tables); written)
+        if (const Result<void> written = carryOutFirst(); written)
             m_waiting.pop_front();
         else
             trouble = written.error();
     }
     setTrouble(trouble);
+}
+
+Result<void> SessionFile::carryOutFirst()
+{
+    Result<void> written = guarded([this] { return m_waiting.front().carryOut(*m_tables); });
+    // It waits like what the disk does not take.
+    if (!written && written.error().code != ErrorCode::FileUnwritable)
+        written.error() = {ErrorCode::FileUnwritable, {m_path, written.error().arguments.value(0)}};
+    return written;
 }
 
 void SessionFile::setTrouble(const std::optional<Error>& trouble)

@@ -9,8 +9,8 @@
 
 #include <QString>
 
-#include <deque>
 #include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -124,6 +124,8 @@ private:
     };
     void post(Write write);
     void writeWaiting();
+    void close();
+    [[nodiscard]] Result<void> carryOutFirst();
     void setTrouble(const std::optional<Error>& trouble);
     [[nodiscard]] Result<void> moveTo(
         const QString& target, bool replaceExisting, const SavedImages& images);
@@ -142,7 +144,7 @@ private:
     bool m_holdsImages = false;
     // The writer's thread only:
     std::unique_ptr<SessionTables> m_tables; ///< null: there is no file
-    std::deque<Write> m_waiting;
+    std::list<Write> m_waiting;
 
     TaskThread m_writer; ///< last: it uses all of the above
 };

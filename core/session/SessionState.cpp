@@ -287,7 +287,15 @@ bool SessionState::noteResult(const EngineResult& result)
 
 void SessionState::lose(const Error& why)
 {
-    m_lost = Error{ErrorCode::EngineLost, why.arguments};
+    if (m_lost)
+        return;
+    const bool byEngine =
+        why.code == ErrorCode::EngineLost || why.code == ErrorCode::GraphicsUnavailable;
+    m_lost = byEngine ? Error{ErrorCode::EngineLost, why.arguments}
+                      : Error{why.code,
+                          {why.arguments.value(0)
+                              + QStringLiteral("; close the study and open it again: every step so "
+                                               "far is in its session")}};
     m_required.clear();
     m_afterRequired = {};
     fail(*m_lost);

@@ -68,6 +68,9 @@ public:
     void afterRequired(std::function<void(SessionState&)> then);
     /// Every result comes by here first. @return whether it was of something required
     bool noteResult(const EngineResult& result);
+    /// What the engine or the worker hold is not what the history says: nothing is carried out or
+    /// sealed any more. What is in the file is whole, and opens again.
+    void lose(const Error& why);
     /// Why nothing is carried out any more.
     [[nodiscard]] const std::optional<Error>& lost() const { return m_lost; }
 
@@ -123,7 +126,6 @@ private:
         int tries = 1;
     };
     void submitRequired(Required required);
-    void lose(const Error& why);
 
     std::map<Ticket, Required> m_required;
     Ticket m_lastMute = 0; ///< of the required ones

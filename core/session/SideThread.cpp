@@ -10,21 +10,28 @@ SideThread::SideThread(std::function<void()> wakeUp)
 {
 }
 
-void SideThread::post(Work work)
+void SideThread::post(Work work, Failed failed)
 {
     if (!m_thread)
         m_thread = std::make_unique<TaskThread>();
-    m_thread->post([this, work = std::move(work)] {
-        Sequel sequel = work();
-        if (!sequel)
-            return;
-        {
-            const std::lock_guard lock(m_mutex);
-            m_sequels.push_back(std::move(sequel));
-        }
-        if (m_wakeUp)
-            m_wakeUp();
-    });
+    m_thread->post(
+        [this, work = std::move(work)] {
+            if (Sequel sequel = work())
+                add(std::move(sequel));
+        },
+        [this, failed = std::move(failed)](const Error& error) {
+            add([failed, error](SessionState& state) { failed(state, error); });
+        });
+}
+
+void SideThread::add(Sequel sequel)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_sequels.push_back(std::move(sequel));
+    }
+    if (m_wakeUp)
+        m_wakeUp();
 }
 
 std::vector<SideThread::Sequel> SideThread::collect()

@@ -18,15 +18,19 @@ class SideThread {
 public:
     using Sequel = std::function<void(SessionState&)>; ///< on the session's thread; may be empty
     using Work = std::function<Sequel()>; ///< on this one
+    /// What follows where Work has thrown; on the session's thread.
+    using Failed = std::function<void(SessionState&, const Error&)>;
 
     /// @param wakeUp called on the side thread when collect() has something
     explicit SideThread(std::function<void()> wakeUp);
 
-    void post(Work work);
+    void post(Work work, Failed failed);
     [[nodiscard]] std::vector<Sequel> collect();
     void finish();
 
 private:
+    void add(Sequel sequel);
+
     std::function<void()> m_wakeUp;
     std::mutex m_mutex;
     std::vector<Sequel> m_sequels; ///< under m_mutex

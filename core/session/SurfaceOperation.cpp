@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SurfaceOperation.h"
 
+#include "core/base/Guarded.h"
 #include "core/edits/DocumentEdits.h"
 
 #include <utility>
@@ -83,16 +84,15 @@ void SurfaceOperation::work(SessionState& state)
     m_work =
         std::make_shared<SurfaceWork>(state.surface, m_edit, state.document, std::move(m_read));
     const SurfacePath* path = surfacePathOf(m_edit);
-    state.side->post(
-        [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
-            const Result<void> begun = work->begin();
-            work->add(points);
-            if (begun)
-                return SideThread::Sequel();
-            // It is told at once: whoever looks at what he began waits for something to be seen.
-            return SideThread::Sequel(
-                [this, why = begun.error()](SessionState& known) { tell(known, why); });
-        });
+    post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
+        const Result<void> begun = work->begin();
+        work->add(points);
+        if (begun)
+            return SideThread::Sequel();
+        // It is told at once: whoever looks at what he began waits for something to be seen.
+        return SideThread::Sequel(
+            [this, why = begun.error()](SessionState& known) { tell(known, why); });
+    });
     if (m_ending)
         end(state, *m_ending);
 }
@@ -106,7 +106,7 @@ void SurfaceOperation::extendPath(
     told.insert(told.end(), pointsLps.begin(), pointsLps.end());
     // What waits in line still gets them with the edit.
     if (m_work) {
-        state.side->post([work = m_work, pointsLps] {
+        post(state, [work = m_work, pointsLps] {
             work->add(pointsLps);
             return SideThread::Sequel();
         });
@@ -118,16 +118,35 @@ void SurfaceOperation::end(SessionState& state, Ending ending)
     m_ending = ending;
     if (!m_work)
         return;
-    state.side->post([this, work = m_work, ending] {
-        auto outcome = std::make_shared<Result<SurfaceWork::Outcome>>(work->end(ending));
-        return SideThread::Sequel(
-            [this, outcome](SessionState& known) { finish(known, std::move(*outcome)); });
-    });
+    state.side->post(
+        [this, work = m_work, ending] {
+            auto outcome = std::make_shared<Result<SurfaceWork::Outcome>>(work->end(ending));
+            return SideThread::Sequel(
+                [this, outcome](SessionState& known) { finish(known, std::move(*outcome)); });
+        },
+        [this](SessionState& known, const Error& error) { finish(known, tl::unexpected(error)); });
+}
+
+/// What is thrown before the end is what the end says, too.
+void SurfaceOperation::post(SessionState& state, std::function<SideThread::Sequel()> work)
+{
+    state.side->post(
+        [work = std::move(work), surface = m_work] {
+            try {
+                return work();
+            } catch (...) {
+                surface->fail(errorBeingHandled());
+                throw;
+            }
+        },
+        [this](SessionState& known, const Error& error) { tell(known, error); });
 }
 
 void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome)
 {
     m_work.reset();
+    if (!outcome && !state.surface.isIntact())
+        state.lose(outcome.error());
     if (!outcome)
         return giveUp(state, outcome.error());
     if (outcome->voxels)

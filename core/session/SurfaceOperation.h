@@ -41,6 +41,7 @@ private:
     void work(SessionState& state);
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
     void write(SessionState& state, EngineEdit&& edit);
+    void post(SessionState& state, std::function<SideThread::Sequel()> work);
     void giveUp(SessionState& state, const Error& error);
     void tell(SessionState& state, const Error& error);
 

@@ -57,6 +57,11 @@ void SurfaceState::moveOver(RowId row, bool back)
         m_listener(updateOf(mesh, writtenBy(step.mesh)));
 }
 
+bool SurfaceState::isIntact() const
+{
+    return sha256.isEmpty() ? mesh.vertexSlots() == 0 : sha256Of(mesh) == sha256;
+}
+
 void SurfaceState::show(SurfaceUpdate update) const
 {
     if (m_listener)

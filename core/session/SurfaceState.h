@@ -34,6 +34,10 @@ public:
     /// Goes over a row, if it is one that changed the surface.
     void moveOver(RowId row, bool back);
 
+    /// The mesh is the one that has the hash. What was thrown in the middle of changing it shows
+    /// here.
+    [[nodiscard]] bool isIntact() const;
+
     /// Told what is to be drawn anew, on the thread that the surface belongs to then.
     void setListener(Listener listener) { m_listener = std::move(listener); }
     void show(SurfaceUpdate update) const;

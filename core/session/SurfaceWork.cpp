@@ -169,7 +169,7 @@ void SurfaceWork::settle()
 
 void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
 {
-    if (!m_stroke || pointsLps.empty())
+    if (!m_stroke || m_error || pointsLps.empty())
         return;
     for (const glm::dvec3& point : pointsLps)
         m_stroke->add({.placeLps = point});
@@ -178,6 +178,13 @@ void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
 
 Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
 {
+    if (m_error) {
+        if (m_stroke) {
+            m_stroke->rollback();
+            m_surface.showAll(true);
+        }
+        return tl::unexpected(*m_error);
+    }
     if (const auto* edit = std::get_if<LaySurface>(&m_edit))
         return lay(*edit);
     if (std::holds_alternative<FollowMask>(m_edit))
@@ -190,8 +197,6 @@ Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
         return shut(*edit);
     if (std::holds_alternative<DropSurface>(m_edit))
         return stepOf({});
-    if (m_error)
-        return tl::unexpected(*m_error);
     if (ending == Ending::Rollback) {
         m_stroke->rollback();
         m_surface.showAll(true);

@@ -36,6 +36,8 @@ public:
     Result<void> begin();
     void add(const std::vector<glm::dvec3>& pointsLps);
     [[nodiscard]] Result<Outcome> end(Ending ending);
+    /// One of the above has thrown: nothing can come of it any more.
+    void fail(const Error& error) { m_error = error; }
 
 private:
     [[nodiscard]] std::optional<SurfaceTool> tool() const;

@@ -328,6 +328,24 @@ void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
     }
 }
 
+bool VoxelOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_finished)
+        return false;
+    if (!m_failed)
+        state.fail(error);
+    m_failed = true;
+    m_waiting.clear();
+    if (!m_begun) {
+        m_refused = true;
+        m_finished = m_kind == Kind::Whole;
+    } else if (!m_ended) {
+        m_ending = Ending::Rollback;
+        m_ended = state.engine.submit(EndEdit{Ending::Rollback});
+    }
+    return true; // an end that is under way is taken back when it comes
+}
+
 void VoxelOperation::finish(SessionState& state, EngineResult&& result)
 {
     m_finished = true;

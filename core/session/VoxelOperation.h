@@ -58,6 +58,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_finished || (m_refused && m_ending); }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:

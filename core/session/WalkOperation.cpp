@@ -76,9 +76,19 @@ void WalkOperation::takeResult(SessionState& state, EngineResult&& result)
         giveUp(state, swapped->error());
 }
 
+bool WalkOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_arriving || m_swap.swapping())
+        return false;
+    giveUp(state, error);
+    return true;
+}
+
 void WalkOperation::arrive(SessionState& state, std::vector<BrickChange> changes)
 {
+    m_arriving = true;
     state.moveTo(m_back ? state.history.row(m_row).parent : m_row, m_row, std::move(changes));
+    m_arriving = false;
     if (m_aim == Aim::Row)
         step(state);
     else

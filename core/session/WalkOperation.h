@@ -20,6 +20,7 @@ public:
         SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document&) const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
     /// Chooses the next row and the direction. @return false: arrived
@@ -33,6 +34,7 @@ private:
     RowId m_row = 0; ///< whose difference is laid over the bricks now
     bool m_back = false; ///< undoing it
     DifferenceSwap m_swap;
+    bool m_arriving = false; ///< the bricks are swapped in, and the history does not say so yet
     bool m_done = false;
 };
 

@@ -149,8 +149,9 @@ void encodeValues(LoadedVolume& loaded,
 void describeCodes(LoadedVolume& loaded, int outsideCode, std::uint64_t outside)
 {
     loaded.volume.codesSha256.clear();
-    std::future<QByteArray> checksum =
-        std::async(std::launch::async, [&] { return sha256OfValues(loaded); });
+    // Where no thread can be had it is computed when it is asked for.
+    std::future<QByteArray> checksum = std::async(
+        std::launch::async | std::launch::deferred, [&] { return sha256OfValues(loaded); });
     CodeCounts counts = countCodes(loaded);
     const QByteArray hash = checksum.get();
     loaded.volume.voxelsSha256 = hash;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <new>
 
 namespace core {
 
@@ -27,7 +28,7 @@ InflateFile::InflateFile(QFile& file, bool gzipOnly)
     , m_stream(std::make_unique<Stream>())
 {
     if (inflateInit2(&m_stream->z, MAX_WBITS + (gzipOnly ? gzipHeader : eitherHeader)) != Z_OK)
-        m_reason = QStringLiteral("cannot be unpacked");
+        throw std::bad_alloc(); // nothing was read that could be wrong
 }
 
 InflateFile::~InflateFile()
@@ -61,6 +62,8 @@ std::size_t InflateFile::read(std::span<char> into)
         z.next_out = reinterpret_cast<unsigned char*>(into.data() + done);
         z.avail_out = part;
         const int answer = inflate(&z, Z_NO_FLUSH);
+        if (answer == Z_MEM_ERROR)
+            throw std::bad_alloc();
         done += part - z.avail_out;
         if (answer == Z_STREAM_END) {
             // Another member may follow; anything else behind the end is no data of ours.

@@ -3,6 +3,7 @@
 
 #include "core/growth/CutForesight.h"
 #include "gpu/edit/VoxelFields.h"
+#include "gpu/gl/GlFailure.h"
 
 #include <algorithm>
 #include <atomic>
@@ -49,6 +50,7 @@ struct CutForesight::Work {
     core::CutGrowth cut;
     core::ForeseenCut foreseen; ///< the worker's until it is done
     bool posted = false;
+    std::optional<core::Error> failed; ///< likewise
     std::atomic<bool> done = false;
     std::atomic<bool> unwanted = false;
 };
@@ -85,6 +87,8 @@ std::optional<core::ForeseenCut> CutForesight::ask(
         m_worker->finish();
     if (!m_work->done)
         return std::nullopt;
+    if (m_work->failed)
+        throw GlFailure(*m_work->failed);
     m_answer = m_work->foreseen;
     if (question.cut.plane == 0)
         show(fields);
@@ -120,18 +124,23 @@ void CutForesight::post()
     m_work->posted = true;
     if (!m_worker)
         m_worker.emplace();
-    m_worker->post([ground = m_ground, work = m_work] {
-        if (work->unwanted)
-            return;
-        if (!ground->words)
-            ground->makeWords();
-        const core::LeavingBricks leaving = core::leavingBricks(*ground->words, work->cut);
-        std::vector<std::vector<std::uint8_t>> held;
-        for (const core::LeavingBricks::Brick& brick : leaving.bricks)
-            held.push_back(ground->labelsOf(brick.brick));
-        work->foreseen = core::foreseenCut(leaving, held);
-        work->done = true;
-    });
+    m_worker->post(
+        [ground = m_ground, work = m_work] {
+            if (work->unwanted)
+                return;
+            if (!ground->words)
+                ground->makeWords();
+            const core::LeavingBricks leaving = core::leavingBricks(*ground->words, work->cut);
+            std::vector<std::vector<std::uint8_t>> held;
+            for (const core::LeavingBricks::Brick& brick : leaving.bricks)
+                held.push_back(ground->labelsOf(brick.brick));
+            work->foreseen = core::foreseenCut(leaving, held);
+            work->done = true;
+        },
+        [work = m_work](const core::Error& error) {
+            work->failed = error;
+            work->done = true;
+        });
 }
 
 /// Only what differs from what is shown already is written.

@@ -161,7 +161,19 @@ std::size_t GpuEditEngine::brickBytes() const
     return m_fields ? m_fields->bytes() + m_foresight.bytes() : 0;
 }
 
+/// What is thrown in spite of all that is caught below: of nothing is it known how far it came.
 bool GpuEditEngine::work()
+{
+    try {
+        return workUnguarded();
+    } catch (const std::exception&) {
+        lose(errorBeingHandled());
+        publishProgress();
+        return false;
+    }
+}
+
+bool GpuEditEngine::workUnguarded()
 {
     Waiting next;
     if (takeNext(next)) {
@@ -209,10 +221,16 @@ void GpuEditEngine::followUpLater(const core::Error& why)
 
 void GpuEditEngine::abandon(const core::Error& why)
 {
-    try {
-        m_transaction->abandon(why);
-    } catch (const FieldsLost&) {
-        lose(why);
+    constexpr int tries = 3;
+    for (int i = 1; i <= tries; ++i) {
+        try {
+            return m_transaction->abandon(why);
+        } catch (const FieldsLost&) {
+            return lose(why);
+        } catch (const std::exception&) { // no memory for what was there: it may be had by now
+            if (i == tries)
+                lose(why);
+        }
     }
 }
 
@@ -258,6 +276,7 @@ bool GpuEditEngine::takeNext(Waiting& next)
     if (end && end->ending == core::Ending::Commit && m_transaction
         && m_transaction->hasStepsLeft())
         return false;
+    m_results.reserve(m_results.size() + 1); // a command that is taken is answered
     next = std::move(m_waiting.front());
     m_waiting.pop_front();
     m_busy = true;
@@ -371,6 +390,8 @@ GpuEditEngine::Outcome GpuEditEngine::attempt(core::EngineCommand& command)
             || std::holds_alternative<core::EndEdit>(command);
         if (m_transaction && edits)
             abandon(error);
+        if (m_lost)
+            return tl::unexpected(*m_lost);
         if (std::holds_alternative<core::EndEdit>(command))
             m_transaction.reset();
         if (std::holds_alternative<core::TraceTolerance>(command)) {

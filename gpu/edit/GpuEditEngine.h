@@ -41,7 +41,7 @@ public:
     void setWakeUp(std::function<void()> wakeUp) override;
     [[nodiscard]] core::GrowthProgress growthProgress() const override;
 
-    bool work() override;
+    bool work() override; ///< throws nothing
     void showSegments(const std::bitset<256>& labels) override;
     void showPieces(const std::vector<PieceSource>& sources) override;
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
@@ -69,6 +69,7 @@ private:
     void close();
     void lose(const core::Error& why);
     void abandon(const core::Error& why);
+    bool workUnguarded();
     [[nodiscard]] bool followUp();
     void followUpLater(const core::Error& why);
     void carryOut(Waiting& next);

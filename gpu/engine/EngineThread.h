@@ -32,13 +32,14 @@ public:
     EngineThread(const EngineThread&) = delete;
     EngineThread& operator=(const EngineThread&) = delete;
 
-    /// Errors: GraphicsUnavailable where the context cannot be made current. Call once.
+    /// Errors: GraphicsUnavailable where the context cannot be made current. Throws
+    /// std::system_error where no further thread can be started. Call once.
     core::Result<void> start();
 
     /// Queue a job; any thread. Jobs must be short, and must not throw.
     void post(Job job);
-    /// Queue a job and wait for it; any thread (on the engine thread it runs at once). What it throws
-    /// is thrown here.
+    /// Queue a job and wait for it; any thread (on the engine thread it runs at once). What it
+    /// throws is thrown here.
     void run(const Job& job);
     /// There is something to do; any thread.
     void wake();

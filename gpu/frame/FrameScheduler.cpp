@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/frame/FrameScheduler.h"
 
+#include "core/base/Guarded.h"
 #include "gpu/frame/SceneReach.h"
 #include "gpu/gl/GlFailure.h"
 #include "gpu/textures/VolumeTextures.h"
@@ -111,7 +112,9 @@ bool FrameScheduler::work(bool editing)
         requireNoError();
         return more;
     } catch (const std::exception&) {
-        giveUp(errorBeingHandled());
+        const core::Error error = errorBeingHandled();
+        // Where there is no memory to say so either, the next request begins anew.
+        static_cast<void>(core::guarded([&] { giveUp(error); }));
         return false;
     }
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/GlFailure.h"
 
+#include "core/base/Guarded.h"
 #include "gpu/gl/Gl.h"
 #include "gpu/shaders/ShaderLibrary.h"
-
-#include <new>
 
 namespace gpu {
 
@@ -41,19 +40,20 @@ GlFailure::GlFailure(core::Error error)
 {
 }
 
-core::Error errorBeingHandled()
+core::Error errorBeingHandled() noexcept
 {
     try {
         throw;
     } catch (const GlFailure& failure) {
         return failure.error();
     } catch (const ShaderError& failure) {
-        return error(core::ErrorCode::GraphicsUnavailable, QString::fromUtf8(failure.what()));
-    } catch (const std::bad_alloc&) {
-        return error(core::ErrorCode::OutOfMemory,
-            QStringLiteral("the program may not take more of the main memory"));
-    } catch (const std::exception& failure) {
-        return error(core::ErrorCode::Internal, QString::fromUtf8(failure.what()));
+        try {
+            return error(core::ErrorCode::GraphicsUnavailable, QString::fromUtf8(failure.what()));
+        } catch (...) {
+            return core::errorBeingHandled();
+        }
+    } catch (...) {
+        return core::errorBeingHandled();
     }
 }
 

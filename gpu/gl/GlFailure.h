@@ -27,8 +27,8 @@ public:
 };
 
 /// What is being handled, as a value; only inside a catch block. GlFailure, ShaderError
-/// (GraphicsUnavailable), std::bad_alloc (OutOfMemory), anything else (Internal).
-[[nodiscard]] core::Error errorBeingHandled();
+/// (GraphicsUnavailable), anything else as core::errorBeingHandled() has it. Throws nothing.
+[[nodiscard]] core::Error errorBeingHandled() noexcept;
 
 /// Throws GlFailure (OutOfMemory: what, and how much of it) where a command has failed since the
 /// last look. Call it after making storage.

@@ -123,6 +123,16 @@ QStringList brokenRules(const QString& file, const QString& text)
     if (!inFolder(file, {QStringLiteral("tests")})
         && glsl.match(QString(text).remove(comment)).hasMatch())
         broken << QStringLiteral("%1 holds GLSL: shaders live in files of their own").arg(file);
+    // What is thrown on a thread ends the program, unless the thread is of one of these.
+    static const QRegularExpression thread(
+        QStringLiteral("std::j?thread\\s*[({]|std::j?thread\\s+\\w+\\s*[;({]|QThread::create|"
+                       "QThreadPool|QtConcurrent|launch::async\\s*,"));
+    const bool startsThreads = inFolder(
+        file, {QStringLiteral("core/base"), QStringLiteral("gpu/engine"), QStringLiteral("tests")});
+    if (!startsThreads && thread.match(QString(text).remove(comment)).hasMatch())
+        broken << QStringLiteral("%1 starts a thread: core/base/TaskThread and ParallelFor do, "
+                                 "which catch what it throws")
+                      .arg(file);
     return broken;
 }
 
@@ -177,6 +187,12 @@ void HouseTest::ruleBites_data()
     row("app/A.cpp", "#include <epoxy/gl.h>", false);
     row("app/A.cpp", "#include \"ui/A.h\"\n#include \"gpu/A.h\"\n#include \"core/A.h\"", true);
     row("tests/reference/A.cpp", "#include \"gpu/A.h\"", false);
+    row("ui/A.cpp", "m_thread.reset(QThread::create([] {}));", false);
+    row("core/a/A.h", "    std::thread m_thread;", false);
+    row("core/a/A.cpp", "auto a = std::thread([] {});", false);
+    row("core/a/A.cpp", "auto a = std::async(std::launch::async, [] {});", false);
+    row("core/a/A.cpp", "// std::thread thread(work);\nstd::thread::hardware_concurrency();", true);
+    row("core/base/A.cpp", "std::thread thread(work);", true);
 }
 
 void HouseTest::ruleBites()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/RandomHistory.h"
 
+#include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
 #include "tests/support/EngineCases.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <random>
 
 namespace test {
@@ -29,18 +31,30 @@ public:
     {
         auto created = EditSession::create(
             m_engine, smallStudy(), {.file = m_folder.filePath(QStringLiteral("s.burin"))});
-        if (created)
-            m_session = *std::move(created);
-        else
+        if (!created) {
             m_result.failure = QStringLiteral("no session");
+            return;
+        }
+        m_session = *std::move(created);
+        listen();
     }
 
     RandomHistory run(int commands, const std::function<void(bool)>& acting)
     {
+        m_acting = acting;
         for (int step = 0; step < commands && m_result.failure.isEmpty(); ++step) {
             if (acting)
                 acting(true);
-            const QString what = act();
+            QString what = QStringLiteral("none");
+            try {
+                what = act();
+            } catch (const std::bad_alloc&) { // in the user's own head
+                ++m_result.refused[what];
+            }
+            if (m_session && m_isLost) {
+                ++m_result.refused[QStringLiteral("lost")];
+                reopen();
+            }
             if (acting)
                 acting(false);
             if (!m_session)
@@ -117,13 +131,24 @@ private:
         const std::size_t rows = m_session->history().rows().size();
         if (!result)
             ++m_result.refused[what];
-        else if (!rowsBefore)
+        if (!result)
+            return what;
+        if (!rowsBefore)
             ++m_result.done[what];
         else if (rows > *rowsBefore)
             ++m_result
                   .done[m_session->history().rows().back().name.contains(noVoxel) ? what + noVoxel
                                                                                   : what];
         return what;
+    }
+    /// Whether nothing more can be done but opening it again.
+    void listen()
+    {
+        m_isLost = false;
+        m_session->setErrorListener([this](const Error& error) {
+            m_isLost = m_isLost || error.code == ErrorCode::EngineLost
+                || error.arguments.value(0).contains(QLatin1String("open it again"));
+        });
     }
     QString jump()
     {
@@ -134,18 +159,29 @@ private:
     {
         m_session.reset();
         const QString file = m_folder.filePath(QStringLiteral("s.burin"));
-        auto opened = EditSession::open(m_engine, smallStudy(), file);
+        const auto open = [&] {
+            return guarded([&] { return EditSession::open(m_engine, smallStudy(), file); });
+        };
+        auto opened = open();
         for (int again = 0; again < 5 && !opened; ++again) {
             if (opened.error().code != ErrorCode::OutOfMemory)
                 break;
             ++m_result.refused[QStringLiteral("reopen")];
-            opened = EditSession::open(m_engine, smallStudy(), file);
+            opened = open();
         }
-        if (opened)
+        // Who is refused again and again tries once more when there is memory.
+        if (!opened && opened.error().code == ErrorCode::OutOfMemory && m_acting) {
+            m_acting(false);
+            opened = open();
+            m_acting(true);
+        }
+        if (opened) {
             m_session = *std::move(opened);
-        else
+            listen();
+        } else {
             m_result.failure =
                 QStringLiteral("not opened again: ") + opened.error().arguments.join(u' ');
+        }
         ++m_result.done[QStringLiteral("reopen")];
         return QStringLiteral("reopen");
     }
@@ -574,6 +610,8 @@ private:
     std::size_t m_known = 0; ///< rows
     std::vector<glm::dvec3> m_sketched; ///< places of seeds, done or undone
     RandomHistory m_result;
+    std::function<void(bool)> m_acting;
+    bool m_isLost = false;
     std::unique_ptr<EditSession> m_session;
 };
 

@@ -140,29 +140,32 @@ void DeidentifySessionDialog::write(
     const QString& target, bool replaces, const std::shared_ptr<QTemporaryDir>& folder)
 {
     m_run->showProgress(tr("Writing and checking the copy"), 0, 0);
-    m_job.start([this, target, replaces, folder,
-                    by = m_options->deidentifier(m_workspace.volume()->identity)](
-                    const core::Progress&) -> std::function<void()> {
-        const core::Result<QStringList> done =
-            core::deidentifySession(copyIn(*folder), target, replaces, *by);
-        const core::Result<QString> sum =
-            done ? core::sha256OfFile(target) : core::Result<QString>(QString());
-        return [this, target, folder, done, sum] {
-            if (!done) {
-                core::Error error = done.error();
-                error.arguments.replaceInStrings(copyIn(*folder), m_workspace.session()->file());
-                return showFailure(error);
-            }
-            m_run->showReport({.file = target,
-                .written = *done,
-                .checked = {},
-                .cautions = {},
-                .sha256 = sum.value_or(QString())});
-            m_close->setDefault(true); // it is done: Enter is not to replace it
-            m_workspace.say(tr("The de-identified session is saved: %1").arg(target));
-            Q_EMIT saved(target);
-        };
-    });
+    m_job.start(
+        [this, target, replaces, folder,
+            by = m_options->deidentifier(m_workspace.volume()->identity)](
+            const core::Progress&) -> std::function<void()> {
+            const core::Result<QStringList> done =
+                core::deidentifySession(copyIn(*folder), target, replaces, *by);
+            const core::Result<QString> sum =
+                done ? core::sha256OfFile(target) : core::Result<QString>(QString());
+            return [this, target, folder, done, sum] {
+                if (!done) {
+                    core::Error error = done.error();
+                    error.arguments.replaceInStrings(
+                        copyIn(*folder), m_workspace.session()->file());
+                    return showFailure(error);
+                }
+                m_run->showReport({.file = target,
+                    .written = *done,
+                    .checked = {},
+                    .cautions = {},
+                    .sha256 = sum.value_or(QString())});
+                m_close->setDefault(true); // it is done: Enter is not to replace it
+                m_workspace.say(tr("The de-identified session is saved: %1").arg(target));
+                Q_EMIT saved(target);
+            };
+        },
+        [this](const core::Error& error) { showFailure(error); });
     showRunning();
 }
 

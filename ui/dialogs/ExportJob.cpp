@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/ExportJob.h"
 
+#include "core/base/Guarded.h"
+
 #include <utility>
 
 namespace ui {
@@ -23,8 +25,7 @@ ExportJob::ExportJob(QObject* parent)
 ExportJob::~ExportJob()
 {
     cancel();
-    if (m_thread)
-        m_thread->wait();
+    m_thread.reset();
 }
 
 void ExportJob::start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write)
@@ -38,21 +39,27 @@ void ExportJob::start(std::function<core::Result<core::ExportReport>(const core:
             Qt::QueuedConnection);
     });
     m_work->write = std::move(write);
-    m_thread.reset(QThread::create([this, work = m_work] {
-        auto result = work->write(work->progress);
+    const auto tell = [this](const core::Result<core::ExportReport>& outcome) {
         QMetaObject::invokeMethod(
-            this,
-            [this, outcome = std::move(result)] {
-                m_thread->wait();
-                m_work.reset();
-                if (outcome)
-                    Q_EMIT finished(*outcome);
-                else
-                    Q_EMIT failed(outcome.error());
-            },
-            Qt::QueuedConnection);
-    }));
-    m_thread->start();
+            this, [this, outcome] { take(outcome); }, Qt::QueuedConnection);
+    };
+    const core::Result<void> begun = core::guarded([&] {
+        m_thread.emplace();
+        m_thread->post([tell, work = m_work] { tell(work->write(work->progress)); },
+            [tell](const core::Error& error) { tell(tl::unexpected(error)); });
+    });
+    if (!begun)
+        tell(tl::unexpected(begun.error()));
+}
+
+void ExportJob::take(const core::Result<core::ExportReport>& outcome)
+{
+    m_thread.reset();
+    m_work.reset();
+    if (outcome)
+        Q_EMIT finished(*outcome);
+    else
+        Q_EMIT failed(outcome.error());
 }
 
 void ExportJob::cancel()

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/TaskThread.h"
 #include "core/export/ExportMask.h"
 
 #include <QObject>
-#include <QThread>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ui {
@@ -37,9 +38,11 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
+    void take(const core::Result<core::ExportReport>& outcome);
+
     struct Work;
     std::shared_ptr<Work> m_work;
-    std::unique_ptr<QThread> m_thread;
+    std::optional<core::TaskThread> m_thread; ///< while it runs
 };
 
 } // namespace ui

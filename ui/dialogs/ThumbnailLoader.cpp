@@ -45,24 +45,27 @@ QImage thumbnail(const core::LoadedVolume& volume, int size)
 }
 
 ThumbnailLoader::ThumbnailLoader(const QStringList& files, int size)
-    : m_worker([this, files, size] {
-        for (int index = 0; index < files.size() && !m_stop; ++index) {
-            // Of pictures any spacing will do for a thumbnail, not so for a volume.
-            const QString series = core::isImageName(files[index])
-                ? core::withRepair(QString(), QStringLiteral("spacing=1x1x1"))
-                : QString();
-            const auto volume = core::loadVolume(files[index], series);
-            if (volume)
-                Q_EMIT ready(index, thumbnail(*volume, size));
-        }
-    })
 {
+    for (int index = 0; index < files.size(); ++index) {
+        m_worker.post(
+            [this, index, size, file = files[index]] {
+                // Of pictures any spacing will do for a thumbnail, not so for a volume.
+                const QString series = core::isImageName(file)
+                    ? core::withRepair(QString(), QStringLiteral("spacing=1x1x1"))
+                    : QString();
+                if (m_stop)
+                    return;
+                const auto volume = core::loadVolume(file, series);
+                if (volume)
+                    Q_EMIT ready(index, thumbnail(*volume, size));
+            },
+            [](const core::Error&) {}); // no picture, then
+    }
 }
 
 ThumbnailLoader::~ThumbnailLoader()
 {
     m_stop = true;
-    m_worker.join();
 }
 
 } // namespace ui

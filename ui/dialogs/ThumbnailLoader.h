@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/TaskThread.h"
 #include "core/volume/Volume.h"
 
 #include <QImage>
@@ -8,7 +9,6 @@
 #include <QStringList>
 
 #include <atomic>
-#include <thread>
 
 namespace ui {
 
@@ -29,7 +29,7 @@ Q_SIGNALS:
 
 private:
     std::atomic<bool> m_stop = false;
-    std::thread m_worker;
+    core::TaskThread m_worker; ///< last: it uses all of the above
 };
 
 } // namespace ui

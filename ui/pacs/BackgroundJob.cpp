@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/BackgroundJob.h"
 
+#include "core/base/Guarded.h"
+#include "core/base/TaskThread.h"
+
 #include <QCoreApplication>
 #include <QPointer>
-#include <QSet>
-#include <QThread>
 
+#include <list>
 #include <utility>
 
 namespace ui {
@@ -14,16 +16,15 @@ namespace {
 
 /// Of all jobs, those called off among them; touched by the GUI thread only. A connection that does
 /// not come about may take seconds to notice that it is no longer wanted.
-QSet<QThread*>& threads()
+std::list<core::TaskThread>& threads()
 {
-    static QSet<QThread*> alive;
+    static std::list<core::TaskThread> alive;
     return alive;
 }
 
 void awaitThreads()
 {
-    for (QThread* thread : std::as_const(threads()))
-        thread->wait();
+    threads().clear();
 }
 
 } // namespace
@@ -44,7 +45,7 @@ BackgroundJob::~BackgroundJob()
         m_progress->cancel();
 }
 
-void BackgroundJob::start(Work work)
+void BackgroundJob::start(Work work, Failed failed)
 {
     cancel();
     // Whatever the thread says reaches this only on the GUI thread, and only while it lives.
@@ -59,24 +60,33 @@ void BackgroundJob::start(Work work)
         });
     *mine = progress.get();
     m_progress = progress;
-    QThread* thread = QThread::create([guard, progress, does = std::move(work)] {
-        std::function<void()> tell = does(*progress);
-        QMetaObject::invokeMethod(qApp, [guard, progress, tell = std::move(tell)] {
-            if (!guard || guard->m_progress != progress)
-                return;
-            guard->m_progress.reset();
-            tell();
-            if (guard)
-                Q_EMIT guard->ended();
-        });
+    const auto tell = [guard, progress](const std::function<void()>& outcome) {
+        QMetaObject::invokeMethod(
+            qApp,
+            [guard, progress, outcome] {
+                if (!guard || guard->m_progress != progress)
+                    return;
+                guard->m_progress.reset();
+                outcome();
+                if (guard)
+                    Q_EMIT guard->ended();
+            },
+            Qt::QueuedConnection);
+    };
+    const auto fail = [tell, failed = std::move(failed)](
+                          const core::Error& error) { tell([failed, error] { failed(error); }); };
+    const core::Result<void> begun = core::guarded([&] {
+        threads().emplace_back();
+        const auto thread = std::prev(threads().end());
+        const auto end = [thread] {
+            QMetaObject::invokeMethod(
+                qApp, [thread] { threads().erase(thread); }, Qt::QueuedConnection);
+        };
+        thread->post([does = std::move(work), progress, tell] { tell(does(*progress)); }, fail);
+        thread->post(end, [](const core::Error&) {}); // it rests until the program ends, then
     });
-    threads().insert(thread);
-    connect(thread, &QThread::finished, qApp, [thread] {
-        threads().remove(thread);
-        thread->wait();
-        delete thread;
-    });
-    thread->start();
+    if (!begun)
+        fail(begun.error());
 }
 
 void BackgroundJob::cancel()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Error.h"
 #include "core/base/Progress.h"
 
 #include <QObject>
@@ -19,11 +20,14 @@ public:
     /// Called on a thread of its own. @return what is done with the outcome, on the GUI thread
     using Work = std::function<std::function<void()>(const core::Progress&)>;
 
+    using Failed = std::function<void(const core::Error&)>;
+
     explicit BackgroundJob(QObject* parent = nullptr);
     /// Calls off; waits for nothing. The program's end does, for all of them.
     ~BackgroundJob() override;
 
-    void start(Work work);
+    /// @param failed told what @p work has thrown, on the GUI thread
+    void start(Work work, Failed failed);
     void cancel();
     [[nodiscard]] bool running() const { return m_progress != nullptr; }
 

@@ -43,15 +43,17 @@ CopiesRow::CopiesRow(const core::DownloadCache& cache, QWidget* parent)
 
 void CopiesRow::count()
 {
-    m_job.start([this, cache = m_cache](const core::Progress&) -> std::function<void()> {
-        const qint64 bytes = cache.bytes();
-        return [this, bytes] {
-            m_copies->setText(bytes > 0
-                    ? QStringLiteral("Local copies: %1 of at most").arg(bytesText(bytes))
-                    : QStringLiteral("Local copies: none, at most"));
-            m_clear->setVisible(bytes > 0);
-        };
-    });
+    m_job.start(
+        [this, cache = m_cache](const core::Progress&) -> std::function<void()> {
+            const qint64 bytes = cache.bytes();
+            return [this, bytes] {
+                m_copies->setText(bytes > 0
+                        ? QStringLiteral("Local copies: %1 of at most").arg(bytesText(bytes))
+                        : QStringLiteral("Local copies: none, at most"));
+                m_clear->setVisible(bytes > 0);
+            };
+        },
+        /* how many there are is not known, then: */ [](const core::Error&) {});
 }
 
 void CopiesRow::setClearable(bool clearable)
@@ -61,14 +63,16 @@ void CopiesRow::setClearable(bool clearable)
 
 void CopiesRow::clear()
 {
-    m_job.start([this, cache = m_cache](const core::Progress&) -> std::function<void()> {
-        const int removed = cache.clear();
-        const bool someStay = cache.bytes() > 0;
-        return [this, removed, someStay] {
-            Q_EMIT cleared(removed, someStay);
-            count();
-        };
-    });
+    m_job.start(
+        [this, cache = m_cache](const core::Progress&) -> std::function<void()> {
+            const int removed = cache.clear();
+            const bool someStay = cache.bytes() > 0;
+            return [this, removed, someStay] {
+                Q_EMIT cleared(removed, someStay);
+                count();
+            };
+        },
+        [this](const core::Error&) { Q_EMIT cleared(0, true); });
 }
 
 } // namespace ui

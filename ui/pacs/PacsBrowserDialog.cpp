@@ -173,15 +173,17 @@ void PacsBrowserDialog::test()
     if (!one || m_downloadJob.running())
         return;
     m_state->say(QStringLiteral("Asking %1 …").arg(one->address()));
-    m_queryJob.start([this, asked = *one](const core::Progress& progress) -> std::function<void()> {
-        const core::Result<void> answered = core::echoNode(asked, progress);
-        return [this, asked, answered] {
-            if (answered)
-                m_state->say(QStringLiteral("✓ %1 answers.").arg(asked.address()), "good");
-            else
-                m_state->say(errorText(answered.error()), "bad");
-        };
-    });
+    m_queryJob.start(
+        [this, asked = *one](const core::Progress& progress) -> std::function<void()> {
+            const core::Result<void> answered = core::echoNode(asked, progress);
+            return [this, asked, answered] {
+                if (answered)
+                    m_state->say(QStringLiteral("✓ %1 answers.").arg(asked.address()), "good");
+                else
+                    m_state->say(errorText(answered.error()), "bad");
+            };
+        },
+        [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
     showButtons();
 }
 
@@ -196,44 +198,49 @@ void PacsBrowserDialog::search()
     m_hits->showStudies({});
     showChoice();
     m_state->say(QStringLiteral("Searching %1 …").arg(one->address()));
-    m_queryJob.start([this, asked = *one, filter = m_form->filter()](
-                         const core::Progress& progress) -> std::function<void()> {
-        const auto found = core::findStudies(asked, filter, mostStudies, progress);
-        return [this, found] {
-            if (!found)
-                return m_state->say(errorText(found.error()), "bad");
-            m_hits->showStudies(found->hits);
-            showCopies();
-            const std::size_t count = found->hits.size();
-            if (found->more)
-                m_state->say(
-                    QStringLiteral("The first %1 studies; there are more: say more of what you "
-                                   "look for.")
-                        .arg(count),
-                    "caution");
-            else if (count == 0)
-                m_state->say(QStringLiteral("No study there matches."));
-            else
-                m_state->say(count == 1 ? QStringLiteral("1 study")
-                                        : QStringLiteral("%1 studies").arg(count));
-        };
-    });
+    m_queryJob.start(
+        [this, asked = *one, filter = m_form->filter()](
+            const core::Progress& progress) -> std::function<void()> {
+            const auto found = core::findStudies(asked, filter, mostStudies, progress);
+            return [this, found] {
+                if (!found)
+                    return m_state->say(errorText(found.error()), "bad");
+                m_hits->showStudies(found->hits);
+                showCopies();
+                const std::size_t count = found->hits.size();
+                if (found->more)
+                    m_state->say(
+                        QStringLiteral("The first %1 studies; there are more: say more of what you "
+                                       "look for.")
+                            .arg(count),
+                        "caution");
+                else if (count == 0)
+                    m_state->say(QStringLiteral("No study there matches."));
+                else
+                    m_state->say(count == 1 ? QStringLiteral("1 study")
+                                            : QStringLiteral("%1 studies").arg(count));
+            };
+        },
+        [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
     showButtons();
 }
 
 void PacsBrowserDialog::askForSeries(const QString& studyUid)
 {
-    m_seriesJob.start([this, studyUid, asked = m_searched](
-                          const core::Progress& progress) -> std::function<void()> {
-        const auto found = core::findSeries(asked, studyUid, progress);
-        return [this, studyUid, found] {
-            if (found)
-                m_hits->showSeries(studyUid, *found);
-            else
-                m_hits->showTrouble(studyUid, errorText(found.error()));
-            showCopies();
-        };
-    });
+    m_seriesJob.start(
+        [this, studyUid, asked = m_searched](
+            const core::Progress& progress) -> std::function<void()> {
+            const auto found = core::findSeries(asked, studyUid, progress);
+            return [this, studyUid, found] {
+                if (found)
+                    m_hits->showSeries(studyUid, *found);
+                else
+                    m_hits->showTrouble(studyUid, errorText(found.error()));
+                showCopies();
+            };
+        },
+        [this, studyUid](
+            const core::Error& error) { m_hits->showTrouble(studyUid, errorText(error)); });
 }
 
 void PacsBrowserDialog::showChoice()
@@ -287,7 +294,8 @@ void PacsBrowserDialog::download(bool thenOpen)
                 else
                     m_state->say(errorText(got.error()), "bad");
             };
-        });
+        },
+        [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
     showButtons();
 }
 

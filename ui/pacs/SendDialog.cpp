@@ -110,20 +110,23 @@ void SendDialog::send()
     QSettings().setValue(lastKey, source.name);
     m_state->say(QStringLiteral("Sending to %1 …").arg(source.address()));
     m_progress->setRange(0, 0);
-    m_job.start([this, source, files = m_files](
-                    const core::Progress& progress) -> std::function<void()> {
-        const core::Result<core::SentObjects> sent = core::sendFiles(source, files, progress);
-        return [this, source, sent] {
-            if (!sent)
-                return m_state->say(errorText(sent.error()), "bad");
-            m_close->setDefault(true); // it is done: Enter is not to send it again
-            QStringList lines{sent->sent == 1
-                    ? QStringLiteral("✓ %1 took it.").arg(source.address())
-                    : QStringLiteral("✓ %1 took %2 files.").arg(source.address()).arg(sent->sent)};
-            lines += sent->warnings;
-            m_state->say(lines.join(u'\n'), sent->warnings.isEmpty() ? "good" : "caution");
-        };
-    });
+    m_job.start(
+        [this, source, files = m_files](const core::Progress& progress) -> std::function<void()> {
+            const core::Result<core::SentObjects> sent = core::sendFiles(source, files, progress);
+            return [this, source, sent] {
+                if (!sent)
+                    return m_state->say(errorText(sent.error()), "bad");
+                m_close->setDefault(true); // it is done: Enter is not to send it again
+                QStringList lines{sent->sent == 1
+                        ? QStringLiteral("✓ %1 took it.").arg(source.address())
+                        : QStringLiteral("✓ %1 took %2 files.")
+                              .arg(source.address())
+                              .arg(sent->sent)};
+                lines += sent->warnings;
+                m_state->say(lines.join(u'\n'), sent->warnings.isEmpty() ? "good" : "caution");
+            };
+        },
+        [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
     showRunning(true);
 }
 

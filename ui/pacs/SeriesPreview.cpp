@@ -112,16 +112,20 @@ void SeriesPreview::stop()
 void SeriesPreview::ask()
 {
     sayInstead(QStringLiteral("Asking for a picture …"));
-    m_job.start([this, source = m_source, series = *m_choice->series, cache = m_cache](
-                    const core::Progress& progress) -> std::function<void()> {
-        const Made made = make(source, series, cache, progress);
-        return [this, made] {
-            if (made.picture.isNull())
-                sayInstead(QStringLiteral("No picture"), made.trouble);
-            else
-                showPicture(made.picture);
-        };
-    });
+    m_job.start(
+        [this, source = m_source, series = *m_choice->series, cache = m_cache](
+            const core::Progress& progress) -> std::function<void()> {
+            const Made made = make(source, series, cache, progress);
+            return [this, made] {
+                if (made.picture.isNull())
+                    sayInstead(QStringLiteral("No picture"), made.trouble);
+                else
+                    showPicture(made.picture);
+            };
+        },
+        [this](const core::Error& error) {
+            sayInstead(QStringLiteral("No picture"), errorText(error));
+        });
 }
 
 void SeriesPreview::showPicture(const QImage& picture)

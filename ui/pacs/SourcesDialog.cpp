@@ -271,15 +271,17 @@ void SourcesDialog::test()
     if (!now)
         return;
     m_state->say(QStringLiteral("Asking %1 …").arg(now->address()));
-    m_job.start([this, source = *now](const core::Progress& progress) -> std::function<void()> {
-        const core::Result<void> answered = core::echoNode(source, progress);
-        return [this, source, answered] {
-            if (answered)
-                m_state->say(QStringLiteral("%1 answers.").arg(source.address()), "good");
-            else
-                m_state->say(errorText(answered.error()), "bad");
-        };
-    });
+    m_job.start(
+        [this, source = *now](const core::Progress& progress) -> std::function<void()> {
+            const core::Result<void> answered = core::echoNode(source, progress);
+            return [this, source, answered] {
+                if (answered)
+                    m_state->say(QStringLiteral("%1 answers.").arg(source.address()), "good");
+                else
+                    m_state->say(errorText(answered.error()), "bad");
+            };
+        },
+        [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
 }
 
 void SourcesDialog::keep()
