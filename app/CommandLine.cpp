@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/CommandLine.h"
 
+#include "app/Arguments.h"
 #include "app/CompareCommand.h"
 #include "app/DemoCommand.h"
+#include "app/DisplayNeeded.h"
 #include "app/EchoCommand.h"
 #include "app/EditsCommand.h"
 #include "app/FindCommand.h"
 #include "app/GetCommand.h"
+#include "app/GuardedApplication.h"
 #include "app/HistoryCommand.h"
 #include "app/InfoCommand.h"
 #include "app/MeshCommand.h"
@@ -15,6 +18,7 @@
 #include "app/RunCommand.h"
 #include "app/SendCommand.h"
 #include "app/Version.h"
+#include "core/base/Guarded.h"
 #include "core/base/PrivateFolder.h"
 
 #include <QApplication>
@@ -155,18 +159,24 @@ int runCommandLine(int argc, char** argv)
         const bool needsFonts = std::any_of(argv + 1, argv + argc, isFontsFor);
         if (needsFonts)
             qputenv("QT_QPA_PLATFORM", "offscreen");
-        if (command.needsWindow)
-            application = std::make_unique<QApplication>(argc, argv);
-        else if (needsFonts)
-            application = std::make_unique<QGuiApplication>(argc, argv);
-        else
-            application = std::make_unique<QCoreApplication>(argc, argv);
-        QCoreApplication::setApplicationName(QStringLiteral("burin"));
-        QCoreApplication::setOrganizationName(QStringLiteral("burin"));
-        QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
-        if (command.needsWindow)
-            keepSettingsPrivate();
-        return command.run(application->arguments().mid(2));
+        int status = 0;
+        const core::Result<void> ran = core::guarded([&] {
+            if (command.needsWindow) {
+                const DisplayNeeded display;
+                application = std::make_unique<GuardedApplication>(argc, argv);
+            } else if (needsFonts) {
+                application = std::make_unique<QGuiApplication>(argc, argv);
+            } else {
+                application = std::make_unique<QCoreApplication>(argc, argv);
+            }
+            QCoreApplication::setApplicationName(QStringLiteral("burin"));
+            QCoreApplication::setOrganizationName(QStringLiteral("burin"));
+            QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
+            if (command.needsWindow)
+                keepSettingsPrivate();
+            status = command.run(application->arguments().mid(2));
+        });
+        return ran ? status : tellFailure(ran.error());
     }
     if (std::strcmp(verb, "--version") == 0) {
         std::printf("burin %s\n", BURIN_VERSION);

@@ -3,18 +3,23 @@
 
 #include "app/Application.h"
 #include "app/Arguments.h"
+#include "app/EndNote.h"
+#include "app/GuardedApplication.h"
 #include "app/OrderlyEnd.h"
+#include "core/base/MemoryReserve.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "ui/ErrorText.h"
 #include "ui/MainWindow.h"
+#include "ui/MessageBar.h"
 #include "ui/Screenshot.h"
 #include "ui/Workspace.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QPixmap>
 #include <QTimer>
 
@@ -182,6 +187,30 @@ private:
     bool m_saving = false;
 };
 
+/// What is thrown in the middle of an event: the study is closed, whole on disk, and the window
+/// says why. What the window shows of it would not be sure to be true.
+/// @param application null: it is gone
+void rescueBy(Application* application, bool goesOn)
+{
+    auto* guarded = dynamic_cast<GuardedApplication*>(qApp);
+    if (!guarded)
+        return;
+    if (!application)
+        return guarded->setRescue({});
+    guarded->setRescue([application, goesOn](const core::Error& error) {
+        if (!goesOn)
+            return QApplication::exit(1);
+        ui::MainWindow& window = application->window();
+        window.opener().cancel();
+        application->workspace().setSession(nullptr);
+        core::keepMemoryReserve();
+        window.messages().show(ui::MessageBar::Kind::Error,
+            QStringLiteral("The study was closed: %1. Every step that was done is in its session; "
+                           "open it again to go on.")
+                .arg(ui::errorText(error)));
+    });
+}
+
 } // namespace
 
 int runOpen(const QStringList& arguments)
@@ -193,8 +222,15 @@ int runOpen(const QStringList& arguments)
         return complain(ui::errorText({core::ErrorCode::FileNotFound, {parsed.path}}), 1);
     }
     auto application = Application::create();
-    if (!application)
-        return complain(ui::errorText(application.error()), 1);
+    if (!application) {
+        const QString why = ui::errorText(application.error());
+        complain(why, 1);
+        // Whoever clicked on an icon sees no stderr.
+        if (parsed.screenshot.isEmpty())
+            QMessageBox::critical(nullptr, QStringLiteral("Burin"),
+                QStringLiteral("Burin cannot start: %1.").arg(why));
+        return 1;
+    }
     ui::MainWindow& window = (*application)->window();
     window.resize(QSize(1600, 950));
     // A picture for others is not to depend on how this user left the window.
@@ -205,7 +241,14 @@ int runOpen(const QStringList& arguments)
     std::optional<Screenshot> screenshot;
     if (!parsed.screenshot.isEmpty())
         screenshot.emplace(**application, parsed.screenshot);
+    rescueBy(application->get(), parsed.screenshot.isEmpty());
     window.show();
+    std::optional<EndNote> note;
+    if (parsed.screenshot.isEmpty()) {
+        if (const QString earlier = EndNote::takeEarlier(); !earlier.isEmpty())
+            window.messages().show(ui::MessageBar::Kind::Caution, earlier);
+        note.emplace();
+    }
     if (parsed.demonstration)
         (*application)->openDemonstration();
     else if (!parsed.study.isEmpty())
@@ -218,7 +261,9 @@ int runOpen(const QStringList& arguments)
         (*application)->window().opener().abandon();
         (*application)->workspace().dropSession();
     });
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    rescueBy(nullptr, false);
+    return status;
 }
 
 } // namespace app

@@ -7,6 +7,7 @@
 #include "app/RunSteps.h"
 #include "app/SessionPlan.h"
 #include "core/base/FileInUse.h"
+#include "core/base/Guarded.h"
 #include "core/base/ReadableFile.h"
 #include "core/base/StagedFile.h"
 #include "core/edits/DocumentEdits.h"
@@ -299,9 +300,11 @@ int run(core::Recipe recipe, const Arguments& arguments)
     if (done) {
         if (plan.damage)
             tellFailure(*plan.damage);
-        RunKeyframes keyframes((*engine)->frames(), *session);
-        done = elsewhere ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes)
-                         : carryOut(recipe, *session, keyframes);
+        done = core::guarded([&] {
+            RunKeyframes keyframes((*engine)->frames(), *session);
+            return elsewhere ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes)
+                             : carryOut(recipe, *session, keyframes);
+        });
     }
     if (!done) {
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
@@ -334,7 +337,9 @@ int run(core::Recipe recipe, const Arguments& arguments)
         return core::loadSessionStudy(
             session->file(), core::SessionSource::of(session->document().volumes.front()));
     };
-    if (const Result<void> exported = exportFiles(exports, *session, force, readStudy); !exported)
+    const Result<void> exported =
+        core::guarded([&] { return exportFiles(exports, *session, force, readStudy); });
+    if (!exported)
         return tellFailure(exported.error());
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;

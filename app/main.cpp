@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/CommandLine.h"
 #include "app/DecodeCommand.h"
+#include "app/SuddenEnd.h"
 
 int main(int argc, char** argv)
 {
     if (app::isDecoder(argc, argv))
         return app::runDecoder();
+    app::watchForSuddenEnd();
     app::nameDecoders();
     return app::runCommandLine(argc, argv);
 }

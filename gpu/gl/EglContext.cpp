@@ -2,6 +2,7 @@
 #include "gpu/gl/EglContext.h"
 
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 
 #include <array>
 #include <string_view>
@@ -61,6 +62,26 @@ std::vector<EGLDisplay> hardwareDisplays()
     return displays;
 }
 
+/// What the driver has instead of OpenGL 4.5.
+QString whatThereIs(EGLDisplay display, EGLConfig config)
+{
+    const QString none = QStringLiteral("no OpenGL 4.5 core context");
+    const std::array<EGLint, 1> any{EGL_NONE};
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, any.data());
+    if (context == EGL_NO_CONTEXT)
+        return none;
+    QString told = none;
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+        const auto text = [](GLenum name) {
+            return QString::fromUtf8(reinterpret_cast<const char*>(glGetString(name)));
+        };
+        told = QStringLiteral("%1 has OpenGL %2").arg(text(GL_RENDERER), text(GL_VERSION));
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    eglDestroyContext(display, context);
+    return told;
+}
+
 /// @return why not, empty when it worked
 QString createOn(EGLDisplay display, const EglContextOptions& options, EGLContext& context)
 {
@@ -83,7 +104,7 @@ QString createOn(EGLDisplay display, const EglContextOptions& options, EGLContex
             return QStringLiteral("no framebuffer configuration");
     }
     context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
-    return context == EGL_NO_CONTEXT ? QStringLiteral("no OpenGL 4.5 core context") : QString();
+    return context == EGL_NO_CONTEXT ? whatThereIs(display, config) : QString();
 }
 
 } // namespace

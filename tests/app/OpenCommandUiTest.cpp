@@ -16,6 +16,9 @@ private Q_SLOTS:
     void saysWhatIsWrong_data();
     void saysWhatIsWrong();
     void saysWhyAFolderDoesNotOpen();
+    void saysThatThereIsNoDisplay_data();
+    void saysThatThereIsNoDisplay();
+    void saysWhatThereIsInsteadOfOpenGl();
     void screenshotOfTheStartPage();
     void screenshotOfTheDemonstration();
 
@@ -24,19 +27,29 @@ private:
         int status = -1;
         QString output;
     };
-    Outcome burin(const QStringList& arguments);
+    using Variables = QMap<QString, QString>;
+    [[nodiscard]] QProcessEnvironment environment(const Variables& variables) const;
+    Outcome burin(const QStringList& arguments, const Variables& variables = {});
 
     QTemporaryDir m_folder;
 };
 
-OpenCommandUiTest::Outcome OpenCommandUiTest::burin(const QStringList& arguments)
+/// Nothing of the test stays in the user's folders.
+QProcessEnvironment OpenCommandUiTest::environment(const Variables& variables) const
+{
+    QProcessEnvironment made = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
+        made.insert(QLatin1String(name), m_folder.filePath(QLatin1String(name)));
+    for (auto each = variables.begin(); each != variables.end(); ++each)
+        made.insert(each.key(), each.value());
+    return made;
+}
+
+OpenCommandUiTest::Outcome OpenCommandUiTest::burin(
+    const QStringList& arguments, const Variables& variables)
 {
     QProcess process;
-    // Nothing of the test stays in the user's folders.
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
-        environment.insert(QLatin1String(name), m_folder.filePath(QLatin1String(name)));
-    process.setProcessEnvironment(environment);
+    process.setProcessEnvironment(environment(variables));
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(QStringLiteral(BURIN_PROGRAM), QStringList{QStringLiteral("open")} + arguments);
     if (!process.waitForFinished(300000)) {
@@ -44,7 +57,8 @@ OpenCommandUiTest::Outcome OpenCommandUiTest::burin(const QStringList& arguments
         process.waitForFinished();
         return {};
     }
-    return {process.exitCode(), QString::fromUtf8(process.readAll())};
+    const bool crashed = process.exitStatus() != QProcess::NormalExit;
+    return {crashed ? -1 : process.exitCode(), QString::fromUtf8(process.readAll())};
 }
 
 void OpenCommandUiTest::saysWhatIsWrong_data()
@@ -85,6 +99,55 @@ void OpenCommandUiTest::saysWhyAFolderDoesNotOpen()
         qPrintable(QStringLiteral("%1: %2").arg(outcome.status).arg(outcome.output)));
     QVERIFY2(outcome.output.contains(empty), qPrintable(outcome.output));
     QVERIFY(!QFile::exists(picture));
+}
+
+void OpenCommandUiTest::saysThatThereIsNoDisplay_data()
+{
+    QTest::addColumn<QString>("display");
+    QTest::addColumn<QString>("platform");
+    QTest::newRow("none") << QString() << QString();
+    QTest::newRow("one that is not there") << QStringLiteral(":4711") << QString();
+    QTest::newRow("a platform that is not there") << QString() << QStringLiteral("nonsense");
+}
+
+void OpenCommandUiTest::saysThatThereIsNoDisplay()
+{
+    QFETCH(QString, display);
+    QFETCH(QString, platform);
+    const Outcome outcome = burin({},
+        {{QStringLiteral("DISPLAY"), display}, {QStringLiteral("WAYLAND_DISPLAY"), QString()},
+            {QStringLiteral("QT_QPA_PLATFORM"), platform}});
+    QVERIFY2(outcome.status == 1,
+        qPrintable(QStringLiteral("%1: %2").arg(outcome.status).arg(outcome.output)));
+    QVERIFY2(
+        outcome.output.contains(QLatin1String("there is no display")), qPrintable(outcome.output));
+    QCOMPARE(outcome.output.count(u'\n'), 1);
+}
+
+/// On stderr, and in a dialog that waits for somebody to read it.
+void OpenCommandUiTest::saysWhatThereIsInsteadOfOpenGl()
+{
+    const Variables old{{QStringLiteral("MESA_GL_VERSION_OVERRIDE"), QStringLiteral("4.1")}};
+    const QString picture = m_folder.filePath(QStringLiteral("none.png"));
+    const Outcome outcome = burin({QStringLiteral("--screenshot"), picture}, old);
+    if (outcome.status == 0)
+        QSKIP("this driver is not Mesa's");
+    QVERIFY2(outcome.status == 1,
+        qPrintable(QStringLiteral("%1: %2").arg(outcome.status).arg(outcome.output)));
+    QVERIFY2(outcome.output.contains(QLatin1String("no OpenGL 4.5 available"))
+            && outcome.output.contains(QLatin1String("has OpenGL 4.1")),
+        qPrintable(outcome.output));
+
+    QProcess process;
+    process.setProcessEnvironment(environment(old));
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(QStringLiteral(BURIN_PROGRAM), {QStringLiteral("open")});
+    QVERIFY(process.waitForReadyRead(60000));
+    QVERIFY(process.readAll().contains("has OpenGL 4.1"));
+    // Without a dialog it would have ended by now.
+    QVERIFY(!process.waitForFinished(1500));
+    process.kill();
+    QVERIFY(process.waitForFinished());
 }
 
 void OpenCommandUiTest::screenshotOfTheStartPage()
