@@ -3,16 +3,30 @@
 
 #include <QJsonDocument>
 #include <QProcess>
+#include <QProcessEnvironment>
+
+#include <sys/resource.h>
 
 namespace test {
 
-Outcome burin(const QStringList& arguments)
+Outcome burin(const QStringList& arguments, const Surroundings& around)
 {
+    constexpr int patienceMs = 300000;
     QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (auto each = around.variables.begin(); each != around.variables.end(); ++each)
+        environment.insert(each.key(), each.value());
+    process.setProcessEnvironment(environment);
+    if (around.addressSpaceBytes > 0) {
+        const rlimit limit{around.addressSpaceBytes, around.addressSpaceBytes};
+        process.setChildProcessModifier([limit] { setrlimit(RLIMIT_AS, &limit); });
+    }
     process.start(QStringLiteral(BURIN_PROGRAM), arguments);
-    process.waitForFinished(300000);
+    const bool ended = process.waitForFinished(patienceMs);
     Outcome outcome;
     outcome.status = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+    if (!ended)
+        outcome.status = Outcome::hung;
     outcome.complaint = QString::fromUtf8(process.readAllStandardError());
     outcome.output = process.readAllStandardOutput();
     for (const QByteArray& line : outcome.output.split('\n')) {

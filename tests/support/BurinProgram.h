@@ -3,19 +3,29 @@
 
 #include <QJsonObject>
 #include <QList>
+#include <QMap>
 #include <QString>
+
 #include <QStringList>
+#include <cstddef>
 
 namespace test {
 
 /// What a run of the program `burin` left.
 struct Outcome {
-    int status = -1; ///< −1: it crashed
+    static constexpr int hung = -2;
+    int status = -1; ///< −1: it crashed; hung: it did not end
     QByteArray output; ///< stdout
     QList<QJsonObject> lines; ///< of stdout, where they are JSON
     QString complaint; ///< stderr
 };
 
-[[nodiscard]] Outcome burin(const QStringList& arguments);
+/// What a run is given besides its arguments.
+struct Surroundings {
+    QMap<QString, QString> variables; ///< besides those of this process
+    std::size_t addressSpaceBytes = 0; ///< at most; 0: no limit
+};
+
+[[nodiscard]] Outcome burin(const QStringList& arguments, const Surroundings& around = {});
 
 } // namespace test

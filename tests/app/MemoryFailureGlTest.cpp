@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/CommandFixture.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/FailingLog.h"
+#include "tests/support/SmallStudy.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <set>
+
+using test::key;
+using test::Outcome;
+
+namespace {
+
+/// smallStudy() with more air around, so that its labels take more than 64 KiB, too.
+core::LoadedVolume airyStudy()
+{
+    core::LoadedVolume loaded = test::smallStudy();
+    core::VolumeGeometry& geometry = loaded.volume.geometry;
+    const core::VolumeGeometry small = geometry;
+    const std::vector<std::uint16_t> inner = std::move(loaded.codes);
+    const glm::ivec3 around(12, 12, 11);
+    geometry.size = small.size + 2 * around;
+    geometry.indexToWorld[3] = glm::dvec4(small.toWorld(-glm::dvec3(around)), 1.0);
+    loaded.codes.assign(geometry.voxelCount(), 24);
+    for (int k = 0; k < small.size.z; ++k)
+        for (int j = 0; j < small.size.y; ++j)
+            for (int i = 0; i < small.size.x; ++i) {
+                const glm::ivec3 at = glm::ivec3(i, j, k) + around;
+                loaded.codes[std::size_t(
+                    at.x + geometry.size.x * (at.y + std::int64_t(geometry.size.y) * at.z))] =
+                    inner[std::size_t(i + small.size.x * (j + std::int64_t(small.size.y) * k))];
+            }
+    return loaded;
+}
+
+QJsonArray script(const core::VolumeGeometry& geometry)
+{
+    const glm::dvec3 corner = geometry.toWorld({1, 1, 1});
+    const glm::dvec3 middle = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
+    QJsonArray steps =
+        test::toJson({test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(),
+            test::addSegment("Air"), core::SeedStroke{.segment = 2, .pointsLps = {corner}},
+            core::GrowSteps{.criteria = {.lower = -2000, .upper = -500}},
+            core::ShrinkSteps{.steps = 6}, test::drillAt(-6),
+            core::PaintStroke{.segment = 1,
+                .path = {.radiusMm = 6, .pointsLps = {middle, middle + glm::dvec3(4, 3, 2)}},
+                .overwriteUnlocked = true}});
+    for (const char* move : {"undo", "undo", "redo"})
+        steps.append(QJsonObject{{key("edit"), key(move)}});
+    return steps;
+}
+
+const QStringList exported{
+    QStringLiteral("o.nii.gz"), QStringLiteral("o.seg.nrrd"), QStringLiteral("o.stl")};
+
+QByteArray read(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// What a line of `burin run` promises.
+QString promise(const QJsonObject& line)
+{
+    if (line.contains(key("export")))
+        return QString();
+    return line[key("edit")].toString() + u' ' + line[key("row")].toVariant().toString() + u' '
+        + line[key("hash")].toString();
+}
+
+QStringList promises(const Outcome& outcome)
+{
+    QStringList all;
+    for (const QJsonObject& line : outcome.lines)
+        if (const QString one = promise(line); !one.isEmpty())
+            all += one;
+    return all;
+}
+
+QStringList hashes(const QJsonObject& history)
+{
+    QStringList all;
+    for (const QJsonValue& row : history[key("commands")].toArray())
+        all += row.toObject()[key("hashAfter")].toString();
+    return all;
+}
+
+} // namespace
+
+/// Memory is refused while a session is worked in, at any place: the step is refused and everything
+/// is as it was, or the program ends in one sentence; what is in the session is whole either way.
+class MemoryFailureGlTest : public QObject, test::CommandFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void largeOnesOfOurs_data();
+    void largeOnesOfOurs();
+    void anyOnes_data();
+    void anyOnes();
+    void noneFromThenOn_data();
+    void noneFromThenOn();
+    void littleAddressSpace_data();
+    void littleAddressSpace();
+
+private:
+    [[nodiscard]] test::Surroundings refusing(
+        long which, long least, bool ours, bool onAndOn = false) const;
+    [[nodiscard]] Outcome carryOut(const test::Surroundings& around) const;
+    [[nodiscard]] long countOf(long least, bool ours);
+    void checkWhole(const Outcome& outcome, bool replayed);
+
+    QString m_airy;
+    QJsonArray m_steps;
+    QStringList m_promised; ///< of an undisturbed run
+    QStringList m_hashes;
+    QList<QByteArray> m_exported;
+    std::map<std::pair<long, bool>, long> m_counts;
+};
+
+test::Surroundings MemoryFailureGlTest::refusing(
+    long which, long least, bool ours, bool onAndOn) const
+{
+    test::Surroundings around;
+    around.variables = {{key("LD_PRELOAD"), key(BURIN_REFUSED_MEMORY)},
+        {key("BURIN_REFUSE_NTH"), QString::number(which)},
+        {key("BURIN_REFUSE_LEAST"), QString::number(least)},
+        {key("BURIN_REFUSE_OURS"), ours ? key("1") : key("0")},
+        {key("BURIN_REFUSE_ON"), onAndOn ? key("1") : key("0")},
+        {key("BURIN_REFUSE_REPORT"), path("count.txt")}};
+    return around;
+}
+
+Outcome MemoryFailureGlTest::carryOut(const test::Surroundings& around) const
+{
+    QJsonArray exports;
+    const QStringList formats{key("nifti"), key("seg-nrrd"), key("stl")};
+    for (qsizetype i = 0; i < formats.size(); ++i)
+        exports.append(
+            QJsonObject{{key("format"), formats[i]}, {key("file"), path(qPrintable(exported[i]))}});
+    const QString words = recipe("r.json", {{key("edits"), m_steps}, {key("export"), exports}});
+    return test::burin(
+        {key("run"), words, key("--study"), m_airy, key("--session"), path("s.burin")}, around);
+}
+
+/// How many allocations an undisturbed run makes.
+long MemoryFailureGlTest::countOf(long least, bool ours)
+{
+    long& count = m_counts[{least, ours}];
+    if (count > 0)
+        return count;
+    makeFolder();
+    const Outcome outcome = carryOut(refusing(0, least, ours));
+    count = outcome.status == 0 ? read(path("count.txt")).trimmed().toLong() : 0;
+    return count;
+}
+
+void MemoryFailureGlTest::initTestCase()
+{
+    const core::LoadedVolume airy = airyStudy();
+    m_airy = otherStudy("airy.nii.gz", airy);
+    QVERIFY(!m_airy.isEmpty());
+    m_steps = script(airy.volume.geometry);
+    makeFolder();
+    const Outcome outcome = carryOut({});
+    QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+    m_promised = promises(outcome);
+    QCOMPARE(m_promised.size(), m_steps.size());
+    m_hashes = hashes(history("s.burin"));
+    QVERIFY(m_hashes.size() >= 8);
+    for (const QString& name : exported)
+        m_exported += read(path(qPrintable(name)));
+    QVERIFY(!m_exported.contains(QByteArray()));
+}
+
+void MemoryFailureGlTest::init()
+{
+    test::failOnUnexpectedMessages();
+    makeFolder();
+}
+
+/// A run that was disturbed: what it promised and what its session holds is what an undisturbed run
+/// does, as far as it came, and nothing else lies there.
+void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
+{
+    QVERIFY2(outcome.status != test::Outcome::hung, qPrintable(outcome.complaint));
+    const QStringList promised = promises(outcome);
+    QCOMPARE(promised, m_promised.first(std::min(promised.size(), m_promised.size())));
+    QVERIFY2(
+        outcome.status != 0 || promised.size() == m_promised.size(), qPrintable(outcome.complaint));
+    QVERIFY(outcome.status == 0 || !outcome.complaint.isEmpty());
+    if (outcome.status == 1)
+        QVERIFY2(outcome.complaint.contains(key("memory")), qPrintable(outcome.complaint));
+    if (QFile::exists(path("s.burin"))) {
+        QStringList there = hashes(history("s.burin"));
+        // A row that was told and not carried out to its end is so when it is opened next.
+        if (!there.isEmpty() && there.last().isEmpty())
+            there.removeLast();
+        QVERIFY2(there == m_hashes.first(std::min(there.size(), m_hashes.size())),
+            qPrintable(there.join(u' ')));
+        std::set<QString> rows;
+        for (const QString& one : promised)
+            rows.insert(one.section(u' ', 1, 1));
+        rows.erase(QString());
+        rows.erase(key("0"));
+        QVERIFY(std::size_t(there.size()) >= rows.size());
+        if (replayed) {
+            const Outcome again = test::burin({key("replay"), path("s.burin"), key("--verify")});
+            QVERIFY2(again.status == 0, qPrintable(again.complaint));
+        }
+    } else {
+        QVERIFY(promised.isEmpty());
+    }
+    for (qsizetype i = 0; i < exported.size(); ++i) {
+        const QString file = path(qPrintable(exported[i]));
+        if (QFile::exists(file))
+            QVERIFY2(read(file) == m_exported[i], qPrintable(exported[i]));
+    }
+    if (outcome.status == 0 || outcome.status == 1) {
+        QStringList left = QDir(path("")).entryList(QDir::Files | QDir::Hidden);
+        for (const QString& known : exported
+                + QStringList{key("r.json"), key("count.txt"), key("s.burin"), key("s.burin-wal"),
+                    key("s.burin-shm")})
+            left.removeAll(known);
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(u' ')));
+    }
+}
+
+namespace {
+
+constexpr long large = 64 * 1024;
+
+/// Rows of so many of them, evenly spread; all in long runs if @p most is 0.
+void spread(long count, int daily, int most)
+{
+    QTest::addColumn<qlonglong>("which");
+    const long wanted = test::longRun() ? (most > 0 ? most : count) : daily;
+    const long rows = std::min(count, wanted);
+    for (long i = 0; i < rows; ++i) {
+        const qlonglong which = 1 + i * count / rows;
+        QTest::addRow("%lld of %ld", which, count) << which;
+    }
+}
+
+} // namespace
+
+void MemoryFailureGlTest::largeOnesOfOurs_data()
+{
+    spread(countOf(large, true), 14, 0);
+}
+
+void MemoryFailureGlTest::largeOnesOfOurs()
+{
+    QFETCH(qlonglong, which);
+    const Outcome outcome = carryOut(refusing(which, large, true));
+    checkWhole(outcome, test::longRun() || which % 4 == 1);
+    // Refused, or had at a second try.
+    QVERIFY2(outcome.status == 0 || outcome.status == 1, qPrintable(outcome.complaint));
+}
+
+void MemoryFailureGlTest::anyOnes_data()
+{
+    spread(countOf(1, false), 6, 300);
+}
+
+void MemoryFailureGlTest::anyOnes()
+{
+    QFETCH(qlonglong, which);
+    checkWhole(carryOut(refusing(which, 1, false)), test::longRun());
+}
+
+void MemoryFailureGlTest::noneFromThenOn_data()
+{
+    spread(countOf(large, true), 3, 40);
+}
+
+void MemoryFailureGlTest::noneFromThenOn()
+{
+    QFETCH(qlonglong, which);
+    const Outcome outcome = carryOut(refusing(which, large, true, true));
+    checkWhole(outcome, test::longRun());
+    QCOMPARE(outcome.status, 1);
+}
+
+void MemoryFailureGlTest::littleAddressSpace_data()
+{
+    QTest::addColumn<int>("megabytes");
+    QList<int> limits{450, 900};
+    if (test::longRun())
+        limits = {200, 250, 300, 350, 400, 450, 500, 550, 600, 650, 700, 750, 800, 850, 900, 1000,
+            1100, 1200, 1400, 1700, 2000, 2500};
+    for (const int megabytes : limits)
+        QTest::addRow("%d MB", megabytes) << megabytes;
+}
+
+/// As under `ulimit -v`: also what the drivers take fails.
+void MemoryFailureGlTest::littleAddressSpace()
+{
+    QFETCH(int, megabytes);
+    test::Surroundings around;
+    around.addressSpaceBytes = std::size_t(megabytes) << 20;
+    const Outcome outcome = carryOut(around);
+    checkWhole(outcome, true);
+    qInfo("%d MB: status %d %s", megabytes, outcome.status,
+        qPrintable(outcome.complaint.trimmed().section(u'\n', -1)));
+}
+
+BURIN_TEST(MemoryFailureGlTest)
+#include "MemoryFailureGlTest.moc"
