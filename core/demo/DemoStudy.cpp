@@ -2,6 +2,7 @@
 #include "core/demo/DemoStudy.h"
 
 #include "core/base/ParallelFor.h"
+#include "core/base/StagedFolder.h"
 #include "core/demo/HeadPhantom.h"
 #include "core/demo/Noise.h"
 #include "core/dicom/CtSeriesWriter.h"
@@ -100,7 +101,7 @@ Result<void> writeInto(const QString& folder, const DemoStudy& study)
     for (const HeadPartName& part : headPartNames())
         text += QByteArray::number(static_cast<int>(part.part)) + ' ' + part.name + '\n';
     QFile names(folder + QStringLiteral("/labels.txt"));
-    if (!names.open(QIODevice::WriteOnly) || names.write(text) != text.size())
+    if (!names.open(QIODevice::WriteOnly) || names.write(text) != text.size() || !names.flush())
         return failure(ErrorCode::FileUnwritable, names.fileName(), names.errorString());
     return {};
 }
@@ -130,24 +131,21 @@ Result<DemoStudy> makeDemoStudy(const Progress& progress)
 Result<void> writeDemoStudy(const QString& folder, const DemoStudy& study)
 {
     const QString target = QDir::cleanPath(QDir(folder).absolutePath());
-    const QFileInfo info(target);
-    if (info.exists() && !(info.isDir() && QDir(target).isEmpty()))
+    if (!QDir().mkpath(QFileInfo(target).path()))
+        return failure(ErrorCode::FileUnwritable, folder);
+    Result<StagedFolder> staged = StagedFolder::create(target);
+    if (!staged && staged.error().code == ErrorCode::FileExists)
         return failure(
             ErrorCode::FileUnwritable, folder, QStringLiteral("it is not an empty folder"));
-    const QString staged = target + QStringLiteral(".part");
-    QDir(staged).removeRecursively();
-    if (!QDir().mkpath(staged))
-        return failure(ErrorCode::FileUnwritable, folder);
-    const Result<void> written = writeInto(staged, study);
-    const bool named =
-        written && (!info.exists() || QDir().rmdir(target)) && QDir().rename(staged, target);
-    if (!named)
-        QDir(staged).removeRecursively();
-    if (!written)
-        return written;
-    if (!named)
-        return failure(ErrorCode::FileUnwritable, folder);
-    return {};
+    if (!staged)
+        return tl::unexpected(staged.error());
+    if (const Result<void> written = writeInto(staged->path(), study); !written) {
+        Error error = written.error();
+        for (QString& argument : error.arguments)
+            argument.replace(staged->path(), target);
+        return tl::unexpected(error);
+    }
+    return staged->commit();
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #include "core/export/CarvedVolume.h"
 
 #include "core/base/StagedFile.h"
+#include "core/base/StagedFolder.h"
 #include "core/dicom/CarvedSeriesWriter.h"
 #include "core/dicom/Deidentifier.h"
 #include "core/export/CheckCarved.h"
@@ -14,63 +15,13 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QUuid>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace core {
 
 namespace {
-
-/// A folder that appears under its name only once it is whole.
-class StagedFolder {
-public:
-    explicit StagedFolder(const QString& target)
-        : m_target(QFileInfo(target).absoluteFilePath())
-        , m_path(QFileInfo(m_target).absoluteDir().filePath(
-              QStringLiteral(".burin-") + QUuid::createUuid().toString(QUuid::Id128).left(12)))
-    {
-    }
-    StagedFolder(const StagedFolder&) = delete;
-    StagedFolder& operator=(const StagedFolder&) = delete;
-    ~StagedFolder()
-    {
-        if (m_made)
-            QDir(m_path).removeRecursively();
-    }
-
-    [[nodiscard]] const QString& path() const { return m_path; }
-
-    Result<void> make()
-    {
-        const QFileInfo target(m_target);
-        if (target.exists() && !(target.isDir() && QDir(m_target).isEmpty()))
-            return failure(ErrorCode::FileExists, m_target);
-        m_made = QDir().mkdir(m_path);
-        if (!m_made)
-            return failure(
-                ErrorCode::FileUnwritable, m_target, QStringLiteral("no folder can be made there"));
-        return {};
-    }
-    Result<void> commit()
-    {
-        // An empty folder of that name gives way; one that has been filled meanwhile does not.
-        if (std::rename(
-                QFile::encodeName(m_path).constData(), QFile::encodeName(m_target).constData())
-            != 0)
-            return failure(
-                ErrorCode::FileUnwritable, m_target, QStringLiteral("it cannot be named so"));
-        m_made = false;
-        return {};
-    }
-
-private:
-    QString m_target;
-    QString m_path;
-    bool m_made = false;
-};
 
 Error renamed(Error error, const QString& path, const QString& target)
 {
@@ -191,10 +142,10 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
 {
     if (const QString obstacle = carvedSeriesObstacle(volume); !obstacle.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, request.target, obstacle);
-    StagedFolder staged(request.target);
-    if (const Result<void> made = staged.make(); !made)
-        return tl::unexpected(made.error());
-    const auto written = writeCarvedSeries(staged.path(),
+    Result<StagedFolder> staged = StagedFolder::create(request.target);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    const auto written = writeCarvedSeries(staged->path(),
         {.sources = volume.sources,
             .size = volume.geometry.size,
             .coverage = request.coverage,
@@ -203,7 +154,7 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
             .deidentifier = request.deidentifier},
         progress);
     if (!written)
-        return tl::unexpected(renamed(written.error(), staged.path(), request.target));
+        return tl::unexpected(renamed(written.error(), staged->path(), request.target));
     report.cautions += *written;
     report.written += QStringLiteral("A new DICOM series of %1 images in the same study; it was "
                                      "sent nowhere.")
@@ -211,15 +162,15 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
     Volume expected = volume;
     if (request.deidentifier)
         expected.identity = request.deidentifier->masked(volume.identity);
-    const auto checked = checkCarvedSeries(staged.path(), expected,
+    const auto checked = checkCarvedSeries(staged->path(), expected,
         carvedValue(volume, request, fill), volume.encoding.maxError, progress);
     if (!checked)
-        return tl::unexpected(renamed(checked.error(), staged.path(), request.target));
+        return tl::unexpected(renamed(checked.error(), staged->path(), request.target));
     report.checked = *checked;
     if (request.deidentifier) {
-        const auto clean = checkFolderDeidentified(staged.path(), *request.deidentifier);
+        const auto clean = checkFolderDeidentified(staged->path(), *request.deidentifier);
         if (!clean)
-            return tl::unexpected(renamed(clean.error(), staged.path(), request.target));
+            return tl::unexpected(renamed(clean.error(), staged->path(), request.target));
         report.checked += *clean;
         report.written +=
             QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
@@ -227,11 +178,11 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
         report.cautions += QStringLiteral("A face or body can be recognised in the images "
                                           "themselves; their voxels are not changed.");
     }
-    const auto sum = sha256OfFolder(staged.path());
+    const auto sum = sha256OfFolder(staged->path());
     if (!sum)
-        return tl::unexpected(renamed(sum.error(), staged.path(), request.target));
+        return tl::unexpected(renamed(sum.error(), staged->path(), request.target));
     report.sha256 = *sum;
-    if (auto done = staged.commit(); !done)
+    if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return report;
 }

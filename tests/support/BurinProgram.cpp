@@ -9,16 +9,16 @@
 
 namespace test {
 
-Outcome burin(const QStringList& arguments, const Surroundings& around)
+namespace {
+
+Outcome run(const QStringList& arguments, const QProcessEnvironment& environment,
+    std::size_t addressSpaceBytes)
 {
     constexpr int patienceMs = 300000;
     QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (auto each = around.variables.begin(); each != around.variables.end(); ++each)
-        environment.insert(each.key(), each.value());
     process.setProcessEnvironment(environment);
-    if (around.addressSpaceBytes > 0) {
-        const rlimit limit{around.addressSpaceBytes, around.addressSpaceBytes};
+    if (addressSpaceBytes > 0) {
+        const rlimit limit{addressSpaceBytes, addressSpaceBytes};
         process.setChildProcessModifier([limit] { setrlimit(RLIMIT_AS, &limit); });
     }
     process.start(QStringLiteral(BURIN_PROGRAM), arguments);
@@ -34,6 +34,21 @@ Outcome burin(const QStringList& arguments, const Surroundings& around)
             outcome.lines.append(QJsonDocument::fromJson(line).object());
     }
     return outcome;
+}
+
+} // namespace
+
+Outcome burin(const QStringList& arguments, const Surroundings& around)
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (auto each = around.variables.begin(); each != around.variables.end(); ++each)
+        environment.insert(each.key(), each.value());
+    return run(arguments, environment, around.addressSpaceBytes);
+}
+
+Outcome burin(const QStringList& arguments, const QProcessEnvironment& environment)
+{
+    return run(arguments, environment, 0);
 }
 
 } // namespace test

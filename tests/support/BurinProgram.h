@@ -4,9 +4,10 @@
 #include <QJsonObject>
 #include <QList>
 #include <QMap>
+#include <QProcessEnvironment>
 #include <QString>
-
 #include <QStringList>
+
 #include <cstddef>
 
 namespace test {
@@ -27,5 +28,6 @@ struct Surroundings {
 };
 
 [[nodiscard]] Outcome burin(const QStringList& arguments, const Surroundings& around = {});
+[[nodiscard]] Outcome burin(const QStringList& arguments, const QProcessEnvironment& environment);
 
 } // namespace test

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/ExportFormats.h"
+#include "tests/support/CommandFixture.h"
+#include "tests/support/FileShim.h"
+#include "tests/support/Python.h"
+#include "tests/support/SyntheticSeries.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QDirIterator>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+#include <QMap>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+#include <csignal>
+
+using test::FileEvent;
+using test::key;
+using test::Outcome;
+
+namespace {
+
+/// What a file is known by, without its bytes.
+using Stamp = std::pair<qint64, qint64>;
+
+QMap<QString, Stamp> everythingIn(const QString& folder)
+{
+    QMap<QString, Stamp> all;
+    QDirIterator walk(folder, QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot,
+        QDirIterator::Subdirectories);
+    while (walk.hasNext()) {
+        const QFileInfo info(walk.next());
+        const bool isFolder = info.isDir() && !info.isSymLink();
+        all[info.filePath()] =
+            isFolder ? Stamp{-1, 0} : Stamp{info.size(), info.lastModified().toMSecsSinceEpoch()};
+    }
+    return all;
+}
+
+QString companionsOwner(QString path)
+{
+    for (const char* ending : {"-wal", "-shm", "-journal"}) {
+        if (path.endsWith(QLatin1String(ending)))
+            return path.chopped(int(qstrlen(ending)));
+    }
+    return path;
+}
+
+} // namespace
+
+/// Every file that the command line and its window open for writing, rename, replace or remove is
+/// one of the kinds named here. Whatever else is written is found here first: it goes through
+/// core/base/StagedFile, or its kind gets a name and a reason.
+class FilesWrittenUiTest : public QObject {
+    Q_OBJECT
+
+    test::WatchedHome m_home;
+    QString m_work; ///< what commands are told to write lies here
+    QString m_study;
+
+    QString at(const char* name) const { return QDir(m_work).filePath(QLatin1String(name)); }
+    QString text(const char* name, const QJsonObject& content) const
+    {
+        QFile file(at(name));
+        if (!file.open(QIODevice::WriteOnly))
+            qFatal("cannot write %s", name);
+        file.write(QJsonDocument(content).toJson());
+        return file.fileName();
+    }
+    static QJsonArray edits();
+    QJsonArray exports(bool deidentified) const;
+    QStringList exportedFiles() const;
+
+    /// What a thing that was done to the file system is; empty: nothing that is known.
+    QString kindOf(const FileEvent& event, const QStringList& targets, bool newSession) const;
+    bool isStaged(const QString& path, const QStringList& targets) const;
+    /// Fails the test with what is of no known kind, or was done without the shim seeing it.
+    void judge(const char* command, const QStringList& targets, bool newSession);
+    void carryOut(
+        const char* name, const QStringList& words, const QStringList& targets, bool newSession);
+
+    QMap<QString, Stamp> m_before;
+    QMap<QString, int> m_kinds;
+    QSet<QString>
+        m_placed; ///< took their name in the command that is judged: then they are its own
+
+private Q_SLOTS:
+    void initTestCase();
+    void sessionsAndExports();
+    void replays();
+    void everyFormatOverWhatIsThere();
+    void histories();
+    void masksAndStudies();
+    void windows();
+    void cleanupTestCase();
+};
+
+QJsonArray FilesWrittenUiTest::edits()
+{
+    const QJsonArray code{key("SCT"), key("10200004"), key("Liver")};
+    return {QJsonObject{{key("edit"), key("addSegment")}, {key("name"), key("Liver")},
+                {key("color"), key("#336699")}, {key("code"), code}},
+        QJsonObject{{key("edit"), key("drill")},
+            {key("view"),
+                QJsonObject{{key("eyeLps"), QJsonArray{0, -300, 50}},
+                    {key("targetLps"), QJsonArray{0, 0, 50}}, {key("up"), QJsonArray{0, 0, 1}},
+                    {key("heightMm"), 60}, {key("orthographic"), true}}},
+            {key("mask"), QJsonObject{{key("shape"), key("circle")}, {key("radiusMm"), 4}}},
+            {key("depthMm"), 6}, {key("surface"), QJsonObject{{key("threshold"), -2000}}},
+            {key("samples"), QJsonArray{QJsonValue(QJsonArray{0, 0, 1.0, 0.0})}}},
+        QJsonObject{{key("edit"), key("layerToSegment")}, {key("layer"), 1}, {key("segment"), 1}}};
+}
+
+QStringList FilesWrittenUiTest::exportedFiles() const
+{
+    QStringList files;
+    for (const core::ExportFormatFacts& format : core::exportFormats()) {
+        const QString name = QLatin1String(format.name);
+        files +=
+            QDir(m_work).filePath(QStringLiteral("out/") + name + QLatin1String(format.ending));
+        if (format.format == core::ExportFormat::Sr)
+            files += QDir(m_work).filePath(QStringLiteral("out/sr-seg.dcm"));
+    }
+    return files
+        + QStringList{at("out/coverage.nii.gz"), at("out/carved.nii.gz"), at("out/series")};
+}
+
+QJsonArray FilesWrittenUiTest::exports(bool deidentified) const
+{
+    QJsonArray all;
+    for (const core::ExportFormatFacts& format : core::exportFormats()) {
+        const QString name = QLatin1String(format.name);
+        QJsonObject one{{key("format"), name},
+            {key("file"),
+                QDir(m_work).filePath(
+                    QStringLiteral("out/") + name + QLatin1String(format.ending))}};
+        if (deidentified)
+            one[key("deidentify")] = true;
+        all.append(one);
+    }
+    all.append(QJsonObject{{key("format"), key("coverage")}, {key("layer"), 1},
+        {key("file"), at("out/coverage.nii.gz")}});
+    all.append(
+        QJsonObject{{key("format"), key("carved-volume")}, {key("file"), at("out/carved.nii.gz")}});
+    if (!deidentified)
+        all.append(
+            QJsonObject{{key("format"), key("carved-volume")}, {key("file"), at("out/series")}});
+    return all;
+}
+
+void FilesWrittenUiTest::initTestCase()
+{
+    m_work = m_home.path(QStringLiteral("work"));
+    QVERIFY(QDir().mkpath(at("out")));
+    m_study = at("ct");
+    test::SyntheticSeries series;
+    series.size = {24, 18, 10};
+    test::writeSeries(series, m_study);
+    m_before = everythingIn(m_home.path(QString()));
+}
+
+bool FilesWrittenUiTest::isStaged(const QString& path, const QStringList& targets) const
+{
+    static const QRegularExpression hidden(QStringLiteral("^\\.burin-[0-9a-f]{12}(\\..+)?$"));
+    const QString owner = companionsOwner(path);
+    for (const QString& target : targets) {
+        const QDir folder = QFileInfo(target).dir();
+        const QString inside = folder.relativeFilePath(owner);
+        if (!inside.startsWith(QLatin1String(".."))
+            && hidden.match(inside.section(QLatin1Char('/'), 0, 0)).hasMatch())
+            return true;
+    }
+    return false;
+}
+
+QString FilesWrittenUiTest::kindOf(
+    const FileEvent& event, const QStringList& targets, bool newSession) const
+{
+    const QString& path = event.path;
+    const bool renames = event.what == "rename" || event.what == "exchange";
+    const auto isIn = [&path, this](const char* folder) {
+        return path.startsWith(m_home.path(QLatin1String(folder)) + QLatin1Char('/'));
+    };
+    const QString shaders = qEnvironmentVariable("MESA_SHADER_CACHE_DIR");
+    if (!shaders.isEmpty() && path.startsWith(shaders + QLatin1Char('/')))
+        return QStringLiteral("Mesa's cache of shaders");
+    // Qt writes settings into a file without a name, and then gives it one.
+    if (event.what == "link")
+        return event.more.startsWith(m_home.path(QStringLiteral("config/burin/")))
+            ? QStringLiteral("settings")
+            : QString();
+    if (renames && isStaged(path, targets) && isStaged(event.more, targets))
+        return QStringLiteral("staged beside its target");
+    if (renames)
+        return isStaged(path, targets) && targets.contains(event.more)
+            ? QStringLiteral("a target takes its name")
+            : isIn("cache") || isIn("config")
+            ? QStringLiteral("a cache or settings take their name")
+            : QString();
+    if (isStaged(path, targets))
+        return QStringLiteral("staged beside its target");
+    if (targets.contains(companionsOwner(path)) && path.contains(key(".burin"))
+        && (newSession || m_placed.contains(companionsOwner(path))))
+        return QStringLiteral("a session, new or its own");
+    static const std::initializer_list<std::pair<const char*, const char*>> places{
+        {"state/burin", "working sessions"}, {"config/burin", "settings"},
+        {"cache/burin", "caches of Burin"}, {"cache/mesa_shader_cache", "Mesa's cache of shaders"},
+        {"cache/mesa_shader_cache_db", "Mesa's cache of shaders"},
+        {"cache/fontconfig", "fontconfig's cache"}, {"tmp", "for a while, in a private folder"}};
+    for (const auto& [folder, kind] : places) {
+        if (isIn(folder) || path == m_home.path(QLatin1String(folder)))
+            return QLatin1String(kind);
+    }
+    if (path == QLatin1String("/dev/null") || path.startsWith(QLatin1String("/dev/dri/")))
+        return QStringLiteral("a device");
+    return {};
+}
+
+void FilesWrittenUiTest::judge(const char* command, const QStringList& targets, bool newSession)
+{
+    const std::vector<FileEvent> events = m_home.events();
+    QSet<QString> told{m_home.path(QStringLiteral("shim.log"))};
+    QStringList unknown;
+    m_placed.clear();
+    for (const FileEvent& event : events) {
+        told += event.path;
+        if (event.what == "rename" || event.what == "exchange" || event.what == "link")
+            told += event.more;
+        const QString kind = kindOf(event, targets, newSession);
+        if (event.what == "exchange" || event.what == "rename")
+            m_placed += event.more;
+        ++m_kinds[kind];
+        if (kind.isEmpty())
+            unknown += QString::fromLatin1(event.what) + QLatin1Char(' ') + event.path
+                + QLatin1Char(' ') + event.more;
+    }
+    QVERIFY2(unknown.isEmpty(),
+        qPrintable(QLatin1String(command) + QStringLiteral(" does what nobody allowed:\n")
+            + unknown.join(QLatin1Char('\n'))));
+    // The shim sees all of it, or this test proves nothing.
+    const QMap<QString, Stamp> after = everythingIn(m_home.path(QString()));
+    QStringList unseen;
+    for (auto file = after.begin(); file != after.end(); ++file) {
+        const bool inSeries = file.key().startsWith(at("out/series") + QLatin1Char('/'))
+            || file.key().startsWith(at("demo") + QLatin1Char('/'));
+        const bool inRenamed = file.key().contains(QLatin1String("/cache/burin/"));
+        if (m_before.value(file.key(), {-2, 0}) != file.value() && !told.contains(file.key())
+            && !inSeries && !inRenamed)
+            unseen += file.key();
+    }
+    for (auto file = m_before.begin(); file != m_before.end(); ++file) {
+        if (!after.contains(file.key()) && !told.contains(file.key()))
+            unseen += file.key();
+    }
+    QVERIFY2(unseen.isEmpty(),
+        qPrintable(QLatin1String(command) + QStringLiteral(" changed, without being seen: ")
+            + unseen.join(QLatin1Char(' '))));
+    m_before = after;
+}
+
+void FilesWrittenUiTest::carryOut(
+    const char* name, const QStringList& words, const QStringList& targets, bool newSession)
+{
+    m_before = everythingIn(m_home.path(QString()));
+    const Outcome outcome = m_home.burin(words);
+    QVERIFY2(outcome.status == 0, qPrintable(QLatin1String(name) + outcome.complaint));
+    judge(name, targets, newSession);
+}
+
+#define CARRY_OUT(...)                                                                             \
+    carryOut(__VA_ARGS__);                                                                         \
+    if (QTest::currentTestFailed())                                                                \
+    return
+
+void FilesWrittenUiTest::sessionsAndExports()
+{
+    const QString recipe =
+        text("r.json", {{key("edits"), edits()}, {key("export"), exports(false)}});
+    const QString session = at("a.burin");
+    const QStringList words{key("run"), recipe, key("--study"), m_study, key("--session"), session};
+    CARRY_OUT("run", words, exportedFiles() + QStringList{session}, true);
+    QVERIFY(QDir(at("out/series")).removeRecursively());
+    CARRY_OUT("run --force", words + QStringList{key("--force")},
+        exportedFiles() + QStringList{session}, false);
+    const QJsonArray few{QJsonObject{{key("format"), key("csv")}, {key("file"), at("more.csv")}}};
+    const QString more =
+        text("more.json", {{key("edits"), QJsonArray{edits()[1]}}, {key("export"), few}});
+    CARRY_OUT("run --append", {key("run"), more, key("--session"), session, key("--append")},
+        {session, at("more.csv")}, true);
+    CARRY_OUT("run --with-images",
+        {key("run"), text("plain.json", {{key("edits"), edits()}}), key("--study"), m_study,
+            key("--session"), at("b.burin"), key("--with-images")},
+        {at("b.burin")}, true);
+}
+
+void FilesWrittenUiTest::replays()
+{
+    CARRY_OUT("replay", {key("replay"), at("a.burin"), key("--verify")}, {}, false);
+}
+
+void FilesWrittenUiTest::everyFormatOverWhatIsThere()
+{
+    for (const core::ExportFormatFacts& format : core::exportFormats()) {
+        const QString name = QLatin1String(format.name);
+        const QString file =
+            QDir(m_work).filePath(QStringLiteral("out/") + name + QLatin1String(format.ending));
+        QVERIFY(QFile::exists(file));
+        QStringList words{key("replay"), at("a.burin"), key("--export"), file, key("--format"),
+            name, key("--force")};
+        if (format.namesSourceImages)
+            words += key("--deidentify");
+        CARRY_OUT(format.name, words, {file, at("out/sr-seg.dcm")}, false);
+    }
+    CARRY_OUT("coverage",
+        {key("replay"), at("a.burin"), key("--export"), at("out/coverage.nii.gz"), key("--format"),
+            key("coverage"), key("--layer"), key("1"), key("--force")},
+        {at("out/coverage.nii.gz")}, false);
+    CARRY_OUT("carved-volume",
+        {key("replay"), at("a.burin"), key("--export"), at("out/carved.nii.gz"), key("--format"),
+            key("carved-volume"), key("--force")},
+        {at("out/carved.nii.gz")}, false);
+}
+
+void FilesWrittenUiTest::histories()
+{
+    CARRY_OUT("history --json", {key("history"), at("a.burin"), key("--json")}, {}, false);
+    for (const char* report : {"report.html", "report.pdf"}) {
+        for (const char* force : {"", "--force"}) {
+            QStringList words{key("history"), at("a.burin"), key("--report"), at(report)};
+            if (*force != '\0')
+                words += key(force);
+            CARRY_OUT("history --report", words, {at(report)}, false);
+        }
+    }
+    for (const char* force : {"", "--force"}) {
+        QStringList words{key("history"), at("a.burin"), key("--deidentified"), at("shared.burin")};
+        if (*force != '\0')
+            words += key(force);
+        CARRY_OUT("history --deidentified", words, {at("shared.burin")}, false);
+    }
+}
+
+void FilesWrittenUiTest::masksAndStudies()
+{
+    const QString mask = at("out/nifti.nii.gz");
+    for (const char* force : {"", "--force"}) {
+        QStringList words{key("mesh"), mask, key("--study"), m_study, key("--out"), at("m.stl"),
+            key("--vertices"), key("400")};
+        if (*force != '\0')
+            words += key(force);
+        CARRY_OUT("mesh", words, {at("m.stl")}, false);
+    }
+    CARRY_OUT("compare", {key("compare"), mask, mask, key("--study"), m_study}, {}, false);
+    CARRY_OUT("info", {key("info"), m_study}, {}, false);
+    CARRY_OUT("edits", {key("edits")}, {}, false);
+    CARRY_OUT("demo", {key("demo"), at("demo")}, {at("demo")}, false);
+    const auto packed = test::runProgram(QStringLiteral("/usr/bin/python3"),
+        {key("-m"), key("zipfile"), key("-c"), at("ct.zip"), m_study});
+    QCOMPARE(packed.exitCode, 0);
+    CARRY_OUT("info of an archive", {key("info"), at("ct.zip")}, {}, false);
+}
+
+void FilesWrittenUiTest::windows()
+{
+    for (const char* picture : {"p.png", "p.dcm"})
+        CARRY_OUT("open --screenshot", {key("open"), m_study, key("--screenshot"), at(picture)},
+            {at(picture)}, false);
+    // A session is open in the window, and the window is told to end.
+    QProcess process;
+    process.setProcessEnvironment(m_home.environment());
+    m_before = everythingIn(m_home.path(QString()));
+    process.start(QStringLiteral(BURIN_PROGRAM), {key("open"), at("a.burin")});
+    QElapsedTimer waited;
+    waited.start();
+    while (!QFile::exists(at("a.burin-wal")) && waited.elapsed() < 60000
+        && !process.waitForFinished(50)) { }
+    QVERIFY(process.state() == QProcess::Running);
+    ::kill(pid_t(process.processId()), SIGTERM);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 128 + SIGTERM);
+    judge("open", {at("a.burin")}, true);
+}
+
+void FilesWrittenUiTest::cleanupTestCase()
+{
+    for (auto kind = m_kinds.begin(); kind != m_kinds.end(); ++kind)
+        qInfo("%5d %s", kind.value(), qPrintable(kind.key()));
+}
+
+BURIN_WINDOW_TEST(FilesWrittenUiTest)
+#include "FilesWrittenUiTest.moc"
