@@ -21,11 +21,13 @@ namespace {
 /// Writes one after the other; what more than one of them needs is read once.
 class Exports {
 public:
-    Exports(core::EditSession& session, bool force, const ReadStudy& readStudy)
+    Exports(core::EditSession& session, bool force, const ReadStudy& readStudy,
+        const core::Progress& progress)
         : m_session(session)
         , m_volume(session.document().volumes.front())
         , m_force(force)
         , m_readStudy(readStudy)
+        , m_progress(progress)
     {
     }
 
@@ -74,7 +76,7 @@ private:
             if (const Result<void> added = addCoverages(request); !added)
                 return tl::unexpected(added.error());
         }
-        return core::exportMask(m_volume, request, core::Progress());
+        return core::exportMask(m_volume, request, m_progress);
     }
 
     /// One mapping for all exports of a run that ask for the same.
@@ -140,7 +142,7 @@ private:
             return tl::unexpected(bytes.error());
         return core::exportCoverage(m_volume,
             {.file = target.file, .force = m_force, .layer = layer->name, .coverage = *bytes},
-            core::Progress());
+            m_progress);
     }
 
     Result<core::ExportReport> carvedVolume(const core::RecipeExport& target)
@@ -164,13 +166,14 @@ private:
                 .codes = m_study->codes,
                 .fill = target.fill,
                 .deidentifier = deidentifier(target)},
-            core::Progress());
+            m_progress);
     }
 
     core::EditSession& m_session;
     const core::Volume& m_volume;
     bool m_force = false;
     const ReadStudy& m_readStudy;
+    const core::Progress& m_progress;
     std::vector<std::uint8_t> m_labels;
     std::map<int, std::vector<std::uint8_t>> m_coverages; ///< by layer
     std::optional<core::LoadedVolume> m_study;
@@ -181,10 +184,12 @@ private:
 } // namespace
 
 Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, core::EditSession& session,
-    bool force, const ReadStudy& readStudy)
+    bool force, const ReadStudy& readStudy, const core::Progress& progress)
 {
-    Exports exports(session, force, readStudy);
+    Exports exports(session, force, readStudy, progress);
     for (const core::RecipeExport& target : targets) {
+        if (progress.cancelled())
+            return core::failure(core::ErrorCode::Cancelled);
         const Result<core::ExportReport> report = exports.write(target);
         if (!report)
             return tl::unexpected(report.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 
@@ -14,8 +15,10 @@ namespace app {
 using ReadStudy = std::function<core::Result<core::LoadedVolume>()>;
 
 /// Writes each target as it stands at the session's position (of segments those that are shown and
-/// not empty) and prints one line of JSON per file.
+/// not empty) and prints one line of JSON per file. Cancelled: of the one that was under way
+/// nothing is left.
 [[nodiscard]] core::Result<void> exportFiles(const std::vector<core::RecipeExport>& targets,
-    core::EditSession& session, bool force, const ReadStudy& readStudy);
+    core::EditSession& session, bool force, const ReadStudy& readStudy,
+    const core::Progress& progress);
 
 } // namespace app

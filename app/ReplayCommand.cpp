@@ -5,6 +5,7 @@
 #include "app/ExportFiles.h"
 #include "app/JsonLine.h"
 #include "app/SessionProblems.h"
+#include "app/ToldToEnd.h"
 #include "core/session/EditSession.h"
 #include "core/session/HistoryListing.h"
 #include "core/session/SessionSalvage.h"
@@ -103,7 +104,7 @@ std::vector<core::RowId> rowsOf(const core::SessionContents& contents, const Tas
 }
 
 int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& task,
-    const ReadStudy& readStudy)
+    const ReadStudy& readStudy, const core::Progress& progress)
 {
     for (const core::RecipeExport& target : task.exports) {
         if (const Result<void> fits = core::checkExportTarget(target, volume.volume, task.force);
@@ -123,6 +124,8 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     int unfinished = 0;
     int damaged = 0;
     for (const core::RowId id : rows) {
+        if (progress.cancelled())
+            return tellFailure({core::ErrorCode::Cancelled, {}});
         const core::HistoryRow& row = recorded.contents.rows[std::size_t(id - 1)];
         if (const Result<void> done = replay(row, replayed, recorded, **session); !done)
             return tellFailure(done.error());
@@ -136,7 +139,8 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     if (unfinished > 0)
         std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
     std::fprintf(stderr, "\n");
-    if (const Result<void> exported = exportFiles(task.exports, **session, task.force, readStudy);
+    if (const Result<void> exported =
+            exportFiles(task.exports, **session, task.force, readStudy, progress);
         !exported)
         return tellFailure(exported.error());
     const bool lost = !task.to && recorded.contents.damage;
@@ -267,16 +271,17 @@ int runReplay(const QStringList& words)
     if (const QString problem = readTask(arguments, recorded.contents, task); !problem.isEmpty())
         return tellUsage("replay", problem);
     tellProblems(path, recorded.contents);
-    Result<core::LoadedVolume> volume = core::loadSessionStudy(
-        path, recorded.contents.source, arguments.value("study"), arguments.value("series"));
+    ToldToEnd told;
+    Result<core::LoadedVolume> volume = core::loadSessionStudy(path, recorded.contents.source,
+        arguments.value("study"), arguments.value("series"), told.progress());
     if (!volume)
-        return tellFailure(volume.error());
+        return told.status(tellFailure(volume.error()));
     tellNotFromStudy(volume->notFromStudy, path);
     const auto readStudy = [&] {
         return core::loadSessionStudy(
             path, recorded.contents.source, arguments.value("study"), arguments.value("series"));
     };
-    return replayRows(recorded, *std::move(volume), task, readStudy);
+    return told.status(replayRows(recorded, *std::move(volume), task, readStudy, told.progress()));
 }
 
 } // namespace app

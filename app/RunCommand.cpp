@@ -6,12 +6,14 @@
 #include "app/RunKeyframes.h"
 #include "app/RunSteps.h"
 #include "app/SessionPlan.h"
+#include "app/ToldToEnd.h"
 #include "core/base/FileInUse.h"
 #include "core/base/Guarded.h"
 #include "core/base/ReadableFile.h"
 #include "core/base/StagedFile.h"
 #include "core/edits/DocumentEdits.h"
 #include "core/recipe/Recipe.h"
+#include "core/session/CloseSessionFiles.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionImages.h"
@@ -26,6 +28,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMap>
+#include <QScopeGuard>
 
 #include <cstdio>
 #include <optional>
@@ -131,12 +134,13 @@ std::optional<std::vector<core::RecipeElsewhere::LeftOut>> tellElsewhere(
 
 /// @param repair of the series, where the recipe says that it was recorded on a repaired one
 Result<core::LoadedVolume> load(const Arguments& arguments,
-    const std::optional<core::SessionContents>& goesOn, const QString& repair = {})
+    const std::optional<core::SessionContents>& goesOn, const core::Progress& progress,
+    const QString& repair = {})
 {
     if (!goesOn)
-        return core::loadVolume(arguments.value("study"), seriesOf(arguments, repair));
+        return core::loadVolume(arguments.value("study"), seriesOf(arguments, repair), progress);
     return core::loadSessionStudy(arguments.value("session"), goesOn->source,
-        arguments.value("study"), arguments.value("series"));
+        arguments.value("study"), arguments.value("series"), progress);
 }
 
 /// A session that goes on, and how.
@@ -158,7 +162,7 @@ Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
     }
     for (const bool redo : {true, false}) {
         if (!redo) {
-            Result<core::LoadedVolume> again = load(arguments, contents);
+            Result<core::LoadedVolume> again = load(arguments, contents, core::Progress());
             if (!again)
                 return tl::unexpected(again.error());
             loaded = *std::move(again);
@@ -217,7 +221,21 @@ QStringList masksOf(const core::Recipe& recipe)
     return files;
 }
 
-int run(core::Recipe recipe, const Arguments& arguments)
+void closeSessions()
+{
+    core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
+}
+
+/// The new session that was to take the place of @p file is kept under another name.
+void keepUnfinished(const QString& place, const QString& file)
+{
+    const QString kept = nameForUnfinished(file);
+    const bool named = QFile::rename(place, kept);
+    std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n", qUtf8Printable(file),
+        qUtf8Printable(named ? kept : place));
+}
+
+int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
@@ -238,7 +256,7 @@ int run(core::Recipe recipe, const Arguments& arguments)
     // What another study was recorded with may make no sense on this one.
     const QString repair =
         recipe.study && !arguments.has("apply-elsewhere") ? recipe.study->repair : QString();
-    Result<core::LoadedVolume> loaded = load(arguments, goesOn, repair);
+    Result<core::LoadedVolume> loaded = load(arguments, goesOn, told.progress(), repair);
     if (!loaded)
         return tellFailure(loaded.error());
     tellNotFromStudy(loaded->notFromStudy, file);
@@ -259,10 +277,10 @@ int run(core::Recipe recipe, const Arguments& arguments)
     std::vector<core::RecipeElsewhere::LeftOut> leftOut;
     if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {
         elsewhere.emplace(recipe);
-        auto told = tellElsewhere(*elsewhere, loaded->volume, arguments.has("apply-elsewhere"));
-        if (!told)
+        auto foretold = tellElsewhere(*elsewhere, loaded->volume, arguments.has("apply-elsewhere"));
+        if (!foretold)
             return 1;
-        leftOut = *std::move(told);
+        leftOut = *std::move(foretold);
     }
     const auto fits = [&](const core::Document& document) {
         return core::checkRecipe(
@@ -293,6 +311,12 @@ int run(core::Recipe recipe, const Arguments& arguments)
             return tellFailure(begun.error());
         session = *std::move(begun);
     }
+    told.setClosing([replaces, place, file] {
+        closeSessions();
+        if (replaces)
+            keepUnfinished(place, file);
+    });
+    const auto leaving = qScopeGuard([&told] { told.setClosing({}); });
     session->setOrigin(
         [author = arguments.value("author")] { return core::presentOrigin(author); });
     const std::size_t rowsBefore = session->history().rows().size();
@@ -302,11 +326,13 @@ int run(core::Recipe recipe, const Arguments& arguments)
             tellFailure(*plan.damage);
         done = core::guarded([&] {
             RunKeyframes keyframes((*engine)->frames(), *session);
-            return elsewhere ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes)
-                             : carryOut(recipe, *session, keyframes);
+            return elsewhere
+                ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes, told.progress())
+                : carryOut(recipe, *session, keyframes, told.progress());
         });
     }
     if (!done) {
+        told.setClosing({});
         const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
         // A line that was printed is a promise: what it tells of stays.
         const bool promised = session->history().rows().size() > rowsBefore;
@@ -314,15 +340,14 @@ int run(core::Recipe recipe, const Arguments& arguments)
         if (!goesOn && !promised) {
             core::removeSession(place);
         } else if (replaces) {
-            const QString kept = nameForUnfinished(file);
-            const bool named = QFile::rename(place, kept);
-            std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n",
-                qUtf8Printable(file), qUtf8Printable(named ? kept : place));
+            keepUnfinished(place, file);
         } else if (!plan.damaged.isEmpty() && !promised)
             withdraw(plan, file);
         return status;
     }
     if (replaces) {
+        // From here on it is the session of that name.
+        told.setClosing(closeSessions);
         if (const Result<void> placed = session->renameFile(file); !placed) {
             const int status = tellFailure(placed.error());
             std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
@@ -337,10 +362,19 @@ int run(core::Recipe recipe, const Arguments& arguments)
         return core::loadSessionStudy(
             session->file(), core::SessionSource::of(session->document().volumes.front()));
     };
-    const Result<void> exported =
-        core::guarded([&] { return exportFiles(exports, *session, force, readStudy); });
+    const Result<void> exported = core::guarded(
+        [&] { return exportFiles(exports, *session, force, readStudy, told.progress()); });
     if (!exported)
         return tellFailure(exported.error());
+    told.setClosing({});
+    const QString whole = session->file();
+    session.reset();
+    if (core::isSessionUnfinished(whole))
+        return tellFailure({core::ErrorCode::FileUnwritable,
+            {whole,
+                QStringLiteral("it could not be closed as one file: what was done last lies in "
+                               "'%1' beside it; keep both together and open it once")
+                    .arg(QFileInfo(whole).fileName() + QStringLiteral("-wal"))}});
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;
 }
@@ -393,7 +427,8 @@ int runRecipe(const QStringList& words)
         checkSessionTarget(arguments.value("session"), arguments.has("force"), append);
     if (!target)
         return tellFailure(target.error());
-    return run(*recipe, arguments);
+    ToldToEnd told;
+    return told.status(run(*recipe, arguments, told));
 }
 
 } // namespace app

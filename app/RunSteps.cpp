@@ -92,9 +92,11 @@ Result<void> walk(const core::HistoryMove& move, core::EditSession& session)
 }
 
 /// What a line tells of is on disk before the line is out.
-Result<void> carryOutOne(
-    const core::RecipeStep& step, core::EditSession& session, RunKeyframes& keyframes)
+Result<void> carryOutOne(const core::RecipeStep& step, core::EditSession& session,
+    RunKeyframes& keyframes, const core::Progress& progress)
 {
+    if (progress.cancelled())
+        return core::failure(core::ErrorCode::Cancelled);
     const std::size_t rowsBefore = session.history().rows().size();
     const auto* edit = std::get_if<core::Edit>(&step);
     const Result<void> begun =
@@ -111,20 +113,21 @@ Result<void> carryOutOne(
     return {};
 }
 
-/// What the disk says is no matter of an entry.
+/// What the disk says is no matter of an entry, nor is an end that somebody asked for.
 tl::unexpected<core::Error> at(int entry, const core::Error& error)
 {
-    const bool ofDisk = error.code == core::ErrorCode::FileUnwritable;
-    return tl::unexpected<core::Error>(ofDisk ? error : core::atEdit(error, entry));
+    const bool ofEntry =
+        error.code != core::ErrorCode::FileUnwritable && error.code != core::ErrorCode::Cancelled;
+    return tl::unexpected<core::Error>(ofEntry ? core::atEdit(error, entry) : error);
 }
 
 } // namespace
 
-Result<void> carryOut(
-    const core::Recipe& recipe, core::EditSession& session, RunKeyframes& keyframes)
+Result<void> carryOut(const core::Recipe& recipe, core::EditSession& session,
+    RunKeyframes& keyframes, const core::Progress& progress)
 {
     for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
-        const Result<void> done = carryOutOne(recipe.steps[i], session, keyframes);
+        const Result<void> done = carryOutOne(recipe.steps[i], session, keyframes, progress);
         if (!done)
             return at(int(i) + 1, done.error());
     }
@@ -134,7 +137,7 @@ Result<void> carryOut(
 
 Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
     const std::vector<core::RecipeElsewhere::LeftOut>& toldBefore, core::EditSession& session,
-    RunKeyframes& keyframes)
+    RunKeyframes& keyframes, const core::Progress& progress)
 {
     for (std::size_t i = 0; i < recipe.recorded().steps.size(); ++i) {
         const core::Document before = session.document();
@@ -150,7 +153,8 @@ Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
                     qUtf8Printable(edit.error().why));
             continue;
         }
-        const Result<void> done = carryOutOne(core::RecipeStep(*edit), session, keyframes);
+        const Result<void> done =
+            carryOutOne(core::RecipeStep(*edit), session, keyframes, progress);
         if (!done)
             return at(int(i) + 1, done.error());
         recipe.carriedOut(i, before, session.document());

@@ -5,6 +5,7 @@
 #include "core/base/ReadableFile.h"
 #include "core/base/StagedFile.h"
 #include "core/session/AuditReport.h"
+#include "core/session/CloseSessionFiles.h"
 #include "core/session/SessionTables.h"
 #include "core/session/SessionUse.h"
 
@@ -13,6 +14,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace core {
@@ -21,16 +23,48 @@ namespace {
 
 const QString inUse = QStringLiteral("it is open in another window");
 
+struct OpenFiles {
+    std::mutex mutex;
+    std::map<const SessionFile*, std::function<void(const Error&)>> closing; ///< under the mutex
+};
+
+/// Never destroyed: sessions may outlive other globals.
+OpenFiles& openFiles()
+{
+    static auto* all = new OpenFiles;
+    return *all;
+}
+
 } // namespace
+
+void closeSessionFiles(const Error& why)
+{
+    const std::lock_guard lock(openFiles().mutex);
+    for (const auto& [file, close] : openFiles().closing)
+        close(why);
+}
 
 SessionFile::SessionFile(const QString& path)
     : m_path(path)
     , m_tables(std::make_unique<SessionTables>(path))
 {
+    const std::lock_guard lock(openFiles().mutex);
+    openFiles().closing[this] = [this](const Error& why) {
+        m_writer.run([&] {
+            writeWaiting();
+            m_tables.reset();
+            const std::lock_guard guard(m_mutex);
+            m_whyNoFile = why;
+        });
+    };
 }
 
 SessionFile::~SessionFile()
 {
+    {
+        const std::lock_guard lock(openFiles().mutex);
+        openFiles().closing.erase(this);
+    }
     // What cannot be closed orderly is recovered when it is opened again.
     constexpr int tries = 3;
     for (int i = 0; i < tries; ++i) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace app {
+
+/// A command without an event loop that is told to end (SIGTERM, SIGINT, SIGHUP) ends in good
+/// order. Its work is called off, and it leaves as after any failure: the session closed, nothing
+/// staged left. Where that takes longer than a moment, since one step is not done, what was
+/// registered is closed from another thread and the process ends there. OrderlyEnd is the same for
+/// programs with an event loop. One per process.
+class ToldToEnd {
+public:
+    ToldToEnd();
+    ToldToEnd(const ToldToEnd&) = delete;
+    ToldToEnd& operator=(const ToldToEnd&) = delete;
+    ~ToldToEnd();
+
+    /// Cancelled when the signal comes.
+    [[nodiscard]] const core::Progress& progress() const { return m_progress; }
+    /// @param closing leaves what is open whole on disk, from another thread, while a step is under
+    /// way. Empty: nothing is open any more; waits where it is being closed
+    void setClosing(std::function<void()> closing);
+    /// The exit status of a command that would end with @p usual: that of shells (128 + signal)
+    /// where it did not come to its end.
+    [[nodiscard]] int status(int usual) const;
+
+private:
+    void watch();
+
+    core::Progress m_progress;
+    std::atomic<int> m_signal = 0;
+    int m_ends[2] = {-1, -1}; ///< of the pipe that a signal is told through
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::function<void()> m_closing; ///< under the mutex
+    bool m_leaving = false; ///< what was open is being closed; under the mutex
+    bool m_done = false; ///< under the mutex
+    std::thread m_thread; ///< last: it uses all of the above
+};
+
+} // namespace app
