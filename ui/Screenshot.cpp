@@ -7,7 +7,9 @@
 #include "ui/Workspace.h"
 #include "ui/dialogs/ExportRun.h"
 
+#include <QBuffer>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
@@ -33,8 +35,14 @@ core::Result<core::ExportReport> savePicture(
         auto staged = core::StagedFile::create(file, true);
         if (!staged)
             return tl::unexpected(staged.error());
-        if (!picture.save(staged->path(), "PNG"))
+        // Qt's own writer does not notice a disk that fills up at the end.
+        QBuffer png;
+        QFile written(staged->path());
+        if (!png.open(QIODevice::WriteOnly) || !picture.save(&png, "PNG"))
             return core::failure(core::ErrorCode::FileUnwritable, file);
+        if (!written.open(QIODevice::WriteOnly | QIODevice::Truncate)
+            || written.write(png.data()) != png.data().size() || !written.flush())
+            return core::failure(core::ErrorCode::FileUnwritable, file, written.errorString());
         if (const core::Result<void> placed = staged->commit(); !placed)
             return tl::unexpected(placed.error());
         core::ExportReport report;

@@ -140,8 +140,11 @@ StagedFile& StagedFile::operator=(StagedFile&& other) noexcept
 
 StagedFile::~StagedFile()
 {
-    if (!m_path.isEmpty())
-        QFile::remove(m_path);
+    if (m_path.isEmpty())
+        return;
+    // With what SQLite kept beside it, where it was a session whose disk failed.
+    for (const char* part : {"", "-wal", "-shm", "-journal"})
+        QFile::remove(m_path + QLatin1String(part));
 }
 
 Result<void> StagedFile::commit()

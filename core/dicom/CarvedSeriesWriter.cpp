@@ -7,11 +7,11 @@
 #include "core/dicom/FrameDecoder.h"
 #include "core/dicom/ImageHeaderReader.h"
 #include "core/dicom/NewUid.h"
+#include "core/dicom/SaveDicom.h"
 #include "core/dicom/SourceFiles.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QFile>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -225,11 +225,7 @@ Result<QStringList> writeCarvedSeries(
         }
         const QString target =
             QStringLiteral("%1/IM%2.dcm").arg(folder).arg(k + 1, 4, 10, QLatin1Char('0'));
-        const OFCondition saved =
-            format.saveFile(QFile::encodeName(target).constData(), EXS_LittleEndianExplicit);
-        if (saved.bad())
-            return failure(ErrorCode::FileUnwritable, target, QString::fromLatin1(saved.text()));
-        return {};
+        return saveDicom(format, target, UID_LittleEndianExplicitTransferSyntax);
     };
     if (const Result<void> all = visitSourceFiles(series.sources, nullptr, progress, write); !all)
         return tl::unexpected(all.error());

@@ -2,6 +2,7 @@
 #include "core/dicom/CtSeriesWriter.h"
 
 #include "core/base/ParallelFor.h"
+#include "core/dicom/SaveDicom.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -144,14 +145,13 @@ OFCondition putSlice(DcmDataset& dataset, const CtSeries& series, int k)
     return out.condition();
 }
 
-OFCondition writeSlice(const QString& file, const CtSeries& series, int k)
+Result<void> writeSlice(const QString& file, const CtSeries& series, int k)
 {
     DcmFileFormat format;
-    OFCondition condition = putSlice(*format.getDataset(), series, k);
-    if (condition.good())
-        condition =
-            format.saveFile(QByteArray(file.toUtf8()).constData(), EXS_LittleEndianExplicit);
-    return condition;
+    const OFCondition condition = putSlice(*format.getDataset(), series, k);
+    if (condition.bad())
+        return failure(ErrorCode::FileUnwritable, file, QString::fromUtf8(condition.text()));
+    return saveDicom(format, file, UID_LittleEndianExplicitTransferSyntax);
 }
 
 } // namespace
@@ -160,25 +160,21 @@ Result<void> writeCtSeries(const QString& folder, const CtSeries& series)
 {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
     std::mutex guard;
-    QString failedFile;
-    QString reason;
+    Result<void> result;
     std::atomic<bool> failed = false;
     parallelFor(series.geometry.size.z, [&](int k) {
         if (failed)
             return;
         const QString file =
             QStringLiteral("%1/CT%2.dcm").arg(folder).arg(k + 1, 4, 10, QLatin1Char('0'));
-        const OFCondition condition = writeSlice(file, series, k);
-        if (condition.good())
+        const Result<void> written = writeSlice(file, series, k);
+        if (written)
             return;
         const std::lock_guard lock(guard);
         failed = true;
-        failedFile = file;
-        reason = QString::fromUtf8(condition.text());
+        result = written;
     });
-    if (!failedFile.isEmpty())
-        return failure(ErrorCode::FileUnwritable, failedFile, reason);
-    return {};
+    return result;
 }
 
 } // namespace core

@@ -9,10 +9,9 @@
 #include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
+#include "core/dicom/SaveDicom.h"
 #include "core/dicom/SegSource.h"
 #include "core/repair/SeriesRepair.h"
-
-#include <QFile>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -210,10 +209,9 @@ Result<RtStructWritten> writeRtStruct(
         return failure(ErrorCode::Internal, chain.failure());
     if (content.deidentifier)
         content.deidentifier->apply(set);
-    const OFCondition saved =
-        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianImplicit);
-    if (saved.bad())
-        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    if (const Result<void> saved = saveDicom(format, path, UID_LittleEndianImplicitTransferSyntax);
+        !saved)
+        return tl::unexpected(saved.error());
     return RtStructWritten{source->notes};
 }
 

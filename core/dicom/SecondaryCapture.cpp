@@ -7,8 +7,8 @@
 #include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientAndPlane.h"
+#include "core/dicom/SaveDicom.h"
 
-#include <QFile>
 #include <QFileInfo>
 
 #include <dcmtk/config/osconfig.h>
@@ -81,10 +81,9 @@ Result<QStringList> writeSecondaryCapture(
         "pixels");
     if (!chain.good())
         return failure(ErrorCode::Internal, chain.failure());
-    const OFCondition saved =
-        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianExplicit);
-    if (saved.bad())
-        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    if (const Result<void> saved = saveDicom(format, path, UID_LittleEndianExplicitTransferSyntax);
+        !saved)
+        return tl::unexpected(saved.error());
     return source->notes;
 }
 

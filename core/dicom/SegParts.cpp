@@ -4,9 +4,8 @@
 #include "core/dicom/Deidentifier.h"
 #include "core/dicom/MadeObject.h"
 #include "core/dicom/PatientHeader.h"
+#include "core/dicom/SaveDicom.h"
 #include "core/dicom/SegCompletion.h"
-
-#include <QFile>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -103,10 +102,11 @@ Result<SegWritten> saveSeg(
 {
     if (content.deidentifier)
         content.deidentifier->apply(*format.getDataset());
-    const OFCondition saved = format.saveFile(QFile::encodeName(path).constData(),
-        content.settings.deflated ? EXS_DeflatedLittleEndianExplicit : EXS_LittleEndianExplicit);
-    if (saved.bad())
-        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    const Result<void> saved = saveDicom(format, path,
+        content.settings.deflated ? UID_DeflatedExplicitVRLittleEndianTransferSyntax
+                                  : UID_LittleEndianExplicitTransferSyntax);
+    if (!saved)
+        return tl::unexpected(saved.error());
     return SegWritten{std::move(notes)};
 }
 

@@ -7,9 +7,8 @@
 #include "core/dicom/MadeObject.h"
 #include "core/dicom/NewUid.h"
 #include "core/dicom/PatientHeader.h"
+#include "core/dicom/SaveDicom.h"
 #include "core/dicom/SegReader.h"
-
-#include <QFile>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -233,10 +232,9 @@ Result<QStringList> writeSr(const QString& path, const SrContent& content, const
         return failure(ErrorCode::Internal, chain.failure());
     if (content.deidentifier)
         content.deidentifier->apply(set, {seg->sopInstanceUid, seg->seriesUid});
-    const OFCondition saved =
-        format.saveFile(QFile::encodeName(path).constData(), EXS_LittleEndianExplicit);
-    if (saved.bad())
-        return failure(ErrorCode::FileUnwritable, path, QString::fromLatin1(saved.text()));
+    if (const Result<void> saved = saveDicom(format, path, UID_LittleEndianExplicitTransferSyntax);
+        !saved)
+        return tl::unexpected(saved.error());
     return source->notes;
 }
 

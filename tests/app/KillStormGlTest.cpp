@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/EngineCases.h"
+#include "tests/support/StormStage.h"
+#include "tests/support/TestVolumes.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QTest>
+
+#include <memory>
+
+using test::Outcome;
+
+/// A storm of SIGKILLs, at any instant of what writes sessions and exports. Afterwards sessions
+/// open whole with every row that was told of, and exports are the old or the new ones, whole. What
+/// was staged may lie there under its hidden name: nobody was left to remove it.
+///
+/// BURIN_SEED draws other instants, BURIN_KILLS another number.
+class KillStormGlTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<test::WatchedHome> m_home;
+    std::unique_ptr<test::StormStage> m_stage;
+    std::uint32_t m_seed = 0;
+    int m_kills = 0; ///< that came in time
+
+    [[nodiscard]] Outcome killed(const test::StormStage::Scene& scene, int afterMs);
+
+private Q_SLOTS:
+    void initTestCase();
+    void anyInstant_data();
+    void anyInstant();
+    void cleanupTestCase();
+};
+
+void KillStormGlTest::initTestCase()
+{
+    m_home = std::make_unique<test::WatchedHome>();
+    m_stage = std::make_unique<test::StormStage>(*m_home);
+    m_seed = qEnvironmentVariableIsSet("BURIN_SEED")
+        ? qEnvironmentVariable("BURIN_SEED").toUInt()
+        : std::uint32_t(QDateTime::currentMSecsSinceEpoch());
+    qInfo("BURIN_SEED=%u", m_seed);
+}
+
+void KillStormGlTest::anyInstant_data()
+{
+    QTest::addColumn<int>("scene");
+    QTest::addColumn<int>("afterMs");
+    const int usual = test::longRun() ? 350 : 12;
+    const int kills = qEnvironmentVariableIsSet("BURIN_KILLS")
+        ? qEnvironmentVariable("BURIN_KILLS").toInt()
+        : usual;
+    test::Random random(m_seed);
+    const std::vector<test::StormStage::Scene>& scenes = m_stage->scenes();
+    for (int i = 0; i < kills; ++i) {
+        const int scene = i % 2 == 0 ? i / 2 % 3 : i / 2 % int(scenes.size());
+        const int after = test::randomInt(random, 0, scenes[std::size_t(scene)].milliseconds);
+        QTest::addRow("%d: %s after %d ms", i, scenes[std::size_t(scene)].name, after)
+            << scene << after;
+    }
+}
+
+Outcome KillStormGlTest::killed(const test::StormStage::Scene& scene, int afterMs)
+{
+    QProcess process;
+    process.setProcessEnvironment(m_home->environment());
+    QElapsedTimer clock;
+    clock.start();
+    process.start(QStringLiteral(BURIN_PROGRAM), scene.words);
+    if (!process.waitForStarted())
+        qFatal("burin does not start");
+    process.waitForFinished(std::max(1, afterMs - int(clock.elapsed())));
+    process.kill();
+    process.waitForFinished(60000);
+    Outcome outcome;
+    outcome.status = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+    outcome.complaint = QString::fromUtf8(process.readAllStandardError());
+    outcome.output = process.readAllStandardOutput();
+    // A line that was cut off tells of nothing.
+    const QByteArray told = outcome.output.left(outcome.output.lastIndexOf('\n') + 1);
+    for (const QByteArray& line : told.split('\n')) {
+        if (!line.isEmpty())
+            outcome.lines.append(QJsonDocument::fromJson(line).object());
+    }
+    return outcome;
+}
+
+void KillStormGlTest::anyInstant()
+{
+    QFETCH(int, scene);
+    QFETCH(int, afterMs);
+    const test::StormStage::Scene& struck = m_stage->scenes()[std::size_t(scene)];
+    m_stage->restore();
+    const Outcome outcome = killed(struck, afterMs);
+    const bool inTime = outcome.status < 0;
+    m_kills += inTime ? 1 : 0;
+    QStringList wrong = m_stage->wrongs(struck, outcome, inTime);
+    if (wrong.isEmpty() && !outcome.lines.isEmpty())
+        wrong += m_stage->wrongsOfSessions(struck);
+    QVERIFY2(wrong.isEmpty(),
+        qPrintable(wrong.join(QLatin1Char('\n')) + QLatin1Char('\n') + outcome.complaint));
+}
+
+void KillStormGlTest::cleanupTestCase()
+{
+    qInfo("%d of them were killed before they were done", m_kills);
+}
+
+BURIN_TEST(KillStormGlTest)
+#include "KillStormGlTest.moc"
