@@ -79,6 +79,9 @@ bool isNetworkFileSystem(const QString& path)
     return false;
 }
 
+/// How often SQLite asks whether a statement is to go on.
+constexpr int instructionsAtOnce = 100'000;
+
 /// SQLite's own door for files by strangers (https://www.sqlite.org/security.html): no statement
 /// can harm the file's structure, and nothing in it is larger than anything of ours ever is.
 bool harden(const QSqlDatabase& database)
@@ -100,6 +103,7 @@ bool harden(const QSqlDatabase& database)
 
 SessionDatabase::SessionDatabase(QString path)
     : m_path(std::move(path))
+    , m_file(m_path)
     , m_connection(newConnectionName())
 {
 }
@@ -173,6 +177,9 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
     if (const Result<void> checked = database->checkFormat(); !checked)
         return tl::unexpected(checked.error());
     if (!readOnly) {
+        // Nothing has been written by then: what is refused stays as it is.
+        if (const Result<void> sound = database->checkStructure(); !sound)
+            return tl::unexpected(sound.error());
         if (const Result<void> writing = database->beginWriting(); !writing)
             return tl::unexpected(writing.error());
     }
@@ -192,6 +199,8 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::openCopy(const QString
         return tl::unexpected(connected.error());
     if (const Result<void> checked = database->checkFormat(); !checked)
         return tl::unexpected(checked.error());
+    if (const Result<void> sound = database->checkStructure(); !sound)
+        return tl::unexpected(sound.error());
     if (const Result<void> writing = database->beginWriting(); !writing)
         return tl::unexpected(writing.error());
     return database;
@@ -206,6 +215,7 @@ Result<QString> SessionDatabase::copyPrivately()
     const QString copy = m_copy->filePath(QStringLiteral("session.burin"));
     if (const Result<void> copied = copySession(m_path, copy); !copied)
         return tl::unexpected(copied.error());
+    m_file = copy;
     return copy;
 }
 
@@ -224,6 +234,10 @@ Result<void> SessionDatabase::connect(const QString& name, const QString& option
     // Before the first statement that reads the schema.
     if (!run(QStringLiteral("PRAGMA trusted_schema=OFF")) || !harden(database))
         return failed();
+    sqlite3_progress_handler(
+        sqliteOf(database), instructionsAtOnce,
+        [](void* self) { return static_cast<SessionDatabase*>(self)->goesOnForEver() ? 1 : 0; },
+        this);
     if (!m_readOnly && !run(QStringLiteral("PRAGMA locking_mode=EXCLUSIVE")))
         return failed();
     return {};
@@ -290,6 +304,42 @@ Result<void> SessionDatabase::checkSchema()
     return m_readOnly ? Result<void>() : failure(ErrorCode::SessionDamaged, m_path, m_loss.foreign);
 }
 
+/// With what SQLite keeps beside it.
+std::int64_t SessionDatabase::bytesOnDisk() const
+{
+    return QFileInfo(m_file).size() + QFileInfo(m_file + QLatin1String("-wal")).size();
+}
+
+/// A tree of pages in which many parents share a child has more rows than there are atoms. A sound
+/// file gives a statement less than an instruction for each of its bytes.
+bool SessionDatabase::goesOnForEver()
+{
+    constexpr std::int64_t always = 20'000'000;
+    m_work += instructionsAtOnce;
+    return m_work > always && m_work > always + 2 * bytesOnDisk();
+}
+
+Result<void> SessionDatabase::checkStructure()
+{
+    // A larger one holds a study's images, whose pieces have hashes; reading all of it would take
+    // long.
+    constexpr std::int64_t most = 64 << 20;
+    if (!m_loss.cutOff.isEmpty() || bytesOnDisk() > most)
+        return {};
+    QString said;
+    const bool read =
+        query(QStringLiteral("PRAGMA quick_check(1)"), {}, [&said](const QSqlQuery& answer) {
+            said = answer.value(0).toString();
+            return true;
+        });
+    if (read && said == QLatin1String("ok"))
+        return {};
+    m_loss.structure = QStringLiteral("its structure is damaged: %1")
+                           .arg((read ? said : m_reason).simplified().left(200));
+    return m_readOnly ? Result<void>()
+                      : failure(ErrorCode::SessionDamaged, m_path, m_loss.structure);
+}
+
 Result<void> SessionDatabase::beginWriting()
 {
     // Taking the lock now tells at once that another program has the session open.
@@ -328,6 +378,7 @@ bool SessionDatabase::run(const QString& sql, const QVariantList& values)
 bool SessionDatabase::query(const QString& sql, const QVariantList& values,
     const std::function<bool(const QSqlQuery&)>& take)
 {
+    m_work = 0;
     QSqlQuery statement(QSqlDatabase::database(m_connection, false));
     statement.setForwardOnly(true);
     bool good = statement.prepare(sql);
@@ -347,6 +398,8 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
         // What follows from it must not be taken for what the file says.
         if ((m_code.toInt() & 0xFF) == 7) // SQLITE_NOMEM
             throw std::bad_alloc();
+        if (m_code == QLatin1String("9"))
+            m_reason = QStringLiteral("reading it would not end");
         return false;
     }
     return good;
@@ -405,6 +458,7 @@ tl::unexpected<Error> SessionDatabase::failed() const
     case 6: // SQLITE_LOCKED
         return failure(ErrorCode::FileUnreadable, m_path,
             QStringLiteral("it is open already, in this window or another program"));
+    case 9: // SQLITE_INTERRUPT
     case 11: // SQLITE_CORRUPT
         return failure(ErrorCode::SessionDamaged, m_path, m_reason);
     case 26: // SQLITE_NOTADB

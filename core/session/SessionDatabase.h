@@ -7,6 +7,7 @@
 #include <QString>
 #include <QVariant>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -17,6 +18,9 @@ namespace core {
 
 /// One SQLite connection to a session file: how it is opened, locked and left (README.md beside
 /// this file). Knows nothing of rows. Belongs to the thread that made it.
+///
+/// No statement does more work than a file of its size can give it: one that was built so that
+/// reading it would never end is damaged.
 class SessionDatabase {
 public:
     static constexpr int applicationId = 0x4275726E; // "Burn"
@@ -38,6 +42,10 @@ public:
         const std::function<bool(const QSqlQuery&)>& take);
     /// @p work in one transaction, which is rolled back when it returns false.
     bool transaction(const std::function<bool()>& work);
+    /// Looks through the structure of a file of usual size (PRAGMA quick_check), which is done by
+    /// itself before one is written. What is wrong with it is noted in loss(). Errors, where the
+    /// file is to be written: SessionDamaged.
+    [[nodiscard]] Result<void> checkStructure();
     /// Everything into another file, which is empty or not there yet.
     bool copyInto(const QString& path);
     /// Every table but the images into a session file that holds no row. The source's JSON is
@@ -58,14 +66,18 @@ private:
     [[nodiscard]] Result<void> beginWriting();
     [[nodiscard]] tl::unexpected<Error> failed() const;
     [[nodiscard]] int number(const char* pragma);
+    [[nodiscard]] std::int64_t bytesOnDisk() const;
+    [[nodiscard]] bool goesOnForEver();
 
     QString m_path; ///< what people know it by
+    QString m_file; ///< what is open: that, or a private copy
     std::unique_ptr<QTemporaryDir> m_copy;
     SessionUse m_use; ///< while this process writes it
     QString m_connection;
     SessionLoss m_loss;
     QString m_reason;
     QString m_code; ///< SQLite's result code
+    std::int64_t m_work = 0; ///< of the statement that runs, in SQLite's instructions
     bool m_readOnly = false;
 };
 

@@ -73,6 +73,12 @@ Result<SessionContents> SessionTables::open(SessionAccess access)
     if (!opened)
         return tl::unexpected(opened.error());
     m_database = *std::move(opened);
+    const bool isLookedThrough =
+        access == SessionAccess::ReadWrite || access == SessionAccess::PrivateCopy;
+    if (!isLookedThrough) {
+        if (const Result<void> looked = m_database->checkStructure(); !looked)
+            return tl::unexpected(looked.error());
+    }
     Result<SessionContents> contents = read();
     if (access == SessionAccess::SoundPart || !contents)
         return contents;
@@ -106,7 +112,9 @@ Result<SessionContents> SessionTables::read()
     readKeyframes(contents);
     contents.holdsImages = holdsImages();
     const SessionLoss& loss = m_database->loss();
-    contents.cutOff = loss.cutOff.isEmpty() ? loss.foreign : loss.cutOff;
+    contents.cutOff = !loss.cutOff.isEmpty() ? loss.cutOff
+        : !loss.structure.isEmpty()          ? loss.structure
+                                             : loss.foreign;
     contents.leftOpen = loss.leftOpen;
     return contents;
 }

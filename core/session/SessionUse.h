@@ -49,6 +49,7 @@ private:
 struct SessionLoss {
     QString cutOff; ///< "the file is cut off: 40960 of 81920 bytes are there"
     QString foreign; ///< "it holds a trigger 't', which is no part of a session"
+    QString structure; ///< "its structure is damaged: …"; sessionLoss() does not look for that
     QString leftOpen; ///< its program left it open, and what it wrote last is not beside it
 };
 /// Reads no more than the file's head.
