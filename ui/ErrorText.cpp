@@ -105,7 +105,9 @@ QString errorText(const core::Error& error)
     case ErrorCode::NodeRefuses:
         return QStringLiteral("%1 does not support %2").arg(first, second);
     case ErrorCode::NodeTimeout:
-        return QStringLiteral("%1 does not answer; %2 s without a sign of life").arg(first, second);
+        return error.arguments.size() > 2
+            ? QStringLiteral("%1 is given up after %2 s: %3").arg(first, second, error.arguments[2])
+            : QStringLiteral("%1 does not answer; %2 s without a sign of life").arg(first, second);
     case ErrorCode::NodeLost:
         return QStringLiteral("%1 ended the connection before all was done%2").arg(first, reason);
     case ErrorCode::NodeNonsense:

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace core {
 
@@ -95,14 +96,16 @@ std::unique_ptr<QHttpMultiPart> bodyOf(const QString& path)
 } // namespace
 
 struct WebConnection::Parts {
-    Parts(const WebNode& to, const Progress& told)
+    Parts(const WebNode& to, const Progress& told, Patience::Seconds whole)
         : node(to)
         , progress(told)
+        , patience(Patience::Seconds(to.timeoutSeconds), whole)
     {
     }
 
     WebNode node;
     const Progress& progress;
+    Patience patience;
     QByteArray authorization;
     QSslConfiguration tls;
     QNetworkAccessManager manager;
@@ -118,7 +121,8 @@ struct WebConnection::Outcome {
     int pauseMs = 0; ///< that the server asks for
 };
 
-Result<WebConnection> WebConnection::open(const WebNode& node, const Progress& progress)
+Result<WebConnection> WebConnection::open(
+    const WebNode& node, const Progress& progress, Patience::Seconds whole)
 {
     if (const Result<void> sound = node.check(); !sound)
         return tl::unexpected<Error>(sound.error());
@@ -140,7 +144,7 @@ Result<WebConnection> WebConnection::open(const WebNode& node, const Progress& p
     Result<QSslConfiguration> tls = secured(node);
     if (!tls)
         return tl::unexpected<Error>(tls.error());
-    auto parts = std::make_unique<Parts>(node, progress);
+    auto parts = std::make_unique<Parts>(node, progress, whole);
     parts->authorization = login.header();
     parts->tls = std::move(*tls);
     parts->manager.setAutoDeleteReplies(false);
@@ -190,7 +194,8 @@ private:
     WebSink& m_sink;
     QString m_name;
     bool m_isPost = false;
-    QElapsedTimer m_silence;
+    qint64 m_sent = 0;
+    int m_wholeParts = 0;
     Outcome m_outcome;
     std::unique_ptr<QHttpMultiPart> m_body;
     std::unique_ptr<QNetworkReply> m_reply; ///< reads the body
@@ -235,13 +240,15 @@ WebConnection::Outcome WebConnection::Exchange::run(
         m_reply.reset(m_parts.manager.get(asked));
     }
     m_reply->setReadBufferSize(mostWaiting);
-    m_silence.start();
+    m_parts.patience.whole();
     QEventLoop loop;
     QTimer clock;
     QObject::connect(m_reply.get(), &QNetworkReply::readyRead, &loop, [this] { take(); });
-    const auto alive = [this] { m_silence.restart(); };
-    QObject::connect(m_reply.get(), &QNetworkReply::uploadProgress, &loop, alive);
-    QObject::connect(m_reply.get(), &QNetworkReply::encrypted, &loop, alive);
+    QObject::connect(m_reply.get(), &QNetworkReply::uploadProgress, &loop, [this](qint64 sent) {
+        m_parts.patience.passed(std::max<qint64>(0, sent - std::exchange(m_sent, sent)));
+    });
+    QObject::connect(
+        m_reply.get(), &QNetworkReply::encrypted, &loop, [this] { m_parts.patience.whole(); });
     QObject::connect(m_reply.get(), &QNetworkReply::finished, &loop, &QEventLoop::quit);
     QObject::connect(&clock, &QTimer::timeout, &loop, [this] { watch(); });
     constexpr int watchMs = 50;
@@ -279,21 +286,24 @@ void WebConnection::Exchange::take()
     begin();
     while (!m_outcome.error && m_reply->bytesAvailable() > 0) {
         const QByteArray bytes = m_reply->read(mostWaiting);
+        m_parts.patience.passed(bytes.size());
         if (!m_outcome.began)
             continue;
         if (const Result<void> taken = m_sink.take(bytes); !taken)
             end(taken.error());
     }
-    m_silence.restart();
+    const int wholeParts = m_sink.wholeParts();
+    if (std::exchange(m_wholeParts, wholeParts) != wholeParts)
+        m_parts.patience.whole();
 }
 
 void WebConnection::Exchange::watch()
 {
-    const int seconds = m_parts.node.timeoutSeconds;
     if (m_parts.progress.cancelled())
-        end({ErrorCode::Cancelled, {}});
-    else if (m_silence.hasExpired(qint64(seconds) * 1000))
-        end({ErrorCode::NodeTimeout, {m_name, QString::number(seconds)}});
+        return end({ErrorCode::Cancelled, {}});
+    const Patience::Lost lost = m_parts.patience.lost();
+    if (lost != Patience::Lost::No)
+        end(m_parts.patience.error(m_name, lost));
 }
 
 void WebConnection::Exchange::conclude()

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/dicomweb/WebNode.h"
+#include "core/pacs/Patience.h"
 
 #include <QByteArray>
 #include <QString>
@@ -28,6 +29,8 @@ public:
     /// Before anything of an answer; again where the question is put again.
     [[nodiscard]] virtual Result<void> begin(const WebAnswer& answer) = 0;
     [[nodiscard]] virtual Result<void> take(const QByteArray& bytes) = 0;
+    /// How many things of the answer are whole so far, where it consists of several.
+    [[nodiscard]] virtual int wholeParts() const { return 0; }
 };
 
 /// The one place that talks HTTP. Belongs to the thread that made it, which waits in its functions;
@@ -40,7 +43,9 @@ class WebConnection {
 public:
     /// Errors also: of WebLogin::read(), and InvalidField for files of certificates, and for a
     /// login that would go to another machine over plain http (BURIN_PLAIN_LOGIN=yes lets it).
-    [[nodiscard]] static Result<WebConnection> open(const WebNode& node, const Progress& progress);
+    /// @param whole how long all that is asked by it may take; zero: as long as things come
+    [[nodiscard]] static Result<WebConnection> open(
+        const WebNode& node, const Progress& progress, Patience::Seconds whole = {});
     WebConnection(WebConnection&&) noexcept;
     ~WebConnection();
 

@@ -25,6 +25,7 @@ public:
 
     [[nodiscard]] Result<void> begin(const WebAnswer& answer) override;
     [[nodiscard]] Result<void> take(const QByteArray& bytes) override;
+    [[nodiscard]] int wholeParts() const override { return m_received + m_unasked; }
     /// Behind the last byte of an answer. NodeLost: it was not whole.
     [[nodiscard]] Result<void> end();
 

@@ -85,7 +85,7 @@ private:
 };
 
 /// Asks page by page, since a server may give fewer than it is asked for, and hands over what is
-/// new. @param take whether it wants more
+/// new, of bounded number. @param take whether it wants more
 Result<void> ask(WebConnection& connection, const Question& question, const char* uidTag,
     int pageSize, const std::function<bool(const Answer&)>& take)
 {
@@ -114,6 +114,9 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
             if (!isDicomUid(uid) || seen.contains(uid))
                 continue;
             seen.insert(uid);
+            if (seen.size() > mostAnswers)
+                return failure(
+                    ErrorCode::NodeNonsense, name, QStringLiteral("its list has no end"));
             isNew = true;
             if (!take(one))
                 return {};
@@ -145,7 +148,8 @@ bool isDicomUid(const QString& text)
 
 Result<void> echoNode(const WebNode& node, const Progress& progress)
 {
-    Result<WebConnection> connection = WebConnection::open(node, progress);
+    Result<WebConnection> connection =
+        WebConnection::open(node, progress, Patience::Seconds(node.timeoutSeconds));
     if (!connection)
         return tl::unexpected<Error>(connection.error());
     JsonSink sink(node.name(), false);
@@ -159,7 +163,8 @@ Result<void> echoNode(const WebNode& node, const Progress& progress)
 Result<HitList<StudyHit>> findStudies(
     const WebNode& node, const StudyFilter& filter, int most, const Progress& progress)
 {
-    Result<WebConnection> connection = WebConnection::open(node, progress);
+    Result<WebConnection> connection =
+        WebConnection::open(node, progress, Patience::ofQuestion(node.timeoutSeconds));
     if (!connection)
         return tl::unexpected<Error>(connection.error());
     Question question("/studies");
@@ -202,7 +207,8 @@ Result<std::vector<SeriesHit>> findSeries(
     std::vector<SeriesHit> hits;
     if (!isDicomUid(studyUid))
         return hits;
-    Result<WebConnection> connection = WebConnection::open(node, progress);
+    Result<WebConnection> connection =
+        WebConnection::open(node, progress, Patience::ofQuestion(node.timeoutSeconds));
     if (!connection)
         return tl::unexpected<Error>(connection.error());
     Question question(pathOf(studyUid));
@@ -231,7 +237,8 @@ Result<std::vector<InstanceHit>> findInstances(const WebNode& node, const QStrin
     std::vector<InstanceHit> hits;
     if (!isDicomUid(studyUid) || !isDicomUid(seriesUid))
         return hits;
-    Result<WebConnection> connection = WebConnection::open(node, progress);
+    Result<WebConnection> connection =
+        WebConnection::open(node, progress, Patience::ofQuestion(node.timeoutSeconds));
     if (!connection)
         return tl::unexpected<Error>(connection.error());
     const Question question(pathOf(studyUid, seriesUid));

@@ -131,8 +131,8 @@ Association::Association(Association&&) noexcept = default;
 Association& Association::operator=(Association&&) noexcept = default;
 Association::~Association() = default;
 
-Result<Association> Association::request(
-    const PacsNode& node, const std::vector<ProposedContext>& contexts, const Progress& progress)
+Result<Association> Association::request(const PacsNode& node,
+    const std::vector<ProposedContext>& contexts, const Progress& progress, Patience::Seconds whole)
 {
     if (const Result<void> sound = node.check(); !sound)
         return tl::unexpected<Error>(sound.error());
@@ -141,6 +141,7 @@ Result<Association> Association::request(
     parts->node = node;
     parts->ownState.progress = &progress;
     parts->ownState.timeoutSeconds = node.timeoutSeconds;
+    parts->ownState.wholeSeconds = whole;
     Result<std::unique_ptr<DcmTransportLayer>> layer = makeWatchedLayer(parts->ownState, node.tls);
     if (!layer)
         return tl::unexpected<Error>(layer.error());
@@ -185,6 +186,7 @@ Result<Association> Association::request(
         own.released = true;
         return tl::unexpected<Error>(made.error(condition));
     }
+    made.notePassed();
     if (ASC_countAcceptedPresentationContexts(own.parameters) == 0) {
         made.release();
         return failure(
@@ -235,6 +237,7 @@ Result<void> Association::send(std::uint8_t context, T_DIMSE_Message& message, D
         DIMSE_sendMessageUsingMemoryData(get(), context, &message, nullptr, data, nullptr, nullptr);
     if (sent.bad())
         return tl::unexpected<Error>(error(sent));
+    notePassed();
     return {};
 }
 
@@ -248,6 +251,7 @@ Result<T_DIMSE_Message> Association::receive(std::uint8_t& context)
     delete detail;
     if (received.bad())
         return tl::unexpected<Error>(error(received));
+    notePassed();
     context = number;
     return message;
 }
@@ -261,7 +265,14 @@ Result<void> Association::receiveData(std::uint8_t context, const Sink& sink)
         get(), DIMSE_NONBLOCKING, node().timeoutSeconds, &number, &stream, nullptr, nullptr);
     if (received.bad())
         return tl::unexpected<Error>(error(received));
+    notePassed();
     return {};
+}
+
+void Association::notePassed()
+{
+    if (m_parts->state->patience)
+        m_parts->state->patience->whole();
 }
 
 void Association::release()
@@ -284,10 +295,15 @@ Error Association::error(const OFCondition& condition) const
     const QString name = node().name();
     if (state.cancelled)
         return {ErrorCode::Cancelled, {}};
-    const bool outOfTime =
-        state.timedOut || condition == DIMSE_NODATAAVAILABLE || condition == DUL_READTIMEOUT;
-    if (state.connected && outOfTime)
-        return {ErrorCode::NodeTimeout, {name, QString::number(node().timeoutSeconds)}};
+    const bool outOfTime = state.timedOut || state.clockRanOut || condition == DIMSE_NODATAAVAILABLE
+        || condition == DUL_READTIMEOUT;
+    if (state.connected && outOfTime) {
+        const bool told = state.patience && state.lost != Patience::Lost::No;
+        return told ? state.patience->error(name, state.lost)
+                    : Error{ErrorCode::NodeTimeout, {name, QString::number(node().timeoutSeconds)}};
+    }
+    if (!state.nonsense.isEmpty())
+        return {ErrorCode::NodeNonsense, {name, state.nonsense}};
     if (!state.handshake.isEmpty()) {
         return {ErrorCode::NodeUnreachable,
             {name, QStringLiteral("no secure connection (%1)").arg(state.handshake)}};

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/pacs/PacsNode.h"
+#include "core/pacs/Patience.h"
 
 #include <QByteArray>
 
@@ -38,8 +39,10 @@ class Association {
 public:
     /// Asks the node for one. NodeUnreachable, NodeRejects, NodeTimeout, NodeLost, NodeNonsense,
     /// Cancelled.
+    /// @param whole how long it may take, with all that is said on it; zero: as long as things come
     [[nodiscard]] static Result<Association> request(const PacsNode& node,
-        const std::vector<ProposedContext>& contexts, const Progress& progress);
+        const std::vector<ProposedContext>& contexts, const Progress& progress,
+        Patience::Seconds whole = {});
     struct Parts;
     explicit Association(std::unique_ptr<Parts> parts);
 
@@ -65,6 +68,8 @@ public:
     using Sink = std::function<void(const char* bytes, std::size_t size)>;
     [[nodiscard]] Result<void> receiveData(std::uint8_t context, const Sink& sink);
 
+    /// Something whole went over: the node is awaited anew (Patience).
+    void notePassed();
     /// Ends it in good order.
     void release();
     /// The other side ended it so.

@@ -102,6 +102,7 @@ Result<void> ObjectIntake::take(
         return tl::unexpected<Error>(status.error());
     if (answered.bad())
         return tl::unexpected<Error>(association.error(answered));
+    association.notePassed();
     return {};
 }
 

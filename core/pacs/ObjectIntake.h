@@ -8,6 +8,7 @@
 #include <QSet>
 #include <QString>
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -43,7 +44,7 @@ private:
     bool m_takesAll;
     QSet<QString> m_missing;
     int m_total;
-    int m_received = 0;
+    std::atomic<int> m_received = 0; ///< looked at while a listener takes objects
     std::optional<Error> m_refusal;
     const Progress& m_progress;
 };

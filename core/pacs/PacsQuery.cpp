@@ -112,8 +112,8 @@ Result<void> ask(const PacsNode& node, Question& question, const Progress& progr
     const std::function<bool(const Answer&)>& take)
 {
     const QByteArray model = UID_FINDStudyRootQueryRetrieveInformationModel;
-    Result<Association> association =
-        Association::request(node, {{model, plainSyntaxes()}}, progress);
+    Result<Association> association = Association::request(
+        node, {{model, plainSyntaxes()}}, progress, Patience::ofQuestion(node.timeoutSeconds));
     if (!association)
         return tl::unexpected<Error>(association.error());
     const Result<std::uint8_t> context = association->context(model);
@@ -129,7 +129,10 @@ Result<void> ask(const PacsNode& node, Question& question, const Progress& progr
         return sent;
     const QByteArray syntax = association->transferSyntax(*context);
     bool wanted = true;
-    for (;;) {
+    for (int answers = 0;; ++answers) {
+        if (answers > mostAnswers)
+            return failure(
+                ErrorCode::NodeNonsense, node.name(), QStringLiteral("its list has no end"));
         std::uint8_t number = 0;
         const Result<T_DIMSE_Message> message = association->receive(number);
         if (!message)
@@ -172,8 +175,8 @@ Result<void> ask(const PacsNode& node, Question& question, const Progress& progr
 Result<void> echoNode(const PacsNode& node, const Progress& progress)
 {
     const QByteArray verification = UID_VerificationSOPClass;
-    Result<Association> association =
-        Association::request(node, {{verification, plainSyntaxes()}}, progress);
+    Result<Association> association = Association::request(
+        node, {{verification, plainSyntaxes()}}, progress, Patience::Seconds(node.timeoutSeconds));
     if (!association)
         return tl::unexpected<Error>(association.error());
     DIC_US status = 0;

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -63,24 +64,35 @@ struct Conclusion {
     }
 };
 
-/// A request under way: takes what comes until the node has said its last word on it.
-Result<void> follow(Association& association, ObjectIntake* intake, Conclusion& conclusion)
+/// A request under way: takes what comes until the node has said its last word on it. One that says
+/// again and again that it is at work, and sends no object, is given up.
+/// @param stores the node stores on this association
+Result<void> follow(
+    Association& association, ObjectIntake& intake, bool stores, Conclusion& conclusion)
 {
+    const PacsNode& node = association.node();
+    const Patience::Seconds longest = Patience::ofQuestion(node.timeoutSeconds);
+    auto lastObject = Patience::Clock::now();
+    int received = intake.received();
     for (;;) {
+        if (std::exchange(received, intake.received()) != intake.received())
+            lastObject = Patience::Clock::now();
+        if (Patience::Clock::now() - lastObject > longest)
+            return failure(ErrorCode::NodeTimeout, node.name(), QString::number(longest.count()),
+                QStringLiteral("it says that it is at work, and sends nothing"));
         std::uint8_t context = 0;
         const Result<T_DIMSE_Message> message = association.receive(context);
         if (!message)
             return tl::unexpected<Error>(message.error());
-        if (message->CommandField == DIMSE_C_STORE_RQ && intake) {
-            Result<void> taken = intake->take(association, context, message->msg.CStoreRQ);
+        if (message->CommandField == DIMSE_C_STORE_RQ && stores) {
+            Result<void> taken = intake.take(association, context, message->msg.CStoreRQ);
             if (!taken)
                 return taken;
             continue;
         }
         const bool isGet = message->CommandField == DIMSE_C_GET_RSP;
         if (!isGet && message->CommandField != DIMSE_C_MOVE_RSP) {
-            return failure(
-                ErrorCode::NodeNonsense, association.node().name(), QStringLiteral("no answer"));
+            return failure(ErrorCode::NodeNonsense, node.name(), QStringLiteral("no answer"));
         }
         const T_DIMSE_C_GetRSP& get = message->msg.CGetRSP;
         const T_DIMSE_C_MoveRSP& move = message->msg.CMoveRSP;
@@ -160,7 +172,7 @@ Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectI
                 way.movePort ? moveRequest(id, model, node) : getRequest(id, model);
             Result<void> done = association->send(*context, request, identifier.get());
             if (done)
-                done = follow(*association, listener ? nullptr : &intake, conclusion);
+                done = follow(*association, intake, !listener, conclusion);
             if (!done)
                 return tl::unexpected<Error>(done.error());
         }

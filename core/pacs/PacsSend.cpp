@@ -106,6 +106,7 @@ Result<std::uint16_t> store(Association& association, const Parcel& parcel)
     delete detail;
     if (stored.bad())
         return tl::unexpected<Error>(association.error(stored));
+    association.notePassed();
     return response.DimseStatus;
 }
 

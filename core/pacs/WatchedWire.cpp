@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/WatchedWire.h"
 
+#include "core/pacs/WireWatch.h"
+
 #include <QFile>
 
 #include <dcmtk/config/osconfig.h>
@@ -30,6 +32,7 @@ public:
         , m_socket(socket)
         , m_inner(std::move(inner))
         , m_state(state)
+        , m_watch(socket, state.progress, state.patience)
     {
     }
 
@@ -37,13 +40,21 @@ public:
     OFCondition clientSideHandshake() override
     {
         const OFCondition shaken = m_inner->clientSideHandshake();
-        if (shaken.bad())
+        if (!heedWatch() && shaken.bad())
             m_state.handshake = QString::fromUtf8(shaken.text());
         return shaken;
     }
     OFCondition renegotiate(const char* suite) override { return m_inner->renegotiate(suite); }
-    void close() override { m_inner->close(); }
-    void closeTransportConnection() override { m_inner->closeTransportConnection(); }
+    void close() override
+    {
+        m_watch.end();
+        m_inner->close();
+    }
+    void closeTransportConnection() override
+    {
+        m_watch.end();
+        m_inner->closeTransportConnection();
+    }
     unsigned long getPeerCertificateLength() override
     {
         return m_inner->getPeerCertificateLength();
@@ -61,12 +72,26 @@ public:
 
     ssize_t read(void* bytes, size_t size) override
     {
+        // Memory is asked for as the head of a message says; ours are a hundredth of that.
+        constexpr size_t most = 16 << 20;
+        if (size > most) {
+            m_state.nonsense = QStringLiteral("a message of %1 bytes").arg(size);
+            errno = EMSGSIZE;
+            return -1;
+        }
         // DCMTK asks before it reads the head of a message, but not before its body.
         if (!networkDataAvailable(m_state.timeoutSeconds)) {
             errno = m_state.cancelled ? ECANCELED : ETIMEDOUT;
             return -1;
         }
         const ssize_t count = m_inner->read(bytes, size);
+        if (heedWatch()) {
+            errno = m_state.cancelled ? ECANCELED : ETIMEDOUT;
+            return -1;
+        }
+        if (count > 0)
+            m_state.patience->passed(count);
+        m_state.clockRanOut = m_state.clockRanOut && count <= 0;
         // Many nodes hold small messages back until the last one is acknowledged (Nagle), which
         // the system puts off for 40 ms. It has to be told so again and again.
         const int on = 1;
@@ -84,7 +109,9 @@ public:
             return -1;
         }
         const ssize_t count = m_inner->write(bytes, size);
-        if (count < 0)
+        if (count > 0)
+            m_state.patience->passed(count);
+        if (!heedWatch() && count < 0)
             note(errno);
         return count;
     }
@@ -93,7 +120,7 @@ public:
         using Clock = std::chrono::steady_clock;
         const auto until = Clock::now() + std::chrono::seconds(timeout);
         for (;;) {
-            if (isCancelled())
+            if (isCancelled() || heedWatch())
                 return OFFalse;
             if (m_inner->networkDataAvailable(0))
                 return OFTrue;
@@ -101,6 +128,7 @@ public:
                 std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
             if (left.count() <= 0) {
                 m_state.timedOut = m_state.timedOut || timeout > 0;
+                m_state.clockRanOut = timeout <= 0;
                 return OFFalse;
             }
             constexpr std::int64_t patience = 100;
@@ -110,6 +138,14 @@ public:
     }
 
 private:
+    /// Whether the watch has ended the connection, which is noted.
+    bool heedWatch()
+    {
+        m_state.cancelled = m_state.cancelled || m_watch.cancelled();
+        m_state.lost = m_watch.lost();
+        m_state.timedOut = m_state.timedOut || m_state.lost != Patience::Lost::No;
+        return m_watch.cancelled() || m_state.lost != Patience::Lost::No;
+    }
     [[nodiscard]] bool isCancelled()
     {
         if (m_state.progress && m_state.progress->cancelled())
@@ -129,6 +165,7 @@ private:
     int m_socket;
     std::unique_ptr<DcmTransportConnection> m_inner;
     WireState& m_state;
+    WireWatch m_watch; ///< last: nobody is to look at a socket that is closed
 };
 
 class WatchedLayer final : public DcmTransportLayer {
@@ -153,6 +190,8 @@ public:
         if (!inner)
             return nullptr;
         m_state.connected = true;
+        m_state.patience = std::make_shared<Patience>(
+            Patience::Seconds(m_state.timeoutSeconds), m_state.wholeSeconds);
         return new WatchedConnection(socket, std::move(inner), m_state);
     }
 

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -281,6 +283,17 @@ void FaultyWire::work()
     }
 }
 
+bool FaultyWire::handOnSlowly(int client, const char* bytes, std::int64_t size) const
+{
+    const std::int64_t step = m_fault == Fault::Drip ? 1 : 1000;
+    for (std::int64_t at = 0; at < size && !m_ending; at += step) {
+        if (!writeAll(client, bytes + at, ssize_t(std::min(step, size - at))))
+            return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+    return !m_ending;
+}
+
 void FaultyWire::handOn(int client, int server)
 {
     std::array<char, 4096> bytes{};
@@ -305,6 +318,9 @@ void FaultyWire::handOn(int client, int server)
             }
             const ssize_t said = m_fault == Fault::Garbage ? count : sound;
             if (!writeAll(client, bytes.data(), said))
+                return;
+            const bool isSlow = m_fault == Fault::Drip || m_fault == Fault::Slow;
+            if (isSlow && !handOnSlowly(client, bytes.data() + said, count - said))
                 return;
             if (m_left <= 0 && m_fault == Fault::Cut)
                 return;

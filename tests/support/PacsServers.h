@@ -70,13 +70,15 @@ private:
 };
 
 /// A connection to a server that fails: hands on what client and server say until the server has
-/// said so many bytes, over all connections together.
+/// said so many bytes, over all connections together. One connection after the other.
 class FaultyWire {
 public:
     enum class Fault {
         Cut, ///< then the connection ends, and no other comes about
         Stall, ///< then the server says nothing more
         Garbage, ///< then the server talks nonsense
+        Drip, ///< then it says a byte every fifth of a second
+        Slow, ///< then it says a kilobyte every fifth of a second
     };
     FaultyWire(int serverPort, Fault fault, std::int64_t afterBytes);
     FaultyWire(const FaultyWire&) = delete;
@@ -88,6 +90,7 @@ public:
 private:
     void work();
     void handOn(int client, int server);
+    [[nodiscard]] bool handOnSlowly(int client, const char* bytes, std::int64_t size) const;
 
     int m_serverPort;
     Fault m_fault;
