@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brick/VoxelRuns.h"
+#include "core/brick/VoxelRunSets.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 #include <set>
 
@@ -69,6 +71,16 @@ private Q_SLOTS:
             QCOMPARE(all, runsOf(both));
             QCOMPARE(core::sharedVoxels(runs, runsOf(other)),
                 std::uint64_t(one.size() + other.size() - both.size()));
+
+            Places inOne;
+            std::set_symmetric_difference(one.begin(), one.end(), other.begin(), other.end(),
+                std::inserter(inOne, inOne.end()));
+            QCOMPARE(core::differing(runs, runsOf(other)), runsOf(inOne));
+            Places shared;
+            std::set_intersection(one.begin(), one.end(), other.begin(), other.end(),
+                std::inserter(shared, shared.end()));
+            QCOMPARE(core::common(runs, runsOf(other)), runsOf(shared));
+            QVERIFY(core::differing(runs, runs).empty());
 
             const std::optional<VoxelRuns> again =
                 core::unpackedRuns(core::packedRuns(runs), voxels);
