@@ -85,7 +85,8 @@ std::span<const Command> commands()
             "MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]"
             " [--vertices NUMBER] [--space lps|ras] [--json] [--force]",
             "the surface that refinement begins with, of each segment of a mask, as PLY, STL, OBJ"
-            " or glTF (.glb), and how many of the mask's voxels it encloses; about 12 000 vertices",
+            " or glTF (.glb), and how many of the mask's voxels it encloses; as many vertices as"
+            " that takes, unless a number is asked for",
             false, runMesh},
         {"open",
             "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "

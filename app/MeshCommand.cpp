@@ -6,7 +6,7 @@
 #include "core/base/StagedFile.h"
 #include "core/document/SegmentColours.h"
 #include "core/masks/MaskOnVolume.h"
-#include "core/refine/InitialFit.h"
+#include "core/refine/MeasuredFit.h"
 #include "core/refine/SelfIntersections.h"
 #include "core/refine/SimplexDual.h"
 #include "core/refine/SurfacePart.h"
@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 
 namespace app {
 
@@ -117,9 +118,10 @@ int runMesh(const QStringList& words)
     constexpr int fewest = 100;
     constexpr int most = 400'000;
     bool isNumber = true;
-    const int vertices = arguments.has("vertices") ? arguments.value("vertices").toInt(&isNumber)
-                                                   : core::InitialFitSettings().vertices;
-    if (!isNumber || vertices < fewest || vertices > most)
+    std::optional<int> vertices;
+    if (arguments.has("vertices"))
+        vertices = arguments.value("vertices").toInt(&isNumber);
+    if (!isNumber || (vertices && (*vertices < fewest || *vertices > most)))
         return tellUsage("mesh",
             QStringLiteral("--vertices must be a number from %1 to %2").arg(fewest).arg(most));
     const QString space = arguments.value("space").toUpper();
@@ -144,14 +146,14 @@ int runMesh(const QStringList& words)
         const core::MaskSegment& segment = mask->segments[i];
         if (arguments.has("segment") && segment.name != arguments.value("segment"))
             continue;
-        const auto mesh = core::initialFit(
-            core::BoxMask::of(segment.voxels, geometry.size), geometry, {.vertices = vertices}, {});
-        if (!mesh)
-            return tellFailure(mesh.error());
-        const core::Result<Facts> facts = factsOf(*mesh, segment.voxels, geometry);
+        const auto fit = core::measuredFit(segment.voxels, geometry, vertices, {});
+        if (!fit)
+            return tellFailure(fit.error());
+        const core::SimplexMesh& mesh = fit->mesh;
+        const core::Result<Facts> facts = factsOf(mesh, segment.voxels, geometry);
         if (!facts)
             return tellFailure(facts.error());
-        core::MeshPart part = core::partOf(*mesh, isRas ? glm::dvec3(-1, -1, 1) : glm::dvec3(1));
+        core::MeshPart part = core::partOf(mesh, isRas ? glm::dvec3(-1, -1, 1) : glm::dvec3(1));
         part.name = segment.name;
         part.rgb = segment.rgb.value_or(core::usualSegmentColour(i));
         part.label = std::uint8_t(std::min<std::size_t>(i + 1, 255));

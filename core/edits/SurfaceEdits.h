@@ -16,7 +16,9 @@ namespace core {
 /// Lay a surface around what a segment holds, all yellow; the one that was there goes.
 struct LaySurface {
     int segment = 0; ///< label
-    int vertices = 12'000; ///< about
+    /// About so many; 0: as many as it takes for the surface to enclose what the segment holds
+    /// (core/refine/MeasuredFit.h).
+    int vertices = 0;
 };
 
 /// Do without a surface. What was not written back is lost with it, until this is undone.

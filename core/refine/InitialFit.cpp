@@ -31,6 +31,11 @@ constexpr int fewestSteps = lastSteps + 5;
 constexpr int fewestRounds = 3;
 constexpr int mostRounds = 40;
 
+QString fitting()
+{
+    return QStringLiteral("Fitting the surface");
+}
+
 /// Those of parts that are large enough to be deformed.
 std::vector<VertexId> verticesToFit(const SimplexMesh& mesh)
 {
@@ -57,44 +62,54 @@ std::vector<VertexId> verticesToFit(const SimplexMesh& mesh)
 
 } // namespace
 
-Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geometry,
+Result<void> fitToMask(SimplexMesh& mesh, const BoxMask& mask, const VolumeGeometry& geometry,
     const InitialFitSettings& settings, const Progress& progress)
 {
-    const QString step = QStringLiteral("Fitting the surface");
-    progress.report(step, 0, settings.steps);
-    Result<SimplexMesh> mesh = refineSurfaceOf(mask, geometry, settings.vertices, progress);
-    if (!mesh || mesh->vertexCount() == 0)
-        return mesh;
+    if (mesh.vertexCount() == 0)
+        return {};
     const glm::dvec3 spacing = geometry.spacingMm();
     const double widthMm = std::min({spacing.x, spacing.y, spacing.z});
     const BoundaryForce boundary(mask, geometry, reachVoxels);
     const std::vector<const ExternalForce*> forces{&boundary};
     DeformationSettings motion{.negligibleMm = 0.01 * widthMm, .stirringMm = 0.1 * widthMm};
-    RestructuringSettings structure{.areaMm2 = meanFaceAreaMm2(*mesh)};
-    const std::size_t vertices = mesh->vertexCount();
+    RestructuringSettings structure{.areaMm2 = meanFaceAreaMm2(mesh)};
+    const std::size_t vertices = mesh.vertexCount();
     const int steps = std::min(settings.steps, std::max(fewestSteps, int(mostMoves / vertices)));
     const int rounds = std::clamp(int(mostLooks / vertices), fewestRounds, mostRounds);
-    SimplexMeshEdit edit(*mesh);
+    SimplexMeshEdit edit(mesh);
     Deformation deformation(motion);
-    deformation.activate(*mesh, verticesToFit(*mesh));
+    deformation.activate(mesh, verticesToFit(mesh));
     for (int i = 0; i < steps && !deformation.active().empty(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         if (i == steps - lastSteps) {
             motion.internal = lastInternal;
             deformation = Deformation(motion);
-            deformation.activate(*mesh, verticesToFit(*mesh));
+            deformation.activate(mesh, verticesToFit(mesh));
         }
         deformation.step(edit, forces);
-        progress.report(step, i + 1, steps);
+        progress.report(fitting(), i + 1, steps);
         if (settings.restructureEvery == 0 || i + 1 >= steps - lastSteps
             || (i + 1) % settings.restructureEvery != 0)
             continue;
         const Restructured done = restructure(edit, deformation.active(), structure);
-        deformation.restructured(*mesh, done.vertices);
+        deformation.restructured(mesh, done.vertices);
     }
-    repairSelfIntersections(edit, geometry, rounds);
+    if (settings.mendsCrossings)
+        repairSelfIntersections(edit, geometry, rounds);
     edit.commit();
+    return {};
+}
+
+Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geometry,
+    const InitialFitSettings& settings, const Progress& progress)
+{
+    progress.report(fitting(), 0, settings.steps);
+    Result<SimplexMesh> mesh = refineSurfaceOf(mask, geometry, settings.vertices, progress);
+    if (!mesh)
+        return mesh;
+    if (const Result<void> done = fitToMask(*mesh, mask, geometry, settings, progress); !done)
+        return tl::unexpected(done.error());
     return mesh;
 }
 

@@ -31,11 +31,14 @@ SessionState::SessionState(EditEngine& lentEngine, Volume volume)
 
 /// A row for what was carried out, in memory and on its way to disk.
 RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& changes,
-    const EditStatistics& statistics, std::optional<std::uint32_t> generation)
+    const EditStatistics& statistics, std::optional<std::uint32_t> generation,
+    const QString& remark)
 {
     HistoryRow row;
     row.name = rowName(edit, statistics, changes, document, history,
         std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
+    if (!remark.isEmpty())
+        row.name += QStringLiteral(", ") + remark;
     if (generation)
         document.growths.front().generation = *generation;
     const std::optional<RefinedSurface> surfaceBefore = document.surface;
@@ -75,11 +78,12 @@ void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
     tellCommitted(edit);
 }
 
-void SessionState::commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step)
+void SessionState::commitSurface(
+    const Edit& edit, std::shared_ptr<const SurfaceStep> step, const QString& remark)
 {
     EditStatistics statistics;
     statistics.verticesChanged = std::int64_t(step->mesh.vertices.size());
-    const RowId id = append(edit, {}, statistics, {});
+    const RowId id = append(edit, {}, statistics, {}, remark);
     surface.keep(id, step);
     worker->commit(id, std::move(step), documentJson());
     recent.keep(id, std::make_shared<const std::vector<BrickChange>>(), false);

@@ -46,7 +46,9 @@ public:
     void commit(const Edit& edit, std::vector<BrickChange> changes,
         const EditStatistics& statistics, std::optional<std::uint32_t> generation);
     /// An edit of the surface was carried out: a row for it. The surface is as the step left it.
-    void commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step);
+    /// @param remark what the row's name says besides, or nothing
+    void commitSurface(
+        const Edit& edit, std::shared_ptr<const SurfaceStep> step, const QString& remark = {});
     void completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step);
     /// A row of an opened session was carried out again, because it lacked its second half.
     void complete(RowId row, std::vector<BrickChange> changes);
@@ -110,7 +112,8 @@ public:
 
 private:
     RowId append(const Edit& edit, const std::vector<BrickChange>& changes,
-        const EditStatistics& statistics, std::optional<std::uint32_t> generation);
+        const EditStatistics& statistics, std::optional<std::uint32_t> generation,
+        const QString& remark = {});
     void tellCommitted(const Edit& edit);
     void takeIn(const std::vector<BrickChange>& changes);
     void placeDocument();

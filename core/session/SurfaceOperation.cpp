@@ -155,7 +155,7 @@ void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&
     if (outcome->step && m_again != 0)
         state.completeSurface(m_again, outcome->step);
     else if (outcome->step)
-        state.commitSurface(m_edit, outcome->step);
+        state.commitSurface(m_edit, outcome->step, outcome->remark);
 }
 
 void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)

@@ -4,7 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/brick/LabelRuns.h"
 #include "core/refine/FollowBoundary.h"
-#include "core/refine/InitialFit.h"
+#include "core/refine/MeasuredFit.h"
 #include "core/refine/MeshRestructuring.h"
 #include "core/refine/SurfaceDelta.h"
 #include "core/refine/SurfaceVoxels.h"
@@ -55,6 +55,16 @@ std::vector<TemplateContour> contoursOf(const ApplyTemplate& shape)
         contours.push_back(std::move(contour));
     }
     return contours;
+}
+
+/// In how many of the mask's voxels a surface is off: "0.74 % off". What is not nothing is not told
+/// as nothing.
+QString offText(const MeasuredFit& fit)
+{
+    constexpr double least = 0.01;
+    const double percent = 100.0 * double(fit.voxelsOff) / double(fit.voxels);
+    return fit.voxelsOff == 0 ? QStringLiteral("0 % off")
+                              : QStringLiteral("%1 % off").arg(std::max(percent, least), 0, 'f', 2);
 }
 
 /// How far an edge is looked for, times the tool's radius.
@@ -230,17 +240,19 @@ Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
             QStringLiteral("'%1' has no voxels").arg(m_segment.name));
-    Result<SimplexMesh> mesh = initialFit(BoxMask::of(voxels, m_surface.geometry().size),
-        m_surface.geometry(), {.vertices = edit.vertices}, {});
-    if (!mesh)
-        return tl::unexpected(mesh.error());
-    SimplexMeshDelta delta = replacement(m_surface.mesh, *mesh);
-    m_surface.mesh = *std::move(mesh);
+    Result<MeasuredFit> fit = measuredFit(voxels, m_surface.geometry(),
+        edit.vertices == 0 ? std::nullopt : std::optional(edit.vertices), {});
+    if (!fit)
+        return tl::unexpected(fit.error());
+    SimplexMeshDelta delta = replacement(m_surface.mesh, fit->mesh);
+    m_surface.mesh = std::move(fit->mesh);
     m_surface.showAll(true);
     const double faceAreaMm2 = meanFaceAreaMm2(m_surface.mesh);
-    return stepOf(std::move(delta),
+    Outcome outcome = stepOf(std::move(delta),
         SurfaceStep::TargetChange{.before = m_surface.followed(),
             .after = {.voxels = std::move(voxels), .faceAreaMm2 = faceAreaMm2}});
+    outcome.remark = offText(*fit);
+    return outcome;
 }
 
 Result<SurfaceWork::Outcome> SurfaceWork::follow()

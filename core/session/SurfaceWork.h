@@ -6,6 +6,8 @@
 #include "core/refine/tools/SurfaceStroke.h"
 #include "core/session/SurfaceState.h"
 
+#include <QString>
+
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +22,7 @@ public:
     struct Outcome {
         std::shared_ptr<const SurfaceStep> step; ///< the surface is as that leaves it
         std::optional<EngineEdit> voxels; ///< the engine has to do
+        QString remark{}; ///< what the row's name says besides
     };
 
     /// What it reads of the volume.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/RefinePanel.h"
 
+#include "core/refine/RefineSurface.h"
 #include "ui/Refinement.h"
 #include "ui/Theme.h"
 #include "ui/Workspace.h"
@@ -28,6 +29,8 @@ namespace ui {
 namespace {
 
 constexpr int mostRows = 4;
+constexpr int fewestVertices = 1000;
+constexpr int vertexStep = 1000;
 
 QLabel* smallLabel(const QString& text, QWidget* parent)
 {
@@ -78,20 +81,24 @@ QWidget* RefinePanel::buildLaying()
     m_vertices = new QSpinBox(page);
     m_vertices->setObjectName(QStringLiteral("surfaceVertices"));
     m_vertices->setAccessibleName(tr("Vertices"));
-    m_vertices->setRange(1000, 200'000);
-    m_vertices->setSingleStep(1000);
+    m_vertices->setRange(fewestVertices - vertexStep, core::mostVertices);
+    m_vertices->setSingleStep(vertexStep);
     m_vertices->setGroupSeparatorShown(true);
-    m_vertices->setValue(core::LaySurface().vertices);
+    m_vertices->setSpecialValueText(tr("as many as it takes"));
+    m_vertices->setValue(m_vertices->minimum());
     m_vertices->setSuffix(tr(" vertices"));
-    m_vertices->setToolTip(tr("How fine the surface is: 12 000 suit an organ, 100 000 a skull"));
+    m_vertices->setToolTip(tr("How fine the surface is. As many vertices as it takes: it encloses "
+                              "what the segment holds, but for a thousandth"));
     m_lay = new QPushButton(tr("Lay surface"), page);
     m_lay->setObjectName(QStringLiteral("laySurface"));
     row->addWidget(m_vertices, 1);
     row->addWidget(m_lay);
     layout->addLayout(row);
     layout->addStretch(1);
-    connect(m_lay, &QPushButton::clicked, this,
-        [this] { m_workspace.refinement().lay(m_vertices->value()); });
+    connect(m_lay, &QPushButton::clicked, this, [this] {
+        const int asked = m_vertices->value();
+        m_workspace.refinement().lay(asked < fewestVertices ? 0 : asked);
+    });
     return page;
 }
 
@@ -219,6 +226,18 @@ QString RefinePanel::summary() const
         : tr("%1 vertices").arg(QLocale().toString(qulonglong(refinement.mirror().vertexCount())));
 }
 
+QString RefinePanel::asLaidText() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return {};
+    const core::History& history = session->history();
+    core::RowId id = history.position();
+    while (id != 0 && !std::holds_alternative<core::LaySurface>(history.row(id).edit))
+        id = history.row(id).parent;
+    return id == 0 ? QString() : history.row(id).name;
+}
+
 void RefinePanel::show()
 {
     const Refinement& refinement = m_workspace.refinement();
@@ -238,7 +257,7 @@ void RefinePanel::show()
         const QString name = segment ? segment->name : QString();
         m_state->setText(surface->differs
                 ? tr("%1: the segment does not hold what the surface encloses").arg(name)
-                : tr("Surface of %1").arg(name));
+                : asLaidText());
         m_state->setProperty(
             "role", surface->differs ? QStringLiteral("caution") : QStringLiteral("plain"));
         m_state->setStyleSheet(

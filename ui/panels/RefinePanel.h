@@ -32,6 +32,7 @@ public:
 private:
     QWidget* buildLaying();
     QWidget* buildRefining();
+    [[nodiscard]] QString asLaidText() const;
     void show();
     void showErrors();
     void takeLook();

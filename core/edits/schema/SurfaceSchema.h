@@ -5,7 +5,7 @@
 
 namespace core::editSchema {
 
-inline constexpr editFields::WholeNumber surfaceVertices{100, 400'000};
+inline constexpr editFields::WholeNumber surfaceVertices{0, 400'000};
 
 template <> inline constexpr const char* editName<LaySurface> = "surface";
 template <>
@@ -15,7 +15,8 @@ template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
     visit.field("vertices", Presence::Optional, edit.vertices, surfaceVertices,
-        "about how many vertices the surface has");
+        "about how many vertices the surface has, from 100; 0: as many as it takes to enclose what "
+        "the segment holds, but for a thousandth of its voxels, or 200000");
 }
 
 template <> inline constexpr const char* editName<DropSurface> = "dropSurface";
