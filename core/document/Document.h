@@ -66,7 +66,7 @@ struct Growth {
 struct RefinedSurface {
     int segment = 0; ///< label
     /// It was changed since it was laid or written back, or an edit wrote to its segment since: the
-    /// segment does not hold what it encloses.
+    /// two have parted. By how much they were apart from the beginning says the row that laid it.
     bool differs = false;
     bool operator==(const RefinedSurface&) const = default;
 };

@@ -85,7 +85,11 @@ struct AttractSurface {
     SurfacePath path{};
 };
 
-/// The segment gets the voxels whose centres lie inside the surface, and loses all others.
+/// The segment follows the surface to where it was moved since they last agreed: where a voxel's
+/// centre has come inside the segment gets it, where it has come outside the segment loses it. All
+/// other voxels stay as they are, whether or not the surface encloses them: one that nobody moved
+/// changes none. What exactly that means, also at the rim of what was moved and where the mask was
+/// changed meanwhile, stands in core/session/SurfaceWriteBack.h.
 struct WriteBack {
     bool overwriteUnlocked = false;
 };
@@ -93,8 +97,7 @@ struct WriteBack {
 /// Shut the place of the surface to growth, or open it again: every voxel whose centre lies outside
 /// and that has one with its centre inside among the 26 around it. No growth passes such a shell,
 /// by 6, 18 or 26 neighbours, but where a place stays open by the rules of PaintBarrier. It lies
-/// outside so that a growth within can fill all that WriteBack would, and none of that is given
-/// back.
+/// outside so that a growth within can fill all that the surface encloses.
 struct SurfaceBarrier {
     bool erase = false; ///< barriers there are opened
 };

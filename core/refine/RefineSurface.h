@@ -8,7 +8,8 @@
 
 namespace core {
 
-/// How many vertices a surface can be asked for.
+/// Between these a surface gets as many vertices as its mask takes (MeasuredFit.h): fewer would be
+/// too coarse for the tools, and to lay more takes more than half a minute on two cores.
 constexpr int leastVertices = 10'000;
 constexpr int mostVertices = 200'000;
 

@@ -81,6 +81,8 @@ void SurfaceOperation::work(SessionState& state)
     if (m_reader)
         m_read.labels = m_reader->takeLabels();
     m_reader.reset();
+    if (std::holds_alternative<WriteBack>(m_edit))
+        m_read.past = surfacePast(state.history, state.surface);
     m_work =
         std::make_shared<SurfaceWork>(state.surface, m_edit, state.document, std::move(m_read));
     const SurfacePath* path = surfacePathOf(m_edit);

@@ -28,6 +28,12 @@ SurfaceStep::Target SurfaceState::followed() const
     return {.voxels = target->voxels(), .faceAreaMm2 = target->faceAreaMm2()};
 }
 
+std::shared_ptr<const SurfaceStep> SurfaceState::step(RowId row) const
+{
+    const auto known = m_steps.find(row);
+    return known == m_steps.end() ? nullptr : known->second;
+}
+
 void SurfaceState::keep(RowId row, std::shared_ptr<const SurfaceStep> step)
 {
     m_steps[row] = std::move(step);

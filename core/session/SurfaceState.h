@@ -28,6 +28,8 @@ public:
     [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
 
     [[nodiscard]] SurfaceStep::Target followed() const;
+    /// What a row changed; null: nothing.
+    [[nodiscard]] std::shared_ptr<const SurfaceStep> step(RowId row) const;
 
     /// What a row changed that was carried out: mesh, target and hash are as it left them.
     void keep(RowId row, std::shared_ptr<const SurfaceStep> step);

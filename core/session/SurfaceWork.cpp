@@ -319,11 +319,12 @@ Result<SurfaceWork::Outcome> SurfaceWork::changeMarks(const ChangeMarks& edit)
 
 Result<SurfaceWork::Outcome> SurfaceWork::writeBack()
 {
-    const Result<VoxelRuns> inside = voxelsOf(m_surface.mesh, m_surface.geometry(), {});
-    if (!inside)
-        return tl::unexpected(inside.error());
+    const Result<EnclosedVoxels> enclosed =
+        enclosedVoxels(m_surface.mesh, m_read.past, m_surface.geometry(), m_overwritable.any());
+    if (!enclosed)
+        return tl::unexpected(enclosed.error());
     return Outcome{.step = nullptr,
-        .voxels = writeBackOf(*inside, m_read.labels, m_surface.geometry().size,
+        .voxels = writeBackOf(*enclosed, m_read.labels, m_surface.geometry().size,
             {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable})};
 }
 

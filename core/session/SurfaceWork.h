@@ -4,7 +4,7 @@
 #include "core/edits/Edits.h"
 #include "core/engine/EngineCommands.h"
 #include "core/refine/tools/SurfaceStroke.h"
-#include "core/session/SurfaceState.h"
+#include "core/session/SurfaceAgreement.h"
 
 #include <QString>
 
@@ -30,6 +30,7 @@ public:
         std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest; readsLabels()
         VoxelBox greyBox; ///< greyBoxOf()
         std::vector<std::uint16_t> codes; ///< of that box, x fastest
+        SurfacePast past; ///< of a WriteBack
     };
     SurfaceWork(SurfaceState& surface, Edit edit, const Document& document, Read read);
     ~SurfaceWork();

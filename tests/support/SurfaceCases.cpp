@@ -102,6 +102,13 @@ std::vector<StrokeCase> surfaceCases()
         core::WriteBack{.overwriteUnlocked = true});
     add("write back beside locked ones", {ball, beside, locked, lay, red, push},
         core::WriteBack{.overwriteUnlocked = true});
+    add("write back a second time", {ball, lay, red, push, write}, write);
+    add("write back a second push", {ball, lay, red, push, write, scrape}, write);
+    add("write back what was painted", {ball, lay, paint}, write);
+    add("write back a push after painting", {ball, lay, push, paint}, write);
+    add("write back after following the mask", {ball, lay, push, paint, core::FollowMask{}}, write);
+    add("write back over others what they kept", {ball, beside, lay, red, push, core::WriteBack{}},
+        core::WriteBack{.overwriteUnlocked = true});
     add("push after writing back", {ball, lay, red, push, write}, scrape);
     add("follow the mask", {ball, lay, red, push, paint}, core::FollowMask{});
     add("follow what did not change", {ball, lay}, core::FollowMask{});

@@ -121,7 +121,7 @@ QWidget* RefinePanel::buildRefining()
         return made;
     };
     m_write = button(tr("Write back"), "writeBack",
-        tr("The segment gets the voxels inside the surface and loses all others"));
+        tr("The segment follows the surface to where it was moved; all other voxels stay"));
     m_follow = button(tr("Follow mask"), "followMask",
         tr("What is yellow goes to the boundary of what the segment holds now"));
     m_drop = button(tr("Remove"), "dropSurface", tr("Do without the surface; undo brings it back"));

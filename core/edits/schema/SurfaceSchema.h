@@ -132,8 +132,8 @@ template <class Visitor> void visitFields(Visitor& visit, AttractSurface& edit)
 template <> inline constexpr const char* editName<WriteBack> = "writeBack";
 template <>
 inline constexpr const char* editMeaning<WriteBack> =
-    "Gives the segment the voxels whose centres lie inside the surface, and takes all others from "
-    "it.";
+    "Gives the segment the voxels that the surface was moved over outwards since it was laid or "
+    "written back, and takes from it those that it was moved over inwards; all others stay.";
 template <class Visitor> void visitFields(Visitor& visit, WriteBack& edit)
 {
     visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},

@@ -126,9 +126,12 @@ private Q_SLOTS:
         const double dented = *fixture.outcome().relativeVolumeError;
         fixture.apply(core::WriteBack{});
         fixture.apply(core::DropSurface{});
-        // The voxels say the same.
+        // The voxels say the same, but for where the surface is not quite what it was laid around:
+        // there they stay as they were.
         QTRY_VERIFY(fixture.upToDate() && !fixture.panel.comparison().outcome()->ofSurface);
-        QCOMPARE(*fixture.outcome().relativeVolumeError, dented);
+        const double written = *fixture.outcome().relativeVolumeError;
+        QVERIFY(written > before + 0.005);
+        QVERIFY(std::abs((written - before) - (dented - laid)) < 0.005);
     }
 
     void badFilesAreTold()

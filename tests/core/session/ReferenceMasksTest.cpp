@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/VoxelRunSets.h"
+#include "core/masks/MaskOnVolume.h"
+#include "core/refine/InternalForces.h"
+#include "core/refine/MeasuredFit.h"
+#include "core/refine/tools/SurfaceStroke.h"
+#include "core/session/SurfaceWriteBack.h"
+#include "core/study/StudyLoader.h"
+#include "tests/support/EngineCases.h"
+#include "tests/support/SharedData.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace core;
+
+namespace {
+
+constexpr std::uint8_t label = 1;
+/// Less says nothing.
+constexpr std::uint64_t fewestVoxels = 100;
+/// More takes too long for every day.
+constexpr std::uint64_t mostFaces = 20'000;
+
+std::vector<std::uint8_t> labelsOf(const VoxelRuns& voxels, const glm::ivec3& size)
+{
+    std::vector<std::uint8_t> labels(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), 0);
+    for (const VoxelRun& run : voxels.runs())
+        std::fill_n(labels.begin() + std::ptrdiff_t(run.first), run.count, label);
+    return labels;
+}
+
+VoxelRuns changedBy(const RelabelListed& edit, const glm::ivec3& size)
+{
+    const BrickGrid grid{size};
+    std::vector<std::uint64_t> places;
+    for (const RelabelListed::Brick& brick : edit.bricks) {
+        const VoxelBox box = grid.boxOf(int(brick.brick));
+        for (int z = box.minimum.z; z < box.maximum.z; ++z)
+            for (int y = box.minimum.y; y < box.maximum.y; ++y)
+                for (int x = box.minimum.x; x < box.maximum.x; ++x) {
+                    if (brick.asked[std::size_t(BrickGrid::offsetInBrick({x, y, z}))] != 0)
+                        places.push_back(
+                            (std::uint64_t(z) * std::uint64_t(size.y) + std::uint64_t(y))
+                                * std::uint64_t(size.x)
+                            + std::uint64_t(x));
+                }
+    }
+    std::sort(places.begin(), places.end());
+    VoxelRuns runs;
+    for (const std::uint64_t place : places)
+        runs.append(place, 1);
+    return runs;
+}
+
+/// Grown by so many voxels along any of the 26 ways.
+VoxelRuns grown(VoxelRuns voxels, const glm::ivec3& size, int steps)
+{
+    for (int step = 0; step < steps; ++step)
+        voxels = united(voxels, shellAround(voxels, size));
+    return voxels;
+}
+
+} // namespace
+
+/// Masks that people and networks made: to their surface and back.
+class ReferenceMasksTest : public QObject {
+    Q_OBJECT
+
+    void untouchedAndPushed(const MaskSegment& segment, const VolumeGeometry& geometry);
+
+private Q_SLOTS:
+    void thereAndBack_data();
+    void thereAndBack();
+};
+
+void ReferenceMasksTest::thereAndBack_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("file");
+    for (const auto& [name, files] :
+        std::vector<std::pair<const char*, std::vector<const char*>>>{
+            {"ct_totalseg_body_3mm",
+                {"ct_3mm_labels.nii.gz", "aorta/aorta.nii.gz", "aorta/vertebrae_T12.nii.gz",
+                    "aorta/subclavian_artery_left.nii.gz", "aorta/brachiocephalic_trunk.nii.gz",
+                    "aorta/superior_mesenteric_artery.nii.gz", "aorta/celiac_trunk.nii.gz",
+                    "aorta/common_carotid_artery_left.nii.gz"}},
+            {"ct_abdomen_j2k_organs", {"labels.nii.gz"}},
+            {"ct_cranium_inv3",
+                {"mask_bone_226_3071.nii.gz", "mask_soft_and_bone_minus142_2986.nii.gz"}},
+            {"ct_ibsi_lung_rtstruct", {"mask.nii.gz"}},
+            {"ct_mr_pet_sts001", {"CT_mask.nii.gz", "PET_mask.nii.gz"}},
+            {"mr_brain_ch2_atlases", {"aal.nii.gz", "brodmann.nii.gz"}},
+            {"mr_brain_mricrop_itksnap", {"labels.nii.gz"}},
+            {"mr_brain_tumour_nrrd",
+                {"brain1_label.nrrd", "prostate_phantom_subvolume-label.nrrd"}},
+            {"mr_spine_t2_cord", {"t2_seg-manual.nii.gz", "t2_seg-deepseg_rootlets-manual.nii.gz"}},
+            {"seg_dcmqi_liver",
+                {"nrrd/liver_seg.nrrd", "nrrd/spine_seg.nrrd", "nrrd/heart_seg.nrrd"}}}) {
+        for (const char* file : files)
+            QTest::addRow("%s/%s", name, file)
+                << QString::fromLatin1(name) << QString::fromLatin1(file);
+    }
+}
+
+/// The largest segment of each that is not too large; with BURIN_LONG=1 all that there are.
+void ReferenceMasksTest::thereAndBack()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, file);
+    const test::SharedCase shared = test::sharedCase(name);
+    if (shared.source.isEmpty())
+        QSKIP("no shared test data");
+    const QString path = QDir(shared.source).filePath(file);
+    // A mask is a volume, too, of its labels.
+    const auto loaded = loadVolume(path, {});
+    QVERIFY(loaded.has_value());
+    const VolumeGeometry& geometry = loaded->volume.geometry;
+    auto mask = readMask(path, loaded->volume, {});
+    QVERIFY(mask.has_value());
+    std::erase_if(mask->segments, [&geometry](const MaskSegment& segment) {
+        const glm::u64vec3 faces = BoxMask::of(segment.voxels, geometry.size).borderFaces();
+        return segment.voxels.voxelCount() < fewestVoxels
+            || (!test::longRun() && faces.x + faces.y + faces.z > mostFaces);
+    });
+    if (mask->segments.empty())
+        QSKIP("none of a size for every day");
+    std::stable_sort(mask->segments.begin(), mask->segments.end(),
+        [](const auto& a, const auto& b) { return a.voxels.voxelCount() > b.voxels.voxelCount(); });
+    if (!test::longRun())
+        mask->segments.resize(1);
+    for (const MaskSegment& segment : mask->segments) {
+        untouchedAndPushed(segment, geometry);
+        if (QTest::currentTestFailed())
+            return;
+    }
+}
+
+void ReferenceMasksTest::untouchedAndPushed(
+    const MaskSegment& segment, const VolumeGeometry& geometry)
+{
+    const glm::ivec3& size = geometry.size;
+    const std::vector<std::uint8_t> labels = labelsOf(segment.voxels, size);
+    const LabelTarget target{.plane = 0, .label = label};
+    // So few that what is enclosed is another.
+    auto fit = measuredFit(
+        segment.voxels, geometry, test::longRun() ? std::nullopt : std::optional(3000), {});
+    QVERIFY(fit.has_value());
+    SimplexMesh& mesh = fit->mesh;
+    const auto untouched = enclosedVoxels(mesh, {}, geometry, false);
+    QVERIFY(untouched.has_value());
+    QCOMPARE(differing(untouched->now, segment.voxels).voxelCount(), fit->voxelsOff);
+    QVERIFY(writeBackOf(*untouched, labels, size, target).bricks.empty());
+
+    // A ball pushes it out by half a radius, somewhere where the body is thick enough for that.
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const double radiusMm = 6.0 * std::min({spacing.x, spacing.y, spacing.z});
+    const BoundaryForce boundary(BoxMask::of(segment.voxels, size), geometry, 4.0);
+    glm::dvec3 centre(0.0);
+    Result<EnclosedVoxels> pushed = *untouched;
+    for (VertexId id = 0; id < mesh.vertexSlots() && pushed->now == untouched->now;
+         id += mesh.vertexSlots() / 16) {
+        if (!mesh.hasVertex(id))
+            continue;
+        centre = mesh.position(id) - 0.5 * radiusMm * frameAt(mesh, id).normalLps;
+        auto step = std::make_shared<SurfaceStep>();
+        SurfaceStroke stroke(mesh, &boundary, SphereTool{.radiusMm = radiusMm}, {.reddens = true});
+        stroke.add({.placeLps = centre});
+        step->mesh = stroke.commit();
+        pushed = enclosedVoxels(
+            mesh, {.rows = {{.what = SurfacePast::What::Deformed, .step = step}}}, geometry, false);
+        QVERIFY(pushed.has_value());
+    }
+    const VoxelRuns moved = differing(pushed->now, pushed->agreed);
+    QVERIFY(!moved.empty());
+    const VoxelRuns changed = changedBy(writeBackOf(*pushed, labels, size, target), size);
+    const VoxelRuns written = differing(segment.voxels, changed);
+    // Where it was moved over the mask is as the surface; all that changed lies there or beside.
+    QCOMPARE(common(written, moved), common(pushed->now, moved));
+    QCOMPARE(common(changed, grown(moved, size, writeBackRimVoxels)), changed);
+    double farthestMm = 0.0;
+    for (const VoxelRun& run : changed.runs()) {
+        for (std::uint64_t at = run.first; at < run.first + run.count; ++at) {
+            const glm::ivec3 voxel(int(at % std::uint64_t(size.x)),
+                int(at / std::uint64_t(size.x) % std::uint64_t(size.y)),
+                int(at / std::uint64_t(size.x) / std::uint64_t(size.y)));
+            farthestMm = std::max(
+                farthestMm, glm::distance(geometry.toWorld(glm::dvec3(voxel)), centre) - radiusMm);
+        }
+    }
+    qInfo(
+        "%s: %zu vertices, %llu of %llu voxels off; pushed over %llu, %llu changed, up to %.1f mm "
+        "around the ball of %.1f mm; %llu followed",
+        qPrintable(segment.name), mesh.vertexCount(),
+        static_cast<unsigned long long>(fit->voxelsOff),
+        static_cast<unsigned long long>(fit->voxels),
+        static_cast<unsigned long long>(moved.voxelCount()),
+        static_cast<unsigned long long>(changed.voxelCount()), farthestMm, radiusMm,
+        static_cast<unsigned long long>(differing(pushed->agreed, untouched->now).voxelCount()));
+    // Also where so few vertices leave much to the yellow parts, which follow the mask meanwhile.
+    QVERIFY(farthestMm < 2.0 * radiusMm);
+}
+
+BURIN_TEST(ReferenceMasksTest)
+#include "ReferenceMasksTest.moc"
