@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ToldToEnd.h"
 
+#include "core/base/Guarded.h"
+
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -30,10 +32,11 @@ void onSignal(int number)
 
 ToldToEnd::ToldToEnd()
 {
-    if (::pipe2(m_ends, O_CLOEXEC) != 0)
+    if (::pipe2(m_ends, O_CLOEXEC) != 0
+        || !core::guarded([this] { static_cast<void>(m_thread.emplace()); }))
         return;
     toTell = m_ends[1];
-    m_thread = std::thread([this] { watch(); });
+    m_thread->post([this] { watch(); }, [](const core::Error&) {});
     struct sigaction action { };
     action.sa_handler = onSignal;
     action.sa_flags = SA_RESTART;
@@ -61,7 +64,7 @@ ToldToEnd::~ToldToEnd()
     }
     m_changed.notify_all();
     ::close(m_ends[1]);
-    m_thread.join();
+    m_thread.reset();
     ::close(m_ends[0]);
 }
 

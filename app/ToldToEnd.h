@@ -2,12 +2,13 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/base/TaskThread.h"
 
 #include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <thread>
+#include <optional>
 
 namespace app {
 
@@ -43,7 +44,9 @@ private:
     std::function<void()> m_closing; ///< under the mutex
     bool m_leaving = false; ///< what was open is being closed; under the mutex
     bool m_done = false; ///< under the mutex
-    std::thread m_thread; ///< last: it uses all of the above
+    /// Last: it uses all of the above. None: no thread could be started, signals end the program as
+    /// they always do.
+    std::optional<core::TaskThread> m_thread;
 };
 
 } // namespace app

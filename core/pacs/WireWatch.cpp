@@ -11,8 +11,8 @@ WireWatch::WireWatch(int socket, const Progress* progress, std::shared_ptr<const
     : m_socket(socket)
     , m_progress(progress)
     , m_patience(std::move(patience))
-    , m_thread([this] { work(); })
 {
+    m_thread.post([this] { work(); }, [](const Error&) {});
 }
 
 void WireWatch::end()
@@ -22,8 +22,7 @@ void WireWatch::end()
         m_ending = true;
     }
     m_changed.notify_all();
-    if (m_thread.joinable())
-        m_thread.join();
+    m_thread.finish();
 }
 
 void WireWatch::work()

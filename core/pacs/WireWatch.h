@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/base/TaskThread.h"
 #include "core/pacs/Patience.h"
 
 #include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace core {
 
@@ -40,7 +40,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_changed;
     bool m_ending = false; ///< under the mutex
-    std::thread m_thread; ///< last: it uses all of the above
+    TaskThread m_thread; ///< last: it uses all of the above
 };
 
 } // namespace core
