@@ -51,6 +51,8 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     case ErrorCode::SegmentNotCoded:
     case ErrorCode::SegmentLocked:
     case ErrorCode::SegmentProtected:
+    case ErrorCode::SeedsStay:
+    case ErrorCode::NothingGrown:
     case ErrorCode::StepsEntangled:
         return recipe.path;
     default:

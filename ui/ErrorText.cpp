@@ -64,6 +64,15 @@ QString errorText(const core::Error& error)
                                : QStringLiteral("segment '%1' is locked").arg(first);
     case ErrorCode::SegmentProtected:
         return QStringLiteral("segment '%1' is protected from sculpting").arg(first);
+    case ErrorCode::SeedsStay:
+        return QStringLiteral(
+            "nothing was taken back: %1 of the sketched voxels %2, and those are not taken back; "
+            "sketch beside them, or erase them first")
+            .arg(first,
+                first == QLatin1String("1") ? QStringLiteral("is a seed or was painted")
+                                            : QStringLiteral("are seeds or were painted"));
+    case ErrorCode::NothingGrown:
+        return QStringLiteral("nothing was taken back: no growth came through the sketched places");
     case ErrorCode::StepsEntangled:
         return QStringLiteral("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:

@@ -34,6 +34,8 @@ enum class ErrorCode {
     ExportMismatch,
     SegmentNotCoded,
     NothingToExport,
+    SeedsStay, ///< of a growth, and what was painted; argument 0: how many were to be taken back
+    NothingGrown, ///< where a growth was to be taken back
     StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,

@@ -284,7 +284,8 @@ struct ShrinkSteps {
     std::optional<int> steps{}; ///< none, or as many as there are: only the accepted seeds stay
 };
 
-/// Take back what grew through some places, cut off where it is narrowest.
+/// Take back some places of a growth and what grew through them, cut off where it is narrowest;
+/// what is nearer to the seeds stays (GrowthCut.h).
 struct ShrinkAt {
     std::vector<glm::dvec3> pointsLps{};
     bool onlyHere = false; ///< only the voxels at the points

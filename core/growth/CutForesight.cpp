@@ -7,12 +7,15 @@
 
 namespace core {
 
-LeavingBricks leavingBricks(const WordBricks& words, const CutGrowth& command)
+Result<LeavingBricks> leavingBricks(const WordBricks& words, const CutGrowth& command)
 {
+    const Result<LeavingVoxels> found = leavingVoxels(words, command);
+    if (!found)
+        return tl::unexpected(found.error());
     LeavingBricks leaving;
     constexpr std::size_t none = std::size_t(-1);
     std::vector<std::size_t> places(words.count() >> 12, none);
-    for (const auto& [label, voxels] : leavingVoxels(words, command)) {
+    for (const auto& [label, voxels] : *found) {
         leaving.members += std::int64_t(voxels.size());
         for (const WordBricks::Voxel voxel : voxels) {
             if (seedWord::wasHeld(words[voxel]))

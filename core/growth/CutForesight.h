@@ -17,8 +17,9 @@ struct LeavingBricks {
     std::vector<Brick> bricks; ///< ascending
 };
 
-/// By the rules of GrowthCut.h. Cost like that of the cut itself.
-[[nodiscard]] LeavingBricks leavingBricks(const WordBricks& words, const CutGrowth& command);
+/// By the rules of GrowthCut.h, refused like the cut. Cost like that of the cut itself.
+[[nodiscard]] Result<LeavingBricks> leavingBricks(
+    const WordBricks& words, const CutGrowth& command);
 
 /// @param held what the plane holds in each of these bricks; no bytes: nothing
 [[nodiscard]] ForeseenCut foreseenCut(

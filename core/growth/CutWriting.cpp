@@ -36,6 +36,11 @@ void CutWriting::leave(Voxel voxel, std::uint32_t label)
     brick.leaving[voxel & 4095u] = std::uint8_t(label);
 }
 
+void CutWriting::replace(Voxel voxel, std::uint32_t word)
+{
+    begun(voxel >> 12).words[voxel & 4095u] = word;
+}
+
 void CutWriting::shut(const glm::ivec3& place)
 {
     const auto number = std::uint32_t(m_words.grid().brickOf(place));

@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// The bricks that a cut writes, as they will be (GrowthCut.h, rule 10).
+/// The bricks that a cut writes, as they will be (GrowthCut.h, rules 10 and 11).
 class CutWriting {
 public:
     /// @param words outlive this
@@ -18,6 +18,8 @@ public:
     /// A voxel of a brick that is there becomes unvisited.
     /// @param label that leaves the plane; 0: none
     void leave(WordBricks::Voxel voxel, std::uint32_t label);
+    /// A member stays, with another word.
+    void replace(WordBricks::Voxel voxel, std::uint32_t word);
     /// Any voxel of the volume becomes a barrier.
     void shut(const glm::ivec3& place);
     /// So do those of its 26 neighbours that are no member and no pending seed.

@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// The members around a front, in order of steps from it: where GrowthCut.h (rule 7) looks for the
+/// The members around a front, in order of steps from it: where GrowthCut.h (rule 8) looks for the
 /// narrowest cut. Its nodes are numbered in that order.
 class FrontSurroundings {
 public:

@@ -176,14 +176,16 @@ struct ShrinkTo {
     std::uint32_t keep = 0; ///< not above the counter at the opening
 };
 
-/// Take back what grew through some places. Which voxels leave and which are shut is told by the
-/// rules of GrowthCut.h; what they added to the plane is given back. The generation is then the
+/// Take back what grew through some places. Which voxels leave, which are shut, and when it is
+/// refused, is told by the rules of GrowthCut.h; what they added to the plane is given back. The generation is then the
 /// greatest that a member of the plane has; where nothing leaves, as it was.
 struct CutGrowth {
     enum class How : std::uint8_t {
         Here, ///< only the voxels named
-        Subtree, ///< what grew through them, cut off at its narrowest passage
-        Neck, ///< likewise, where there is a narrow passage; nothing else
+        /// They, and what grew through them, cut off at its narrowest passage; what is nearer to the
+        /// seeds stays.
+        Subtree,
+        Neck, ///< all that grew through a narrow passage before them; where there is none, nothing
     };
     std::uint8_t plane = 0;
     How how = How::Subtree;

@@ -49,6 +49,7 @@ struct CutForesight::Ground {
 struct CutForesight::Work {
     core::CutGrowth cut;
     core::ForeseenCut foreseen; ///< the worker's until it is done
+    std::optional<core::Error> refused; ///< likewise
     bool posted = false;
     std::optional<core::Error> failed; ///< likewise
     std::atomic<bool> done = false;
@@ -65,7 +66,7 @@ CutForesight::~CutForesight()
     forget();
 }
 
-std::optional<core::ForeseenCut> CutForesight::ask(
+core::Result<std::optional<core::ForeseenCut>> CutForesight::ask(
     VoxelFields& fields, const core::ForeseeCut& question)
 {
     if (m_ground && m_ground->plane != question.cut.plane)
@@ -74,9 +75,12 @@ std::optional<core::ForeseenCut> CutForesight::ask(
         if (m_work)
             m_work->unwanted = true;
         m_answer.reset();
+        m_refused.reset();
         m_work = std::make_shared<Work>();
         m_work->cut = question.cut;
     }
+    if (m_refused)
+        return tl::unexpected(*m_refused);
     if (m_answer)
         return m_answer;
     if (!read(fields, question.cut.plane, question.toTheEnd))
@@ -90,8 +94,11 @@ std::optional<core::ForeseenCut> CutForesight::ask(
     if (m_work->failed)
         throw GlFailure(*m_work->failed);
     m_answer = m_work->foreseen;
+    m_refused = m_work->refused;
     if (question.cut.plane == 0)
         show(fields);
+    if (m_refused)
+        return tl::unexpected(*m_refused);
     return m_answer;
 }
 
@@ -130,11 +137,15 @@ void CutForesight::post()
                 return;
             if (!ground->words)
                 ground->makeWords();
-            const core::LeavingBricks leaving = core::leavingBricks(*ground->words, work->cut);
-            std::vector<std::vector<std::uint8_t>> held;
-            for (const core::LeavingBricks::Brick& brick : leaving.bricks)
-                held.push_back(ground->labelsOf(brick.brick));
-            work->foreseen = core::foreseenCut(leaving, held);
+            const auto leaving = core::leavingBricks(*ground->words, work->cut);
+            if (leaving) {
+                std::vector<std::vector<std::uint8_t>> held;
+                for (const core::LeavingBricks::Brick& brick : leaving->bricks)
+                    held.push_back(ground->labelsOf(brick.brick));
+                work->foreseen = core::foreseenCut(*leaving, held);
+            } else {
+                work->refused = leaving.error();
+            }
             work->done = true;
         },
         [work = m_work](const core::Error& error) {
@@ -197,6 +208,7 @@ void CutForesight::forget()
         m_work->unwanted = true;
     m_work.reset();
     m_answer.reset();
+    m_refused.reset();
     m_ground.reset();
     m_textures.setForeseen(nullptr);
     if (!m_shown.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/base/TaskThread.h"
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BrickField.h"
@@ -26,8 +27,8 @@ public:
     CutForesight(const CutForesight&) = delete;
     CutForesight& operator=(const CutForesight&) = delete;
 
-    /// @param question of a sound cut @return none: it is being worked out
-    [[nodiscard]] std::optional<core::ForeseenCut> ask(
+    /// @param question of a sound cut @return none: it is being worked out. Errors: as the cut's.
+    [[nodiscard]] core::Result<std::optional<core::ForeseenCut>> ask(
         VoxelFields& fields, const core::ForeseeCut& question);
     /// The words are about to change, or nobody asks any more. Does not wait.
     void forget();
@@ -45,7 +46,8 @@ private:
     VolumeTextures& m_textures;
     std::shared_ptr<Ground> m_ground;
     std::shared_ptr<Work> m_work; ///< asked last
-    std::optional<core::ForeseenCut> m_answer; ///< of it
+    std::optional<core::ForeseenCut> m_answer; ///< of it; nothing, where the cut is refused
+    std::optional<core::Error> m_refused; ///< why
     std::vector<core::ForeseenCut::Brick> m_shown; ///< what the marks say
     BrickField m_marks; ///< R8UI, 1: foreseen to go
     std::optional<core::TaskThread> m_worker; ///< from the first question on

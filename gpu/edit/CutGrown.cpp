@@ -15,6 +15,8 @@ core::WordBricks readWords(VoxelFields& fields, std::uint8_t plane)
 {
     const std::vector<std::uint32_t> held = fields.seedWords(plane).heldBricks();
     core::WordBricks words(fields.grid(), held.size());
+    if (held.empty())
+        return words;
     const auto images =
         fields.copier().images(fields.textures(core::Field::SeedWords, plane), held);
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -52,13 +54,15 @@ std::vector<core::BrickImage> imagesOf(
 
 } // namespace
 
-CutOutcome cutGrown(VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command)
+core::Result<CutOutcome> cutGrown(
+    VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command)
 {
-    CutOutcome outcome{.keys = {}, .generation = command.generation};
-    if (fields.seedWords(command.plane).empty())
-        return outcome;
-    const core::GrowthCutOutcome cut = core::cutGrowth(readWords(fields, command.plane), command);
-    outcome.generation = cut.generation;
+    const core::Result<core::GrowthCutOutcome> decided =
+        core::cutGrowth(readWords(fields, command.plane), command);
+    if (!decided)
+        return tl::unexpected(decided.error());
+    const core::GrowthCutOutcome& cut = *decided;
+    CutOutcome outcome{.keys = {}, .generation = cut.generation};
 
     const std::vector<core::BrickImage> held =
         imagesOf(fields, cut, core::Field::Labels, command.plane);

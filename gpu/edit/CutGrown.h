@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/engine/EngineCommands.h"
 #include "gpu/edit/BeforeImages.h"
 #include "gpu/edit/VoxelFields.h"
@@ -16,7 +17,8 @@ struct CutOutcome {
 
 /// Takes back what grew through some places (core/growth/GrowthCut.h). Fronts and passages are no
 /// work for kernels: the seed words are read back, the processor decides, and the bricks that
-/// change are captured and written. Engine thread only.
-CutOutcome cutGrown(VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
+/// change are captured and written. Engine thread only. Errors: as core::cutGrowth().
+core::Result<CutOutcome> cutGrown(
+    VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
 
 } // namespace gpu

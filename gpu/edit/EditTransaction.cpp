@@ -6,6 +6,8 @@
 #include "gpu/edit/ScissorsKernel.h"
 #include "gpu/gl/GlFailure.h"
 
+#include <algorithm>
+
 namespace gpu {
 
 core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
@@ -84,9 +86,11 @@ core::Result<void> EditTransaction::start(EditPrograms& programs)
     } else if (const auto* shrink = std::get_if<core::ShrinkGrowth>(&m_edit)) {
         m_shrink.emplace(programs.growth.shrink, m_fields, m_before, *shrink);
     } else if (const auto* grown = std::get_if<core::CutGrowth>(&m_edit)) {
-        CutOutcome outcome = cutGrown(m_fields, m_before, *grown);
-        m_wholeKeys = std::move(outcome.keys);
-        m_cutTo = outcome.generation;
+        core::Result<CutOutcome> outcome = cutGrown(m_fields, m_before, *grown);
+        if (!outcome)
+            return tl::unexpected(outcome.error());
+        m_wholeKeys = std::move(outcome->keys);
+        m_cutTo = outcome->generation;
     } else if (const auto* spread = std::get_if<core::SpreadLabels>(&m_edit)) {
         auto kernel = SpreadKernel::begin(programs.spread, m_fields, m_before, *spread);
         if (!kernel)
@@ -258,7 +262,7 @@ void EditTransaction::commit(core::EngineResult& result)
     }
     if (const auto* cut = std::get_if<core::CutGrowth>(&m_edit)) {
         result.generation = m_cutTo;
-        result.statistics.generations = int(cut->generation - m_cutTo);
+        result.statistics.generations = std::max(int(cut->generation) - int(m_cutTo), 0);
     }
     result.statistics.searchedTo = m_drill ? m_drill->searchedTo()
         : m_laser                          ? m_laser->searchedTo()

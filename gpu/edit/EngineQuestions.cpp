@@ -122,8 +122,11 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ForeseeCut& command)
         return refusal("transaction", "an edit is open");
     if (const core::Result<void> checked = check(command.cut, m_fields->grid()); !checked)
         return tl::unexpected(checked.error());
+    core::Result<std::optional<core::ForeseenCut>> foreseen = m_foresight.ask(*m_fields, command);
+    if (!foreseen)
+        return tl::unexpected(foreseen.error());
     core::EngineResult result;
-    result.foreseen = m_foresight.ask(*m_fields, command);
+    result.foreseen = *std::move(foreseen);
     return result;
 }
 

@@ -3,15 +3,14 @@
 
 #include "core/growth/GrowthCut.h"
 #include "core/growth/SeedWord.h"
+#include "tests/reference/FlowNetwork.h"
 #include "tests/reference/Growth.h"
+#include "tests/reference/LabelFamily.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <map>
 #include <optional>
-#include <set>
-#include <unordered_map>
 #include <vector>
 
 namespace reference {
@@ -20,165 +19,71 @@ namespace seedWord = core::seedWord;
 
 namespace {
 
-using Words = DenseArray<std::uint32_t>;
-using Set = std::set<std::size_t>; ///< voxels by their offset in the volume
-
-glm::ivec3 placeOf(const Words& words, std::size_t voxel)
-{
-    const auto x = std::size_t(words.size.x);
-    const auto y = std::size_t(words.size.y);
-    return {int(voxel % x), int(voxel / x % y), int(voxel / (x * y))};
-}
-
-/// The neighbours in the first so many directions.
-std::vector<std::size_t> neighbours(const Words& words, std::size_t voxel, int directions = 26)
-{
-    std::vector<std::size_t> found;
-    const glm::ivec3 place = placeOf(words, voxel);
-    for (int direction = 0; direction < directions; ++direction) {
-        const auto& offset = seedWord::offsets[std::size_t(direction)];
-        const glm::ivec3 next = place + glm::ivec3(offset[0], offset[1], offset[2]);
-        if (words.contains(next))
-            found.push_back(words.offset(next));
-    }
-    return found;
-}
-
-/// A flow network; arcs are added with their capacity, and what flows is kept as capacity of the
-/// way back. Places are numbered as they come. Fills all shortest ways before it looks for longer
-/// ones (Dinic): wide growths have hundreds of ways through millions of arcs.
-class Network {
-public:
-    void add(std::size_t from, std::size_t to, int capacity)
-    {
-        const std::size_t a = number(from);
-        const std::size_t b = number(to);
-        m_edges[a].push_back({.to = b, .left = capacity, .back = m_edges[b].size()});
-        m_edges[b].push_back({.to = a, .left = 0, .back = m_edges[a].size() - 1});
-    }
-    /// Lets as much through as goes.
-    void fill(std::size_t source, std::size_t sink)
-    {
-        const std::size_t first = number(source);
-        const std::size_t last = number(sink);
-        for (;;) {
-            m_steps = stepsFrom(first);
-            if (m_steps[last] == unreached)
-                return;
-            m_tried.assign(m_edges.size(), 0);
-            while (push(first, last)) { }
-        }
-    }
-    /// The places to which more would get through from the source.
-    Set reached(std::size_t source)
-    {
-        const std::vector<int> steps = stepsFrom(number(source));
-        Set places;
-        for (const auto& [place, number] : m_numbers) {
-            if (steps[number] != unreached)
-                places.insert(place);
-        }
-        return places;
-    }
-
-private:
-    static constexpr int unreached = -1;
-    struct Edge {
-        std::size_t to = 0;
-        int left = 0;
-        std::size_t back = 0; ///< place of the opposite edge there
-    };
-
-    std::size_t number(std::size_t place)
-    {
-        const auto [found, isNew] = m_numbers.emplace(place, m_numbers.size());
-        if (isNew)
-            m_edges.emplace_back();
-        return found->second;
-    }
-    [[nodiscard]] std::vector<int> stepsFrom(std::size_t source) const
-    {
-        std::vector<int> steps(m_edges.size(), unreached);
-        steps[source] = 0;
-        std::vector<std::size_t> queue{source};
-        for (std::size_t next = 0; next < queue.size(); ++next) {
-            const std::size_t at = queue[next];
-            for (const Edge& edge : m_edges[at]) {
-                if (edge.left <= 0 || steps[edge.to] != unreached)
-                    continue;
-                steps[edge.to] = steps[at] + 1;
-                queue.push_back(edge.to);
-            }
-        }
-        return steps;
-    }
-    /// One more unit by a shortest way; edges that lead nowhere are not tried again.
-    bool push(std::size_t first, std::size_t last)
-    {
-        std::vector<std::size_t> way; // the places before the present one
-        for (std::size_t at = first; at != last;) {
-            std::vector<Edge>& edges = m_edges[at];
-            std::size_t& tried = m_tried[at];
-            while (tried < edges.size()
-                && (edges[tried].left <= 0 || m_steps[edges[tried].to] != m_steps[at] + 1))
-                ++tried;
-            if (tried < edges.size()) {
-                way.push_back(at);
-                at = edges[tried].to;
-                continue;
-            }
-            if (way.empty())
-                return false;
-            at = way.back();
-            way.pop_back();
-            ++m_tried[at];
-        }
-        for (const std::size_t at : way) {
-            Edge& edge = m_edges[at][m_tried[at]];
-            --edge.left;
-            ++m_edges[edge.to][edge.back].left;
-        }
-        return true;
-    }
-
-    std::unordered_map<std::size_t, std::size_t> m_numbers;
-    std::vector<std::vector<Edge>> m_edges;
-    std::vector<int> m_steps; ///< from the source, as the ways were when last looked for
-    std::vector<std::size_t> m_tried; ///< of each place's edges
-};
+using Words = LabelFamily::Words;
+using Set = LabelFamily::Set;
 
 class LabelCut {
 public:
     LabelCut(const Words& words, const core::CutGrowth& command, std::uint32_t label)
         : m_words(words)
         , m_command(command)
-        , m_label(label)
+        , m_family(words, label)
     {
-        for (std::size_t voxel = 0; voxel < words.values.size(); ++voxel) {
-            if (isMember(voxel))
-                m_byGeneration[generation(voxel)].insert(voxel);
+    }
+
+    /// What leaves, and what becomes of the words of others.
+    struct Outcome {
+        Set leaving;
+        std::map<std::size_t, std::uint32_t> words;
+    };
+    Outcome outcome(const Set& sketch) const
+    {
+        using How = core::CutGrowth::How;
+        const bool here = m_command.how == How::Here;
+        const std::optional<Set> cut = here ? std::nullopt : narrowestCut(sketch);
+        Outcome found;
+        if (m_command.how == How::Neck) {
+            found.leaving = cut ? m_family.behind(*cut) : Set{};
+            return found;
         }
+        Set from = sketch;
+        if (cut)
+            from.insert(cut->begin(), cut->end());
+        const Set all = m_family.behind(from);
+        found.leaving = here ? sketch : m_family.notNearerToRoots(all, sketch);
+        Set staying;
+        for (const std::size_t voxel : all) {
+            if (found.leaving.count(voxel) == 0)
+                staying.insert(voxel);
+        }
+        const LabelFamily::Times times = m_family.timesOf(staying, found.leaving);
+        for (const std::size_t voxel : staying) {
+            const auto time = times.find(voxel);
+            if (time == times.end()) {
+                if (!here)
+                    found.leaving.insert(voxel);
+                continue;
+            }
+            const std::uint32_t word = m_family.retimed(voxel, times);
+            if (word != m_words.values[voxel])
+                found.words[voxel] = word;
+        }
+        return found;
     }
 
-    [[nodiscard]] bool isMember(std::size_t voxel) const
+private:
+    /// Rules 4 to 6 and 8.
+    [[nodiscard]] std::optional<Set> narrowestCut(const Set& sketch) const
     {
-        const std::uint32_t word = m_words.values[voxel];
-        return seedWord::isMember(word) && seedWord::label(word) == m_label;
-    }
-
-    Set leaving(const Set& sketch) const
-    {
-        if (m_command.how == core::CutGrowth::How::Here)
-            return sketch;
         const Set way = wayTo(sketch);
         const Set beyond = beyondFrom(sketch);
         const auto width = [&](const Set& voxels, std::uint32_t n) {
             return std::int64_t(std::count_if(voxels.begin(), voxels.end(),
-                [&](std::size_t voxel) { return generation(voxel) == n; }));
+                [&](std::size_t voxel) { return m_family.generation(voxel) == n; }));
         };
         std::map<std::uint32_t, std::int64_t> w;
         std::map<std::uint32_t, std::int64_t> either;
-        for (const auto& [n, members] : m_byGeneration) {
+        for (const auto& [n, members] : m_family.byGeneration()) {
             w[n] = width(way, n);
             either[n] = std::max(w[n], width(beyond, n));
         }
@@ -217,42 +122,17 @@ public:
                 ++wideFrom;
             Set front;
             for (const std::size_t voxel : way) {
-                if (generation(voxel) == n)
+                if (m_family.generation(voxel) == n)
                     front.insert(voxel);
             }
             Set cut = narrowestNear(front, wideFrom);
-            if (!narrowest || cut.size() < narrowest->size())
+            const Set gone = m_family.behind(cut);
+            const bool whole =
+                std::includes(gone.begin(), gone.end(), sketch.begin(), sketch.end());
+            if (whole && (!narrowest || cut.size() < narrowest->size()))
                 narrowest = std::move(cut);
         }
-        if (!narrowest)
-            return m_command.how == core::CutGrowth::How::Neck ? Set{} : closed(sketch);
-        return closed(*narrowest);
-    }
-
-private:
-    [[nodiscard]] std::uint32_t generation(std::size_t voxel) const
-    {
-        return seedWord::generation(m_words.values[voxel]);
-    }
-    [[nodiscard]] bool isRoot(std::size_t voxel) const
-    {
-        return seedWord::direction(m_words.values[voxel]) >= 30 || generation(voxel) == 0;
-    }
-
-    [[nodiscard]] std::vector<std::size_t> parents(std::size_t voxel) const
-    {
-        std::vector<std::size_t> found;
-        if (isRoot(voxel))
-            return found;
-        const std::uint32_t direction = seedWord::direction(m_words.values[voxel]);
-        for (const std::size_t next : neighbours(m_words, voxel,
-                 direction < 6        ? 6
-                     : direction < 18 ? 18
-                                      : 26)) {
-            if (isMember(next) && generation(next) < generation(voxel))
-                found.push_back(next);
-        }
-        return found;
+        return narrowest;
     }
 
     [[nodiscard]] Set frontOf(std::size_t voxel) const
@@ -263,7 +143,8 @@ private:
             const std::size_t at = open.back();
             open.pop_back();
             for (const std::size_t next : neighbours(m_words, at, m_command.connectivity)) {
-                if (isMember(next) && generation(next) == generation(voxel)
+                if (m_family.isMember(next)
+                    && m_family.generation(next) == m_family.generation(voxel)
                     && front.insert(next).second)
                     open.push_back(next);
             }
@@ -288,7 +169,7 @@ private:
         while (!open.empty()) {
             Set before;
             for (const std::size_t voxel : open) {
-                for (const std::size_t parent : parents(voxel))
+                for (const std::size_t parent : m_family.parents(voxel))
                     before.insert(parent);
             }
             way.merge(open);
@@ -305,9 +186,9 @@ private:
     [[nodiscard]] Set beyondFrom(const Set& sketch) const
     {
         Set beyond = frontsOf(sketch);
-        for (const auto& [n, members] : m_byGeneration) {
+        for (const auto& [n, members] : m_family.byGeneration()) {
             for (const std::size_t voxel : members) {
-                for (const std::size_t parent : parents(voxel)) {
+                for (const std::size_t parent : m_family.parents(voxel)) {
                     if (beyond.count(parent) != 0)
                         beyond.insert(voxel);
                 }
@@ -316,30 +197,11 @@ private:
         return beyond;
     }
 
-    [[nodiscard]] Set closed(const Set& cut) const
-    {
-        Set leaves;
-        for (const std::size_t voxel : cut) {
-            if (generation(voxel) != 0)
-                leaves.insert(voxel);
-        }
-        for (const auto& [n, members] : m_byGeneration) {
-            for (const std::size_t voxel : members) {
-                const std::vector<std::size_t> before = parents(voxel);
-                if (!before.empty()
-                    && std::all_of(before.begin(), before.end(),
-                        [&](std::size_t parent) { return leaves.count(parent) != 0; }))
-                    leaves.insert(voxel);
-            }
-        }
-        return leaves;
-    }
-
     [[nodiscard]] Set narrowestNear(const Set& front, std::uint32_t wideFrom) const
     {
         if (front.size() > core::widestPassage)
             return front;
-        const Set within = closed(front);
+        const Set within = m_family.behind(front);
         glm::ivec3 low = placeOf(m_words, *front.begin());
         glm::ivec3 high = low;
         for (const std::size_t voxel : front) {
@@ -355,7 +217,7 @@ private:
         for (int step = 1; step <= farthest; ++step) {
             for (const auto& [voxel, before] : std::map(steps)) {
                 for (const std::size_t next : neighbours(m_words, voxel)) {
-                    if (isMember(next))
+                    if (m_family.isMember(next))
                         steps.emplace(next, step);
                 }
             }
@@ -365,7 +227,7 @@ private:
         const std::size_t source = 2 * m_words.values.size();
         const std::size_t sink = source + 1;
         constexpr int many = 1 << 30;
-        Network network;
+        FlowNetwork network;
         bool sources = false;
         bool sinks = false;
         for (const auto& [voxel, step] : steps) {
@@ -375,11 +237,11 @@ private:
                     network.add(2 * voxel + 1, 2 * next, many);
             }
             const bool goes = within.count(voxel) != 0;
-            if (!goes && (step == farthest || isRoot(voxel))) {
+            if (!goes && (step == farthest || m_family.isRoot(voxel))) {
                 network.add(source, 2 * voxel, many);
                 sources = true;
             }
-            if (goes && (step == farthest || generation(voxel) >= wideFrom)) {
+            if (goes && (step == farthest || m_family.generation(voxel) >= wideFrom)) {
                 network.add(2 * voxel + 1, sink, many);
                 sinks = true;
             }
@@ -393,44 +255,60 @@ private:
             if (reached.count(2 * voxel) != 0 && reached.count(2 * voxel + 1) == 0)
                 cut.insert(voxel);
         }
-        if (std::any_of(cut.begin(), cut.end(), [&](std::size_t voxel) { return isRoot(voxel); }))
+        if (std::any_of(
+                cut.begin(), cut.end(), [&](std::size_t voxel) { return m_family.isRoot(voxel); }))
             return front;
         return cut;
     }
 
     const Words& m_words;
     const core::CutGrowth& m_command;
-    std::uint32_t m_label;
-    std::map<std::uint32_t, Set> m_byGeneration;
+    LabelFamily m_family;
 };
+
+/// Rule 1: the sketch of each label.
+core::Result<std::map<std::uint32_t, Set>> sketches(
+    const Words& words, const core::CutGrowth& command)
+{
+    std::map<std::uint32_t, Set> found;
+    Set roots;
+    for (const glm::ivec3& place : command.voxels) {
+        const std::uint32_t word = words.at(place);
+        if (!seedWord::isMember(word) || command.frozen.test(seedWord::label(word)))
+            continue;
+        const bool root = seedWord::direction(word) >= 30 || seedWord::generation(word) == 0;
+        (root ? roots : found[seedWord::label(word)]).insert(words.offset(place));
+    }
+    if (!roots.empty())
+        return core::failure(core::ErrorCode::SeedsStay, QString::number(roots.size()));
+    if (found.empty())
+        return core::failure(core::ErrorCode::NothingGrown);
+    return found;
+}
 
 } // namespace
 
-std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command)
+core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth& command)
 {
     Words& words = fields.seedWords(command.plane);
     const Words before = words;
+    const auto sketched = sketches(before, command);
+    if (!sketched)
+        return tl::unexpected(sketched.error());
     bool anything = false;
-    for (std::uint32_t label = 1; label < 256; ++label) {
-        if (command.frozen.test(label))
-            continue;
-        Set sketch;
-        for (const glm::ivec3& place : command.voxels) {
-            const std::uint32_t word = before.at(place);
-            if (seedWord::isMember(word) && seedWord::label(word) == label
-                && seedWord::generation(word) != 0)
-                sketch.insert(before.offset(place));
-        }
-        if (sketch.empty())
-            continue;
+    for (const auto& [label, sketch] : *sketched) {
         const LabelCut cut(before, command, label);
-        const Set leaving = cut.leaving(sketch);
+        const LabelCut::Outcome outcome = cut.outcome(sketch);
+        const Set& leaving = outcome.leaving;
+        for (const auto& [voxel, word] : outcome.words)
+            words.values[voxel] = word;
         Set shut;
         for (const std::size_t voxel : leaving) {
             giveBack(fields, command.plane, placeOf(before, voxel), before.values[voxel]);
             words.values[voxel] = seedWord::unvisited;
             for (const std::size_t next : neighbours(before, voxel)) {
-                if (command.barrier && cut.isMember(next) && leaving.count(next) == 0)
+                if (command.barrier && seedWord::isMember(before.values[next])
+                    && seedWord::label(before.values[next]) == label && leaving.count(next) == 0)
                     shut.insert(voxel);
             }
         }
@@ -454,11 +332,13 @@ std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command)
     return greatest;
 }
 
-core::ForeseenCut foreseeCut(const DenseFields& fields, const core::CutGrowth& command)
+core::Result<core::ForeseenCut> foreseeCut(
+    const DenseFields& fields, const core::CutGrowth& command)
 {
     DenseFields before = fields;
     DenseFields after = fields;
-    cutGrowth(after, command);
+    if (const auto cut = cutGrowth(after, command); !cut)
+        return tl::unexpected(cut.error());
     core::ForeseenCut foreseen;
     const Words& words = before.seedWords(command.plane);
     for (std::size_t voxel = 0; voxel < words.values.size(); ++voxel) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/growth/GrowthCommands.h"
 #include "tests/reference/DenseFields.h"
 
@@ -8,9 +9,10 @@ namespace reference {
 
 /// Takes back what grew through some places, by the rules in core/growth/GrowthCut.h, each written
 /// down as it stands there. @return the generation then
-std::uint32_t cutGrowth(DenseFields& fields, const core::CutGrowth& command);
+core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth& command);
 
 /// What it would take: the cut is made in a copy, and the two are compared.
-core::ForeseenCut foreseeCut(const DenseFields& fields, const core::CutGrowth& command);
+core::Result<core::ForeseenCut> foreseeCut(
+    const DenseFields& fields, const core::CutGrowth& command);
 
 } // namespace reference

@@ -158,7 +158,10 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CutGrowth& edit
 {
     if (const core::Result<void> checked = checkCut(edit); !checked)
         return tl::unexpected(checked.error());
-    return CutBack{edit.generation, cutGrowth(m_fields, edit)};
+    const core::Result<std::uint32_t> to = cutGrowth(m_fields, edit);
+    if (!to)
+        return tl::unexpected(to.error());
+    return CutBack{edit.generation, *to};
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier& edit)
@@ -437,7 +440,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
         if (shrunk)
             result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
         if (cut)
-            result.statistics.generations = int(cut->from - cut->to);
+            result.statistics.generations = std::max(int(cut->from) - int(cut->to), 0);
         result.statistics.searchedTo = searchedTo();
     }
     m_open.reset();

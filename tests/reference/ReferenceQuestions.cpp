@@ -118,7 +118,10 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ForeseeCut& command)
     if (const core::Result<void> checked = checkCut(command.cut); !checked)
         return tl::unexpected(checked.error());
     core::EngineResult result;
-    result.foreseen = foreseeCut(m_fields, command.cut);
+    const core::Result<core::ForeseenCut> foreseen = foreseeCut(m_fields, command.cut);
+    if (!foreseen)
+        return tl::unexpected(foreseen.error());
+    result.foreseen = *foreseen;
     return result;
 }
 

@@ -42,6 +42,7 @@ void ShrinkForesight::end()
     m_wanted.clear();
     m_answered = 0;
     m_foreseen.reset();
+    m_refused.reset();
     if (core::EditSession* session = m_workspace.session())
         session->ask(core::DropForesight{}, [](const core::EngineResult&) {});
     Q_EMIT changed();
@@ -85,7 +86,11 @@ void ShrinkForesight::take(const core::EngineResult& result)
     if (!result.error && !result.foreseen)
         return m_again.start();
     m_asking = false;
-    if (result.foreseen) {
+    m_refused = result.error;
+    if (result.error) {
+        m_foreseen = core::ForeseenCut{};
+        m_answered = m_asked;
+    } else if (result.foreseen) {
         m_foreseen = {.members = result.foreseen->members, .voxels = result.foreseen->voxels};
         m_answered = m_asked;
     }
@@ -103,7 +108,9 @@ QString ShrinkForesight::words() const
     if (!m_foreseen)
         return tr("looks what it takes …");
     QString words = tr("nothing grown here");
-    if (m_foreseen->members > 0) {
+    if (m_refused && m_refused->code == core::ErrorCode::SeedsStay) {
+        words = tr("takes nothing: there are seeds under the sketch");
+    } else if (m_foreseen->members > 0) {
         const QString volume =
             millilitreText(m_foreseen->voxels, m_workspace.volume()->geometry.voxelVolumeMm3());
         words = m_onlyHere ? tr("takes only this: %1").arg(volume) : tr("takes %1").arg(volume);

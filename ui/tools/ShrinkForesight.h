@@ -30,7 +30,7 @@ public:
     /// Takes the tint away.
     void end();
 
-    /// "takes 12.4 mL"; empty while no sketch is followed.
+    /// "takes 12.4 mL", or why it will take nothing; empty while no sketch is followed.
     [[nodiscard]] QString words() const;
     /// Of the last answer; none: there was none yet.
     [[nodiscard]] std::optional<std::int64_t> voxels() const;
@@ -52,6 +52,7 @@ private:
     std::size_t m_asked = 0; ///< voxels of the question that is out
     std::size_t m_answered = 0; ///< of the one that was answered last
     std::optional<core::ForeseenCut> m_foreseen; ///< its bricks are left out
+    std::optional<core::Error> m_refused; ///< why the last one would take nothing
     QTimer m_again; ///< it is being worked out
     int m_sketch = 0; ///< number of the present one
 };

@@ -33,7 +33,7 @@ QString ShrinkTool::iconName() const
 QString ShrinkTool::hint() const
 {
     return tr("Shrink: sketch over what grew too far; it goes, up to its narrowest passage, which "
-              "is shut");
+              "is shut; what is nearer to the seeds stays");
 }
 
 QString ShrinkTool::target() const
@@ -88,10 +88,10 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
         [tool = QPointer<ShrinkTool>(this), rows](const core::EngineResult&) {
             if (!tool)
                 return;
+            // What was refused has been told already.
             const core::History& history = tool->workspace().session()->history();
-            tool->workspace().say(history.rows().size() > rows
-                    ? history.rows().back().name
-                    : tr("Nothing was taken back: no growth came through the sketched places"));
+            if (history.rows().size() > rows)
+                tool->workspace().say(history.rows().back().name);
         });
 }
 

@@ -148,7 +148,8 @@ template <class Visitor> void visitFields(Visitor& visit, ShrinkSteps& edit)
 template <> inline constexpr const char* editName<ShrinkAt> = "shrinkAt";
 template <>
 inline constexpr const char* editMeaning<ShrinkAt> =
-    "Takes back what grew through some places, cut off where it is narrowest.";
+    "Takes back some places of a growth and what grew through them, cut off where it is narrowest; "
+    "what is nearer to the seeds stays, and over seeds it is refused.";
 template <class Visitor> void visitFields(Visitor& visit, ShrinkAt& edit)
 {
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
