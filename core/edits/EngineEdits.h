@@ -39,6 +39,10 @@ namespace core {
 [[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
     const ShrinkSteps& shrink, const Document& document);
 
+/// By which a growth is watched; none: it is not. Whole numbers from here on.
+[[nodiscard]] std::optional<GuardRule> guardRule(
+    const GrowGuard& guard, const VolumeGeometry& geometry);
+
 /// Errors: InvalidField (no point, a point outside the volume), SegmentLocked (no segment may
 /// change).
 [[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);

@@ -129,16 +129,26 @@ Result<GrowBurst> burstOf(
 
 namespace {
 
-std::optional<GuardRule> guardRule(const GrowGuard& guard)
+constexpr int voxelsOfOld = 60;
+constexpr int generationsOfOld = 20;
+
+} // namespace
+
+std::optional<GuardRule> guardRule(const GrowGuard& guard, const VolumeGeometry& geometry)
 {
     if (!guard.factor)
         return std::nullopt;
-    return GuardRule{.factor256 = int(std::lround(*guard.factor * 256.0)),
-        .excess = guard.voxels,
-        .window = guard.generations};
+    GuardRule rule{.factor256 = int(std::lround(*guard.factor * 256.0))};
+    if (guard.countsVoxels()) {
+        rule.excess = guard.voxels.value_or(voxelsOfOld);
+        rule.window = guard.generations.value_or(generationsOfOld);
+    } else {
+        rule.excess = std::llround(guard.areaMm2 * 1.0e6);
+        rule.window = std::max(std::llround(guard.backMm * 1.0e3), 1LL);
+        rule.measure = frontMeasure(geometry.spacingMm());
+    }
+    return rule;
 }
-
-} // namespace
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
 {
@@ -149,7 +159,7 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
         return failure(ErrorCode::InvalidField, QStringLiteral("grow.tellsHeld"),
             QStringLiteral("must be true with a passage width"));
     burst->tellsHeld = grow.tellsHeld;
-    burst->guard = guardRule(grow.guard);
+    burst->guard = guardRule(grow.guard, document.volumes.front().geometry);
     return burst;
 }
 
@@ -162,7 +172,7 @@ Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& docume
     if (burst->opening == GrowOpening::Narrow && isAsked(burst->limits.passage))
         return failure(ErrorCode::InvalidField, QStringLiteral("interval.fromSeeds"),
             QStringLiteral("must be true with a passage width"));
-    burst->guard = guardRule(change.guard);
+    burst->guard = guardRule(change.guard, document.volumes.front().geometry);
     return burst;
 }
 

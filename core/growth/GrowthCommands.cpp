@@ -1,7 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/GrowthCommands.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace core {
+
+namespace {
+
+// So that areas of fronts times factors fit 64 bits: voxels of 31 mm.
+constexpr std::int64_t greatestAreaUm2 = 1'000'000'000;
+constexpr std::int64_t greatestVolumeUm3 = 1'000'000'000'000'000;
+
+std::int64_t rootOf(std::int64_t square)
+{
+    std::int64_t root = 0;
+    for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1) {
+        if ((root + bit) * (root + bit) <= square)
+            root += bit;
+    }
+    return root;
+}
+
+} // namespace
+
+FrontMeasure frontMeasure(const glm::dvec3& spacingMm)
+{
+    std::array<std::int64_t, 3> um{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        um[axis] =
+            std::int64_t(std::clamp(std::floor(spacingMm[int(axis)] * 1000.0 + 0.5), 1.0, 1.0e6));
+    std::array<std::int64_t, 3> face{}; // across each axis
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        face[axis] = std::min(um[(axis + 1) % 3] * um[(axis + 2) % 3], greatestAreaUm2);
+    FrontMeasure measure{.volumeUm3 = std::min(face[0] * um[0], greatestVolumeUm3)};
+    measure.areaUm2[0] = *std::min_element(face.begin(), face.end());
+    for (std::size_t axes = 1; axes < measure.areaUm2.size(); ++axes) {
+        std::int64_t square = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            square += (axes >> axis & 1u) != 0 ? face[axis] * face[axis] : 0;
+        measure.areaUm2[axes] = std::min(rootOf(square), greatestAreaUm2);
+    }
+    return measure;
+}
+
+bool isSound(const GuardRule& rule)
+{
+    constexpr int greatestFactor256 = 256000;
+    constexpr std::int64_t greatestExcess = 1'000'000'000'000;
+    constexpr std::int64_t greatestWindow = 1'000'000'000;
+    const auto between = [](std::int64_t value, std::int64_t low, std::int64_t high) {
+        return value >= low && value <= high;
+    };
+    const bool measured = !rule.measure
+        || (between(rule.measure->volumeUm3, 1, greatestVolumeUm3)
+            && std::all_of(rule.measure->areaUm2.begin(), rule.measure->areaUm2.end(),
+                [&](std::int64_t area) { return between(area, 1, greatestAreaUm2); }));
+    return measured && between(rule.factor256, 1, greatestFactor256)
+        && between(rule.excess, 0, greatestExcess) && between(rule.window, 1, greatestWindow);
+}
 
 bool isSound(const GrowLimits& limits)
 {
@@ -19,6 +76,7 @@ bool isSound(const GrowBurst& burst)
 {
     const bool rolls = isAsked(burst.limits.passage);
     return isSound(burst.limits) && isSound(burst.seedGroups)
+        && (!burst.guard || isSound(*burst.guard))
         && (!rolls || (burst.opening != GrowOpening::Narrow && burst.tellsHeld));
 }
 

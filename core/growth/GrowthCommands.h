@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <optional>
@@ -89,19 +90,34 @@ enum class GrowOpening : std::uint8_t {
     Restart,
 };
 
+/// What a voxel of a front measures, by the axes along which growth came to it (LeakGuard.h).
+struct FrontMeasure {
+    /// µm² by axes: bit 0: x, 1: y, 2: z; 0: none is known.
+    std::array<std::int64_t, 8> areaUm2{};
+    std::int64_t volumeUm3 = 0;
+    bool operator==(const FrontMeasure&) const = default;
+};
+/// @param spacingMm of the voxels: rounded to whole µm, at least one
+[[nodiscard]] FrontMeasure frontMeasure(const glm::dvec3& spacingMm);
+
 /// When a growth stops by itself: LeakGuard.h says what an alarm is.
 struct GuardRule {
     int factor256 = 512; ///< 256ths: so many times the narrow place
-    int excess = 60; ///< and so many voxels more than there
-    int window = 20; ///< generations that a narrow place lies back at most
+    std::int64_t excess = 60; ///< and so many µm² more than there; without a measure: voxels
+    std::int64_t window = 20; ///< µm that a narrow place lies back at most; else generations
+    std::optional<FrontMeasure> measure{}; ///< none: voxels and generations are counted
     bool operator==(const GuardRule&) const = default;
 };
+
+/// Whether every number is in its range.
+[[nodiscard]] bool isSound(const GuardRule& rule);
 
 /// A front that burst out of a narrow place.
 struct LeakAlarm {
     std::uint32_t generation = 0; ///< of the front
     std::uint32_t narrow = 0; ///< generation of the narrow place
     std::int64_t voxels = 0; ///< of the front
+    std::int64_t areaUm2 = 0; ///< of the front; 0 where voxels are counted
     glm::ivec3 voxel{0}; ///< one of them
     bool operator==(const LeakAlarm&) const = default;
 };
@@ -177,13 +193,13 @@ struct ShrinkTo {
 };
 
 /// Take back what grew through some places. Which voxels leave, which are shut, and when it is
-/// refused, is told by the rules of GrowthCut.h; what they added to the plane is given back. The generation is then the
-/// greatest that a member of the plane has; where nothing leaves, as it was.
+/// refused, is told by the rules of GrowthCut.h; what they added to the plane is given back. The
+/// generation is then the greatest that a member of the plane has; where nothing leaves, as it was.
 struct CutGrowth {
     enum class How : std::uint8_t {
         Here, ///< only the voxels named
-        /// They, and what grew through them, cut off at its narrowest passage; what is nearer to the
-        /// seeds stays.
+        /// They, and what grew through them, cut off at its narrowest passage; what is nearer to
+        /// the seeds stays.
         Subtree,
         Neck, ///< all that grew through a narrow passage before them; where there is none, nothing
     };

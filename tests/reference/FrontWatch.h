@@ -22,10 +22,13 @@ private:
     struct Front {
         std::vector<glm::ivec3> voxels;
         std::vector<std::int64_t> sizes; ///< its own, its trunk's, and so on
+        std::vector<std::int64_t> thicknesses; ///< likewise
         glm::ivec3 least{0}; ///< of its voxels, by isLess()
     };
 
     [[nodiscard]] bool isLess(const glm::ivec3& a, const glm::ivec3& b) const;
+    /// Rule 2: what a voxel measures by where the generation before lies.
+    [[nodiscard]] std::int64_t areaOf(const glm::ivec3& voxel) const;
     [[nodiscard]] int narrowPlace(const Front& front) const;
 
     core::GuardRule m_rule;

@@ -14,9 +14,25 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <cmath>
 #include <utility>
 
 namespace ui {
+
+namespace {
+
+constexpr double um2PerMm2 = 1.0e6;
+
+/// A recipe of before may have counted voxels.
+QString widthText(const core::LeakAlarm& alarm)
+{
+    if (alarm.areaUm2 == 0)
+        return LeakSection::tr("%1 voxels").arg(countText(alarm.voxels));
+    return LeakSection::tr("%1 mm²").arg(
+        countText(std::int64_t(std::llround(double(alarm.areaUm2) / um2PerMm2))));
+}
+
+} // namespace
 
 LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
@@ -32,8 +48,8 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
         tr("Growth stops where a front that came out of a narrow place gets wide quickly"));
     m_factor->setObjectName(QStringLiteral("growGuardFactor"));
     m_factor->setToolTip(
-        tr("How many times as wide as the narrow place a front may get: less stops "
-           "sooner, and more often without need"));
+        tr("How many times as wide as the narrow place a front may get, and 60 mm² wider: less "
+           "stops sooner, and more often without need"));
     m_factor->setFixedHeight(theme::controlHeight);
     m_factor->setRange(leastGuard, greatestGuard);
     m_factor->setDecimals(1);
@@ -135,8 +151,8 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
     m_offer->setVisible(alarm.has_value());
     m_workspace.setWarnAfter(alarm ? std::optional(alarm->narrow) : std::nullopt);
     if (alarm)
-        m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 voxels wide. %3")
-                            .arg(countText(alarm->generation), countText(alarm->voxels),
+        m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 wide. %3")
+                            .arg(countText(alarm->generation), widthText(*alarm),
                                 QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
                                     .arg(theme::accent.name(), tr("Show\u00a0it"))));
 }

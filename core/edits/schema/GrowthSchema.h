@@ -83,10 +83,19 @@ template <class Visitor> void visitGuard(Visitor& visit, GrowGuard& guard)
         "as that",
         "no leak guard");
     visit.when(guard.factor.has_value(), [&] {
-        visit.field("guardVoxels", Presence::Optional, guard.voxels,
-            editFields::WholeNumber{0, 1000000}, "and so many voxels wider");
-        visit.field("guardGenerations", Presence::Optional, guard.generations,
-            editFields::WholeNumber{1, 1000}, "how far back a narrow place lies at most");
+        visit.maybe("guardVoxels", guard.voxels, editFields::WholeNumber{0, 1000000},
+            "of old: instead of guardAreaMm2, so many voxels wider, whatever their size",
+            "areas are measured");
+        visit.maybe("guardGenerations", guard.generations, editFields::WholeNumber{1, 1000},
+            "of old: instead of guardBackMm, so many generations back", "lengths are measured");
+        visit.when(!guard.countsVoxels(), [&] {
+            visit.field("guardAreaMm2", Presence::Optional, guard.areaMm2,
+                editFields::Number{"mm²", 0.0, 1000000.0, 1000.0},
+                "and so much wider: the front's area");
+            visit.field("guardBackMm", Presence::Optional, guard.backMm,
+                editFields::Number{"mm", 0.001, 1000.0, 1000.0},
+                "how far back a narrow place lies at most, along the growth");
+        });
     });
 }
 

@@ -9,6 +9,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
+#include <cstdint>
+
 using namespace core;
 
 namespace {
@@ -65,12 +68,30 @@ private Q_SLOTS:
     void guardsAreWholeNumbers()
     {
         GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0}, .guard = {.factor = 1.5}};
-        grow.guard.voxels = 7;
-        const Result<GrowBurst> burst = growBurst(grow, smallDocument());
+        grow.guard.voxels = 7; // as recipes of before have it
+        Result<GrowBurst> burst = growBurst(grow, smallDocument());
         QVERIFY(burst && burst->guard);
         QCOMPARE(burst->guard->factor256, 384);
-        QCOMPARE(burst->guard->excess, 7);
-        QCOMPARE(burst->guard->window, 20);
+        QCOMPARE(burst->guard->excess, std::int64_t(7));
+        QCOMPARE(burst->guard->window, std::int64_t(20));
+        QVERIFY(!burst->guard->measure);
+
+        grow.guard.voxels.reset();
+        grow.guard.areaMm2 = 12.5;
+        grow.guard.backMm = 7.25;
+        burst = growBurst(grow, smallDocument());
+        QVERIFY(burst && burst->guard && burst->guard->measure);
+        QCOMPARE(burst->guard->excess, std::int64_t(12500000));
+        QCOMPARE(burst->guard->window, std::int64_t(7250));
+        // Voxels of 0.5 × 0.5 × 2 mm: one across x and y 1 mm², across z 0.25 mm².
+        const std::array<std::int64_t, 8>& areas = burst->guard->measure->areaUm2;
+        QCOMPARE(areas[1], std::int64_t(1000000));
+        QCOMPARE(areas[2], std::int64_t(1000000));
+        QCOMPARE(areas[4], std::int64_t(250000));
+        QCOMPARE(areas[0], std::int64_t(250000));
+        QCOMPARE(areas[3], std::int64_t(1414213)); // √2
+        QCOMPARE(areas[7], std::int64_t(1436140));
+        QCOMPARE(burst->guard->measure->volumeUm3, std::int64_t(500000000));
         grow.guard.factor.reset();
         QVERIFY(!growBurst(grow, smallDocument())->guard);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EngineEdits.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/EditEngineFixture.h"
 #include "tests/support/EngineConformance.h"
@@ -130,6 +131,13 @@ private:
     std::uint32_t m_generation = 0;
 };
 
+/// What *stop at leaks* asks for to begin with; phantoms have voxels of 1 mm.
+core::GuardRule usualGuard()
+{
+    return *core::guardRule(
+        {.factor = 2.0}, test::loadedVolume(test::leakPhantom(0, true)).volume.geometry);
+}
+
 QByteArray percent(double part)
 {
     return QByteArray::number(100.0 * part, 'f', 2) + " %";
@@ -172,7 +180,7 @@ void LeakPhantomsGlTest::guardAndPlug()
     for (int number = 0; number < count(); ++number) {
         const LeakPhantom phantom = leakPhantom(number, true);
         Patient patient(m_fixture->engine(), phantom);
-        const core::EngineResult stopped = patient.grow(core::GuardRule{});
+        const core::EngineResult stopped = patient.grow(usualGuard());
         const double part = double(patient.taken().leak) / double(phantom.leakVoxels);
         early += stopped.alarm && part <= 0.02 ? 1 : 0;
         Patient::Taken after;
@@ -302,7 +310,7 @@ void LeakPhantomsGlTest::falseAlarms()
     for (int number = 0; number < count(); ++number) {
         const LeakPhantom phantom = leakPhantom(number, false);
         Patient patient(m_fixture->engine(), phantom);
-        const core::EngineResult grown = patient.grow(core::GuardRule{});
+        const core::EngineResult grown = patient.grow(usualGuard());
         QVERIFY(grown.alarm || grown.atClosure);
         alarms += grown.alarm ? 1 : 0;
     }
@@ -354,7 +362,7 @@ void LeakPhantomsGlTest::convexBodies()
     phantom.seed = seed;
     phantom.lowCode = phantom.highCode = test::tissueCode;
     Patient patient(m_fixture->engine(), phantom);
-    const core::EngineResult grown = patient.grow(core::GuardRule{});
+    const core::EngineResult grown = patient.grow(usualGuard());
     QVERIFY2(!grown.alarm,
         qPrintable(
             QStringLiteral("at generation %1").arg(grown.alarm ? grown.alarm->generation : 0)));
