@@ -42,6 +42,10 @@ void BrickField::enlarge(std::uint32_t pages)
         .size = pageSize * glm::ivec3(1, int(rows), int(slices)),
         .format = m_options.format});
     const std::uint32_t count = slices * rows;
+    // Where memory is refused it is refused here, and everything is as it was.
+    m_freePages.reserve(count);
+    m_owners.reserve(count);
+    m_ownerPositions.reserve(count);
     Buffer owners({.label = m_options.label, .bytes = count * sizeof(std::uint32_t)});
     if (m_atlas)
         m_atlas.copyTo(larger, glm::ivec3(0), glm::ivec3(0), m_atlas.size());
@@ -60,6 +64,8 @@ void BrickField::ensure(std::span<const std::uint32_t> bricks, NewPages pages)
     // Memory first: where it is refused no brick has a page that nobody has cleared.
     const auto wanted = std::size_t(std::count_if(bricks.begin(), bricks.end(),
         [this](std::uint32_t brick) { return m_entries[brick] == 0; }));
+    std::vector<std::uint32_t> fresh;
+    fresh.reserve(wanted);
     if (wanted > 0)
         reserve();
     std::uint32_t enough = m_pageCount;
@@ -67,7 +73,6 @@ void BrickField::ensure(std::span<const std::uint32_t> bricks, NewPages pages)
         enough = std::min(std::uint32_t(m_entries.size()), 2 * enough);
     if (enough > m_pageCount)
         enlarge(enough);
-    std::vector<std::uint32_t> fresh;
     for (const std::uint32_t brick : bricks) {
         if (m_entries[brick] != 0)
             continue;

@@ -300,7 +300,17 @@ void EditTransaction::abandon(const core::Error& why)
     m_spread.reset();
     if (std::holds_alternative<core::SpreadLabels>(m_edit))
         m_fields.spread().release();
-    m_before.restoreAll();
+    constexpr int tries = 3;
+    for (int i = 0; i < tries; ++i) {
+        try {
+            return m_before.restoreAll();
+        } catch (const FieldsLost&) {
+            throw;
+        } catch (const std::exception&) {
+            // No memory for what was there; it may be had by now.
+        }
+    }
+    throw FieldsLost(why);
 }
 
 core::GrowthProgress EditTransaction::progress() const

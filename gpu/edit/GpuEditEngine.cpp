@@ -221,16 +221,10 @@ void GpuEditEngine::followUpLater(const core::Error& why)
 
 void GpuEditEngine::abandon(const core::Error& why)
 {
-    constexpr int tries = 3;
-    for (int i = 1; i <= tries; ++i) {
-        try {
-            return m_transaction->abandon(why);
-        } catch (const FieldsLost&) {
-            return lose(why);
-        } catch (const std::exception&) { // no memory for what was there: it may be had by now
-            if (i == tries)
-                lose(why);
-        }
+    try {
+        m_transaction->abandon(why);
+    } catch (const FieldsLost&) {
+        lose(why);
     }
 }
 
