@@ -169,8 +169,12 @@ int runMesh(const QStringList& words)
         return tellFailure(file.error());
     if (const auto written =
             write(file->path(), parts, isRas ? QStringLiteral("RAS") : QStringLiteral("LPS"));
-        !written)
-        return tellFailure(written.error());
+        !written) {
+        core::Error error = written.error();
+        for (QString& argument : error.arguments)
+            argument.replace(file->path(), out);
+        return tellFailure(error);
+    }
     if (const core::Result<void> kept = file->commit(); !kept)
         return tellFailure(kept.error());
     return 0;

@@ -223,6 +223,24 @@ QStringList masksOf(const core::Recipe& recipe)
     return files;
 }
 
+/// Of a session that was closed on a disk that fails; empty: it is one file.
+QString whyNotOneFile(const QString& file)
+{
+    if (core::isSessionUnfinished(file))
+        return QStringLiteral("it could not be closed as one file: what was done last lies in "
+                              "'%1' beside it; keep both together and open it once")
+            .arg(QFileInfo(file).fileName() + QStringLiteral("-wal"));
+    return core::sessionLoss(file).leftOpen;
+}
+
+/// By the name that the user gave it.
+core::Error ofTarget(core::Error error, const QString& place, const QString& file)
+{
+    for (QString& argument : error.arguments)
+        argument.replace(place, file);
+    return error;
+}
+
 void closeSessions()
 {
     core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
@@ -232,7 +250,16 @@ void closeSessions()
 void keepUnfinished(const QString& place, const QString& file)
 {
     const QString kept = nameForUnfinished(file);
-    const bool named = QFile::rename(place, kept);
+    const auto move = [](const QString& from, const QString& to) {
+        return !QFileInfo::exists(from) || QFile::rename(from, to);
+    };
+    // What could not be folded back goes with it, and stays with it.
+    const QString wal = QStringLiteral("-wal");
+    bool named = move(place + wal, kept + wal);
+    if (named && !QFile::rename(place, kept)) {
+        static_cast<void>(move(kept + wal, place + wal));
+        named = false;
+    }
     std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n", qUtf8Printable(file),
         qUtf8Printable(named ? kept : place));
 }
@@ -310,7 +337,7 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
         auto begun =
             begin((*engine)->edits(), *std::move(loaded), place, arguments.has("with-images"));
         if (!begun)
-            return tellFailure(begun.error());
+            return tellFailure(ofTarget(begun.error(), place, file));
         session = *std::move(begun);
     }
     told.setClosing([replaces, place, file] {
@@ -335,7 +362,8 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     }
     if (!done) {
         told.setClosing({});
-        const int status = tellFailure(done.error(), recipeIfAtFault(done.error(), recipe));
+        const core::Error error = ofTarget(done.error(), place, file);
+        const int status = tellFailure(error, recipeIfAtFault(error, recipe));
         // A line that was printed is a promise: what it tells of stays.
         const bool promised = session->history().rows().size() > rowsBefore;
         session.reset();
@@ -371,12 +399,8 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     told.setClosing({});
     const QString whole = session->file();
     session.reset();
-    if (core::isSessionUnfinished(whole))
-        return tellFailure({core::ErrorCode::FileUnwritable,
-            {whole,
-                QStringLiteral("it could not be closed as one file: what was done last lies in "
-                               "'%1' beside it; keep both together and open it once")
-                    .arg(QFileInfo(whole).fileName() + QStringLiteral("-wal"))}});
+    if (const QString why = whyNotOneFile(whole); !why.isEmpty())
+        return tellFailure({core::ErrorCode::FileUnwritable, {whole, why}});
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;
 }

@@ -149,6 +149,12 @@ StagedFile::~StagedFile()
 
 Result<void> StagedFile::commit()
 {
+    // A session whose disk failed as it was closed would lose what it has beside it.
+    for (const char* part : {"-wal", "-journal"}) {
+        if (QFileInfo(m_path + QLatin1String(part)).size() > 0)
+            return failure(ErrorCode::FileUnwritable, m_target,
+                QStringLiteral("it could not be closed as one file"));
+    }
     if (!toDisk(m_path))
         return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     // What lies there may be another thing by now.

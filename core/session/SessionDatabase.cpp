@@ -110,12 +110,30 @@ SessionDatabase::SessionDatabase(QString path)
 
 SessionDatabase::~SessionDatabase()
 {
-    // Leaving WAL checkpoints it and removes the file beside.
-    // Where that cannot be done, whoever opens the file next does it.
-    if (!m_readOnly && QSqlDatabase::contains(m_connection))
-        static_cast<void>(guarded([this] { run(QStringLiteral("PRAGMA journal_mode=DELETE")); }));
+    // What cannot be left in order here is recovered by whoever opens the file next.
+    static_cast<void>(guarded([this] { leaveWal(); }));
     QSqlDatabase::database(m_connection, false).close();
     QSqlDatabase::removeDatabase(m_connection);
+}
+
+/// Leaving WAL checkpoints it and removes the file beside. A disk that failed once is asked again:
+/// closing alone would write back what is there, and leave the file to say that more is missing.
+void SessionDatabase::leaveWal()
+{
+    constexpr int tries = 3;
+    bool left = m_readOnly || !QSqlDatabase::contains(m_connection);
+    for (int i = 0; !left && i < tries; ++i) {
+        // The last thing that leaving writes is the mode: it is entered again to be left again.
+        if (i > 0)
+            run(QStringLiteral("PRAGMA journal_mode=WAL"));
+        QString mode;
+        const bool asked = query(
+            QStringLiteral("PRAGMA journal_mode=DELETE"), {}, [&mode](const QSqlQuery& answer) {
+                mode = answer.value(0).toString();
+                return true;
+            });
+        left = asked && mode == QLatin1String("delete");
+    }
 }
 
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& path)

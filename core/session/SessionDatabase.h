@@ -58,6 +58,7 @@ public:
 
 private:
     explicit SessionDatabase(QString path);
+    void leaveWal();
     [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();

@@ -96,8 +96,9 @@ Result<std::unique_ptr<SessionFile>> SessionFile::create(
         return failure(ErrorCode::FileUnwritable, path, empty.errorString());
     empty.close();
     auto begun = guarded([&] { return begin(path, source); });
+    // With what SQLite left beside it; before, nothing was.
     if (!begun)
-        QFile::remove(path);
+        removeSession(path);
     return begun;
 }
 

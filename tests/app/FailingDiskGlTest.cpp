@@ -136,7 +136,8 @@ void FailingDiskGlTest::sessionsAndExports()
         for (const QString& reason : {nameOf(error), QStringLiteral("disk I/O error"),
                  QStringLiteral("database or disk is full"),
                  QStringLiteral("unable to open database file"),
-                 QStringLiteral("could not be closed as one file")})
+                 QStringLiteral("could not be closed as one file"),
+                 QStringLiteral("it was not closed")})
             reasoned = reasoned || outcome.complaint.contains(reason);
         if (!named)
             wrong += QStringLiteral("it does not say which file");

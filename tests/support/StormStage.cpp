@@ -305,7 +305,10 @@ QStringList StormStage::wrongs(const Scene& scene, const Outcome& outcome, bool 
         for (const char* ending : {"-wal", "-shm", "-journal"})
             isPart = isPart
                 || (name.endsWith(QLatin1String(ending)) && !name.startsWith(QLatin1Char('.')));
-        const bool isNamed = outcome.complaint.contains(name);
+        QString owner = name;
+        for (const char* ending : {"-wal", "-shm", "-journal"})
+            owner.remove(QLatin1String(ending));
+        const bool isNamed = outcome.complaint.contains(owner);
         if (isSessionName(name) && (isNamed || killed) && !told.isEmpty() && !toldIsKept)
             toldIsKept = wrongOfSession(path, told, false).isEmpty();
         if (done || !(isPart || isNamed || (killed && name.startsWith(QLatin1String(".burin-")))))
