@@ -141,7 +141,7 @@ private Q_SLOTS:
             within(vessels, size, {85, 95, 95}, {171, 125, 105});
         const double leaked = shareInside(sinus, figure.mask(1));
         const double circleBefore = shareInside(willis, figure.mask(1));
-        QCOMPARE(figure.shrinksAt({{128, 218, 115}, {128, 218, 140}}), QString());
+        QCOMPARE(figure.plugs({128, 218, 115}), QString());
         figure.shows(xray, shown);
         const double pure = shareInside(figure.mask(1), vessels);
         const double left = shareInside(sinus, figure.mask(1));
@@ -207,8 +207,8 @@ private Q_SLOTS:
         QCOMPARE(figure.does(ResumeGrowth{}), QString());
         figure.shows(xray, shown);
         const double leaked = test::dice(figure.mask(1), growth->reference);
-        QCOMPARE(figure.shrinksAt({{60, 58, 74}, {60, 58, 68}}), QString());
-        QCOMPARE(figure.shrinksAt({{60, 22, 63}, {80, 22, 63}}), QString());
+        QCOMPARE(figure.plugs({60, 58, 74}), QString());
+        QCOMPARE(figure.plugs({60, 22, 63}), QString());
         figure.shows(xray, shown);
         const double reached = test::dice(figure.mask(1), growth->reference);
         qInfo("aorta from sketches in MIP: %d actions, Dice %.3f, before the heart went %.3f",

@@ -45,6 +45,11 @@ QString GrowthFigure::shrinksAt(const std::vector<glm::ivec3>& corners)
     return does(ShrinkAt{.pointsLps = placesOf(geometry(), strokeVoxels(corners))});
 }
 
+QString GrowthFigure::plugs(const glm::ivec3& voxel)
+{
+    return does(PlugLeak{.pointLps = place(glm::dvec3(voxel))});
+}
+
 void GrowthFigure::shows(const gpu::VolumeScene& scene, const gpu::SegmentDisplay& segments)
 {
     if (panelsWanted())

@@ -22,6 +22,7 @@ public:
     [[nodiscard]] QString seeds(
         int label, const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm);
     [[nodiscard]] QString shrinksAt(const std::vector<glm::ivec3>& corners);
+    [[nodiscard]] QString plugs(const glm::ivec3& voxel);
 
     void shows(const gpu::VolumeScene& scene, const gpu::SegmentDisplay& segments = {});
     /// Over the picture that was shown last.

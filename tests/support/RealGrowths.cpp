@@ -99,6 +99,11 @@ public:
     {
         m_growth.edits.emplace_back(ShrinkAt{.pointsLps = places(strokeVoxels(corners))});
     }
+    /// All that lies behind the neck on the way to a voxel.
+    void plug(const glm::ivec3& voxel)
+    {
+        m_growth.edits.emplace_back(PlugLeak{.pointLps = place(voxel)});
+    }
     [[nodiscard]] glm::dvec3 place(const glm::ivec3& voxel) const
     {
         return places({voxel}).front();
@@ -113,18 +118,18 @@ private:
 };
 
 /// Both lateral ventricles on one slice; what runs on through the third ventricle into the cisterns
-/// is taken back by a sketch there.
+/// is taken back by a plug there.
 void takeVentricles(RealGrowth& growth)
 {
     Story story(growth);
     story.seed({{34, 25, 51}, {33, 45, 51}});
     story.seed({{48, 25, 51}, {48, 45, 51}});
     story.grow({.lower = 0.0, .upper = 38.0, .majority = 14});
-    story.shrinkAt({{39, 57, 37}, {39, 60, 40}});
+    story.plug({39, 57, 37});
 }
 
 /// Along the aorta and along its false lumen, each on a sagittal slice; the left heart goes by a
-/// sketch below the valve, the right heart by one in its ventricle.
+/// plug below the valve, the right heart by one in its ventricle.
 void takeAorta(RealGrowth& growth)
 {
     Story story(growth);
@@ -133,8 +138,8 @@ void takeAorta(RealGrowth& growth)
     story.seed(
         {{64, 78, 148}, {64, 95, 138}, {64, 104, 120}, {64, 107, 95}, {64, 104, 70}, {64, 91, 58}});
     story.grow({.lower = 200.0, .upper = 600.0, .majority = 14});
-    story.shrinkAt({{60, 58, 74}, {60, 58, 68}});
-    story.shrinkAt({{60, 22, 63}, {80, 22, 63}});
+    story.plug({60, 58, 74});
+    story.plug({60, 22, 63});
 }
 
 /// Once across; a box keeps growth from the spleen and the legs, a sketch takes the stomach back.

@@ -578,6 +578,13 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     onlyHere.onlyHere = true;
     core::ShrinkAt openCut = here;
     openCut.barrier = false;
+    // Seeds themselves are never taken back.
+    core::ShrinkAt besideSeeds = here;
+    for (glm::dvec3& point : besideSeeds.pointsLps) {
+        glm::dvec3 voxel = glm::round(document.volumes.front().geometry.toIndex(point));
+        voxel.x += voxel.x + 1.0 < size.x ? 1.0 : -1.0;
+        point = document.volumes.front().geometry.toWorld(voxel);
+    }
     const core::PlugLeak plug{.pointLps = here.pointsLps.front()};
     core::GrowSteps guarded = over;
     guarded.guard = {.factor = 1.5, .voxels = 4, .generations = 6};
@@ -585,7 +592,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"shrinking only here", volume, {first, seeds, over}, onlyHere});
     cases.push_back({"shrinking here, cut left open", volume, {first, seeds, over}, openCut});
     cases.push_back({"shrinking beside a locked one, here", volume,
-        {first, seeds, some, second, others, all, lock}, here});
+        {first, seeds, some, second, others, all, lock}, besideSeeds});
     cases.push_back({"plugging where nothing is narrow", volume, {first, seeds, over}, plug});
     cases.push_back({"growth after an open cut", volume, {first, seeds, over, openCut}, over});
     cases.push_back({"growth after a shut cut", volume, {first, seeds, over, here}, over});
