@@ -160,8 +160,8 @@ private Q_SLOTS:
         const Frame plain = m_fixture->draw(axial(), {96, 96}, segments);
         CutForesight foresight(m_fixture->volume);
         const auto foreseen = foresight.ask(*m_fixture->edits.fields, rightHalfGoes());
-        QVERIFY(foreseen);
-        QCOMPARE(foreseen->voxels, std::int64_t(12 * 24 * 24));
+        QVERIFY(foreseen && *foreseen);
+        QCOMPARE((*foreseen)->voxels, std::int64_t(12 * 24 * 24));
         const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
         int bright = 0;
         int dark = 0;
