@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/DeidentifySession.h"
 
+#include "core/base/StagedError.h"
 #include "core/base/StagedFile.h"
 #include "core/session/RowText.h"
 #include "core/session/SessionFile.h"
@@ -124,16 +125,15 @@ Result<QStringList> deidentifySession(
     if (by.options().keepDescriptions)
         words.removeAll(source.seriesDescription);
     {
-        const Result<std::unique_ptr<SessionFile>> to =
-            SessionFile::createIn(*staged, source);
+        const Result<std::unique_ptr<SessionFile>> to = SessionFile::createIn(*staged, source);
         if (!to)
-            return tl::unexpected(to.error());
+            return tl::unexpected(namingTarget(to.error(), *staged));
         if (const Result<void> copied = copySteps(**from, *contents, **to, by, file); !copied)
-            return tl::unexpected(copied.error());
+            return tl::unexpected(namingTarget(copied.error(), *staged));
     }
     const Result<SessionContents> again = checkSession(staged->path());
     if (!again)
-        return tl::unexpected(again.error());
+        return tl::unexpected(namingTarget(again.error(), *staged));
     bool same =
         again->rows.size() == contents->rows.size() && again->position == contents->position;
     for (std::size_t i = 0; same && i < again->rows.size(); ++i)

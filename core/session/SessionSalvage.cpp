@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionSalvage.h"
 
+#include "core/base/StagedError.h"
 #include "core/base/StagedFile.h"
 #include "core/session/SessionFile.h"
 #include "core/session/SessionImages.h"
@@ -94,16 +95,16 @@ Result<void> salvageSession(
         const Result<std::unique_ptr<SessionFile>> to =
             SessionFile::createIn(*staged, sound.source);
         if (!to)
-            return tl::unexpected(to.error());
+            return tl::unexpected(namingTarget(to.error(), *staged));
         if (const Result<void> copied = copyRows(**from, sound, **to); !copied)
-            return copied;
+            return tl::unexpected(namingTarget(copied.error(), *staged));
     }
     // Images that are damaged are left behind; whoever has the study does not miss them.
     if (sound.holdsImages) {
         const Result<void> copied = copySessionImages(damaged, staged->path());
         if (!copied && copied.error().code != ErrorCode::SessionDamaged
             && copied.error().code != ErrorCode::NoImages)
-            return copied;
+            return tl::unexpected(namingTarget(copied.error(), *staged));
     }
     return staged->commit();
 }
