@@ -5,6 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
 #include "tests/support/EngineCases.h"
+#include "tests/support/GoldenSessions.h"
 #include "tests/support/HistoryTruth.h"
 #include "tests/support/SmallStudy.h"
 
@@ -27,10 +28,10 @@ public:
     HastyUser(EditEngine& engine, std::uint32_t seed)
         : m_engine(engine)
         , m_random(seed)
-        , m_truth(smallStudy())
+        , m_truth(goldenStudy())
     {
         auto created = EditSession::create(
-            m_engine, smallStudy(), {.file = m_folder.filePath(QStringLiteral("s.burin"))});
+            m_engine, goldenStudy(), {.file = m_folder.filePath(QStringLiteral("s.burin"))});
         if (!created) {
             m_result.failure = QStringLiteral("no session");
             return;
@@ -160,7 +161,7 @@ private:
         m_session.reset();
         const QString file = m_folder.filePath(QStringLiteral("s.burin"));
         const auto open = [&] {
-            return guarded([&] { return EditSession::open(m_engine, smallStudy(), file); });
+            return guarded([&] { return EditSession::open(m_engine, goldenStudy(), file); });
         };
         auto opened = open();
         for (int again = 0; again < 5 && !opened; ++again) {
@@ -377,6 +378,8 @@ private:
                 between(0, geometry.size.z - 1)};
             stroke.pointsLps.push_back(geometry.toWorld(voxel));
         }
+        if (chance(20))
+            stroke.pointsLps.back() = smallBall(-1.0);
         if (chance(30) && !m_sketched.empty())
             stroke.takenLps = {any(m_sketched), any(m_sketched)};
         if (stroke.takenLps && chance(30))
@@ -384,10 +387,20 @@ private:
         m_sketched.insert(m_sketched.end(), stroke.pointsLps.begin(), stroke.pointsLps.end());
         return stroke;
     }
+    /// The middle of one of the two balls with a neck between them. @param side −1 or 1
+    [[nodiscard]] glm::dvec3 smallBall(double side) const
+    {
+        const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
+        return geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0)
+            + glm::dvec3(10.0 * side, 0.0, 20.0);
+    }
     GrowSteps randomGrowth()
     {
         GrowSteps grow = chance(50) ? growBrain() : growBone();
-        if (chance(15))
+        if (chance(20)) { // what may leak through the tube between the two small balls
+            grow.criteria.lower = 250;
+            grow.criteria.upper = 350;
+        } else if (chance(15))
             grow.criteria.lower = -1000; // through everything up to its upper bound
         if (chance(75))
             grow.steps = between(1, 4);
@@ -424,7 +437,7 @@ private:
         case 2:
         case 6:
         case 7:
-            return PlugLeak{.pointLps = grownPlaces().back()};
+            return PlugLeak{.pointLps = chance(50) ? smallBall(1.0) : grownPlaces().back()};
         case 3:
             return BarrierStroke{.path = randomPath(), .erase = chance(30)};
         case 4: {
