@@ -314,8 +314,9 @@ Result<void> SessionFile::renameTo(const QString& target)
     if (!placed)
         staged.release();
     const QString path = placed ? target : m_path;
+    // Why it could not be placed is what there is to tell, whatever follows from it.
     if (const Result<void> opened = reopen(path); !opened)
-        return opened;
+        return placed ? opened : placed;
     const std::lock_guard lock(m_mutex);
     m_path = path;
     return placed;
