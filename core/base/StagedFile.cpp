@@ -2,6 +2,7 @@
 #include "core/base/StagedFile.h"
 
 #include "core/base/FileInUse.h"
+#include "core/base/SystemFile.h"
 
 #include <QDir>
 #include <QFile>
@@ -20,24 +21,6 @@
 namespace core {
 
 namespace {
-
-QString systemReason(int error)
-{
-    return QString::fromLocal8Bit(std::strerror(error));
-}
-
-/// fsync() of a file or folder by name.
-bool toDisk(const QString& path)
-{
-    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return false;
-    const bool done = ::fsync(descriptor) == 0;
-    const int error = errno;
-    ::close(descriptor);
-    errno = error;
-    return done;
-}
 
 QString endingOf(const QString& fileName)
 {
@@ -155,7 +138,7 @@ Result<void> StagedFile::commit()
             return failure(ErrorCode::FileUnwritable, m_target,
                 QStringLiteral("it could not be closed as one file"));
     }
-    if (!toDisk(m_path))
+    if (!syncToDisk(m_path))
         return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     // What lies there may be another thing by now.
     if (const Result<void> still = checkFileTarget(m_target, m_replaceExisting, m_overSession);
@@ -180,7 +163,7 @@ Result<void> StagedFile::commit()
     }
     m_committed = true;
     // The file is in place; a folder that cannot be synchronised (some network mounts) is no error.
-    toDisk(QFileInfo(m_target).absolutePath());
+    syncToDisk(QFileInfo(m_target).absolutePath());
     return {};
 }
 
@@ -215,7 +198,7 @@ void StagedFile::takeBack()
         QFile::remove(m_target);
     else if (std::rename(QFile::encodeName(m_path).constData(), target.constData()) == 0)
         m_path.clear();
-    toDisk(QFileInfo(m_target).absolutePath());
+    syncToDisk(QFileInfo(m_target).absolutePath());
 }
 
 } // namespace core

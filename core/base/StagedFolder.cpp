@@ -2,6 +2,7 @@
 #include "core/base/StagedFolder.h"
 
 #include "core/base/StagedFile.h"
+#include "core/base/SystemFile.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -18,27 +19,6 @@
 #include <unistd.h>
 
 namespace core {
-
-namespace {
-
-QString systemReason(int error)
-{
-    return QString::fromLocal8Bit(std::strerror(error));
-}
-
-bool toDisk(const QString& path)
-{
-    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return false;
-    const bool done = ::fsync(descriptor) == 0;
-    const int error = errno;
-    ::close(descriptor);
-    errno = error;
-    return done;
-}
-
-} // namespace
 
 Result<StagedFolder> StagedFolder::create(const QString& target)
 {
@@ -82,7 +62,7 @@ Result<void> StagedFolder::commit()
 {
     QDirIterator files(m_path, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
     while (files.hasNext()) {
-        if (!toDisk(files.next()))
+        if (!syncToDisk(files.next()))
             return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     }
     // An empty folder of that name gives way; one that has been filled meanwhile does not.
@@ -94,7 +74,7 @@ Result<void> StagedFolder::commit()
     }
     m_path.clear();
     // The folder is in place; one above it that cannot be synchronised is no error.
-    toDisk(QFileInfo(m_target).absolutePath());
+    syncToDisk(QFileInfo(m_target).absolutePath());
     return {};
 }
 
