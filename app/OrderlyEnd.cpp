@@ -5,34 +5,19 @@
 #include <QSocketNotifier>
 #include <QThread>
 
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <utility>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace app {
 
 namespace {
 
-constexpr int signals[] = {SIGTERM, SIGINT, SIGHUP};
-
-// What a signal handler and an exit handler can reach.
-volatile std::sig_atomic_t toTell = -1;
+// What an exit handler can reach.
 OrderlyEnd* current = nullptr;
 std::function<void()>* closing = nullptr;
 QtMessageHandler messagesBefore = nullptr;
-
-void onSignal(int number)
-{
-    const int error = errno;
-    const auto byte = char(number);
-    // The pipe is full where many came at once; one is enough.
-    static_cast<void>(!::write(toTell, &byte, 1));
-    errno = error;
-}
 
 void closeAndEnd()
 {
@@ -59,6 +44,7 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
 
 OrderlyEnd::OrderlyEnd(std::function<void()> closesAll)
     : m_closing(std::move(closesAll))
+    , m_signals(EndSignals::Reading::ReturnsAtOnce)
 {
     Q_ASSERT(!current);
     current = this;
@@ -66,20 +52,13 @@ OrderlyEnd::OrderlyEnd(std::function<void()> closesAll)
     static const int registered = std::atexit(closeAndEnd);
     static_cast<void>(registered);
     messagesBefore = qInstallMessageHandler(onMessage);
-    if (::pipe2(m_ends, O_CLOEXEC | O_NONBLOCK) != 0)
+    if (!m_signals.areTold())
         return;
-    toTell = m_ends[1];
-    auto* notifier = new QSocketNotifier(m_ends[0], QSocketNotifier::Read, this);
-    connect(notifier, &QSocketNotifier::activated, this, [this] { take(); });
-    struct sigaction action { };
-    action.sa_handler = onSignal;
-    action.sa_flags = SA_RESTART;
-    for (const int number : signals) {
-        struct sigaction before { };
-        // What the parent has ignored (nohup) stays so.
-        if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
-            ::sigaction(number, &action, nullptr);
-    }
+    auto* notifier = new QSocketNotifier(m_signals.descriptor(), QSocketNotifier::Read, this);
+    connect(notifier, &QSocketNotifier::activated, this, [this] {
+        if (const int number = m_signals.read(); number != 0)
+            QCoreApplication::exit(128 + number);
+    });
 }
 
 OrderlyEnd::~OrderlyEnd()
@@ -87,20 +66,6 @@ OrderlyEnd::~OrderlyEnd()
     qInstallMessageHandler(messagesBefore);
     closing = nullptr;
     current = nullptr;
-    if (m_ends[0] < 0)
-        return;
-    for (const int number : signals)
-        std::signal(number, SIG_DFL);
-    toTell = -1;
-    ::close(m_ends[0]);
-    ::close(m_ends[1]);
-}
-
-void OrderlyEnd::take()
-{
-    char number = 0;
-    if (::read(m_ends[0], &number, 1) == 1)
-        QCoreApplication::exit(128 + number);
 }
 
 } // namespace app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/EndSignals.h"
+
 #include <QObject>
 
 #include <functional>
@@ -23,10 +25,8 @@ public:
     OrderlyEnd& operator=(const OrderlyEnd&) = delete;
 
 private:
-    void take();
-
     std::function<void()> m_closing;
-    int m_ends[2] = {-1, -1}; ///< of the pipe that a signal is told through
+    EndSignals m_signals;
 };
 
 } // namespace app

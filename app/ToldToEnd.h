@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/EndSignals.h"
 #include "core/base/Progress.h"
 #include "core/base/TaskThread.h"
 
@@ -38,7 +39,7 @@ private:
 
     core::Progress m_progress;
     std::atomic<int> m_signal = 0;
-    int m_ends[2] = {-1, -1}; ///< of the pipe that a signal is told through
+    EndSignals m_signals;
     std::mutex m_mutex;
     std::condition_variable m_changed;
     std::function<void()> m_closing; ///< under the mutex
