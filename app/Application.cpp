@@ -178,6 +178,13 @@ void Application::makeWindow()
     connect(m_workspace.get(), &ui::Workspace::documentChanged, this, [this] {
         if (m_rowsAtFirst && m_workspace->session()->history().rows().size() > *m_rowsAtFirst)
             m_rowsAtFirst.reset();
+        // Who goes on has chosen.
+        if (!m_goesOnSentence.isEmpty()
+            && m_workspace->session()->history().rows().size() > m_rowsWhenOpened) {
+            if (m_window->messages().sentence() == m_goesOnSentence)
+                m_window->messages().dismiss();
+            m_goesOnSentence.clear();
+        }
     });
     connect(m_workspace.get(), &ui::Workspace::sessionSaved, this, &Application::followSaved);
     connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
@@ -335,6 +342,7 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     m_sessionFile = opening.file;
     m_rowsAtFirst = madeForIt ? std::optional(steps) : std::nullopt;
     m_workspace->setSession(std::move(*opening.session));
+    m_goesOnSentence.clear();
     m_goesOn = opening.plan && !tellOfSession(opening, file) && steps > 0;
     if (!opening.plan && whyNoFile)
         m_window->messages().show(ui::MessageBar::Kind::Caution,
@@ -373,11 +381,11 @@ bool Application::tellOfSession(const SessionOpening& opening, const QString& fi
 
 void Application::tellThatItGoesOn(const QString& path, const QString& series)
 {
-    m_window->messages().show(ui::MessageBar::Kind::Notice,
-        QStringLiteral(
-            "This study was worked on before; its session goes on with %1. Begin anew to "
-            "leave that session as it is.")
-            .arg(stepsText(m_workspace->session()->history().rows().size())),
+    m_rowsWhenOpened = m_workspace->session()->history().rows().size();
+    m_goesOnSentence = QStringLiteral("This study was worked on before; its session goes on with "
+                                      "%1. Begin anew to leave that session as it is.")
+                           .arg(stepsText(m_rowsWhenOpened));
+    m_window->messages().show(ui::MessageBar::Kind::Notice, m_goesOnSentence,
         QStringLiteral("Begin anew"), [this, path, series] { beginAnew(path, series); });
 }
 

@@ -79,6 +79,8 @@ private:
     QString m_sessionFile;
     QSet<QString> m_notRedone; ///< files whose rows did not come to their hashes again
     bool m_goesOn = false; ///< the open session had steps when it was opened, and nothing was amiss
+    std::size_t m_rowsWhenOpened = 0; ///< of that session
+    QString m_goesOnSentence; ///< that the bar says of it, while it does; empty: nothing
     /// Of a file that was made for this session: how many rows it began with. None: it stays.
     std::optional<std::size_t> m_rowsAtFirst;
     std::unique_ptr<ui::Workspace> m_workspace;

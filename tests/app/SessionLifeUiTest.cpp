@@ -304,6 +304,15 @@ private Q_SLOTS:
             bar().contains(QStringLiteral("its session goes on with 2 steps")), patience);
         QCoreApplication::sendPostedEvents(); // layouts are posted events
         look(window().grab(), "goes-on.png");
+        // Who goes on has chosen: the offer goes.
+        edit(test::drillAt(-6));
+        QTRY_VERIFY_WITH_TIMEOUT(bar().isEmpty(), patience);
+        window().actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(session().settle());
+        window().closeStudy();
+        open(path("case/ct"));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bar().contains(QStringLiteral("its session goes on with 3 steps")), patience);
         QSignalSpy changed(&workspace(), &ui::Workspace::sessionChanged);
         press(window(), QStringLiteral("Begin anew"));
         QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, patience); // closed, opened
@@ -316,7 +325,7 @@ private Q_SLOTS:
         QCOMPARE(files.size(), 2);
         files.removeAll(QFileInfo(working).fileName());
         open(QFileInfo(working).dir().filePath(files.front()));
-        QCOMPARE(session().history().rows().size(), std::size_t(2));
+        QCOMPARE(session().history().rows().size(), std::size_t(3));
         QCOMPARE(session().stateHash(), hash);
     }
 

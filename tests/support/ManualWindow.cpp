@@ -33,6 +33,8 @@ void ManualWindow::wantPictures()
 void ManualWindow::start()
 {
     m_application.reset();
+    // No picture goes on with the session of the one before.
+    QDir(m_folder.filePath(QStringLiteral("state"))).removeRecursively();
     m_application = std::move(*app::Application::create());
     window().resize(1280, 800);
     window().show();
@@ -74,8 +76,6 @@ void ManualWindow::openLesion()
     QVERIFY(wait([this] { return workspace().session() != nullptr; }));
     QVERIFY(waitUntilDrawn());
     foldAllBut({QStringLiteral("Segments"), QStringLiteral("Surface")});
-    // The session of another picture goes on.
-    QVERIFY(session().goTo(0));
     apply(core::AddSegment{.name = QStringLiteral("Tumour"), .rgb = 0xE07A5F});
     workspace().setActiveSegment(1);
     core::PaintStroke lesion{.segment = 1};
