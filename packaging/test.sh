@@ -31,7 +31,7 @@ timed() {
 summarize() {
     say "the ten slowest tests"
     sed -n 's/.*Test *#[0-9]*: \([A-Za-z0-9_.]*\) .* \([0-9.]*\) sec.*/\2 \1/p' "$1" \
-        | sort -rn | head -10 | awk '{ printf "%7.1f s  %s\n", $1, $2 }'
+        | sort -rn | awk 'NR <= 10 { printf "%7.1f s  %s\n", $1, $2 }'
     say "functions of tests, a row of data each"
     awk '/^Totals: / { passed += $2; failed += $4; skipped += $6 }
         END { printf "  %d held, %d did not, %d were left out\n", passed, failed, skipped }' \
