@@ -65,6 +65,13 @@ void requireStorage(const char* label, std::size_t bytes)
                 .arg(megabytes(bytes), QLatin1String(label))));
 }
 
+void requireMemory(const char* label)
+{
+    if (takeErrors() == GL_OUT_OF_MEMORY)
+        throw GlFailure(error(core::ErrorCode::OutOfMemory,
+            QStringLiteral("the graphics driver has no more for “%1”").arg(QLatin1String(label))));
+}
+
 void requireNoError()
 {
     switch (const GLenum code = takeErrors()) {

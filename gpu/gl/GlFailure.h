@@ -33,6 +33,9 @@ public:
 /// Throws GlFailure (OutOfMemory: what, and how much of it) where a command has failed since the
 /// last look. Call it after making storage.
 void requireStorage(const char* label, std::size_t bytes);
+/// Throws GlFailure (OutOfMemory) where a command has failed since the last look because there was
+/// no more memory. Call it before another reason is told for what did not come about.
+void requireMemory(const char* label);
 /// Throws GlFailure (OutOfMemory or Internal) where a command has failed since the last look.
 /// Commands that the GPU still works on may fail later.
 void requireNoError();

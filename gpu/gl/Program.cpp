@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/Program.h"
 
+#include "gpu/gl/GlFailure.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <QByteArray>
@@ -26,6 +28,7 @@ Shader compile(
     GLint compiled = 0;
     glGetShaderiv(shader.get(), GL_COMPILE_STATUS, &compiled);
     if (compiled == 0) {
+        requireMemory(path);
         GLint length = 0;
         glGetShaderiv(shader.get(), GL_INFO_LOG_LENGTH, &length);
         QByteArray log(length, '\0');
@@ -63,6 +66,7 @@ void Program::link(const char* label, std::span<const GLuint> shaders)
     GLint linked = 0;
     glGetProgramiv(id(), GL_LINK_STATUS, &linked);
     if (linked == 0) {
+        requireMemory(label);
         GLint length = 0;
         glGetProgramiv(id(), GL_INFO_LOG_LENGTH, &length);
         QByteArray log(length, '\0');

@@ -195,8 +195,6 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
     QVERIFY2(
         outcome.status != 0 || promised.size() == m_promised.size(), qPrintable(outcome.complaint));
     QVERIFY(outcome.status == 0 || !outcome.complaint.isEmpty());
-    if (outcome.status == 1)
-        QVERIFY2(outcome.complaint.contains(key("memory")), qPrintable(outcome.complaint));
     if (QFile::exists(path("s.burin"))) {
         QStringList there = hashes(history("s.burin"));
         // A row that was told and not carried out to its end is so when it is opened next.
@@ -236,6 +234,11 @@ namespace {
 
 constexpr long large = 64 * 1024;
 
+bool saysMemory(const Outcome& outcome)
+{
+    return outcome.status == 1 && outcome.complaint.contains(key("memory"));
+}
+
 /// Rows of so many of them, evenly spread; all in long runs if @p most is 0.
 void spread(long count, int daily, int most)
 {
@@ -261,7 +264,7 @@ void MemoryFailureGlTest::largeOnesOfOurs()
     const Outcome outcome = carryOut(refusing(which, large, true));
     checkWhole(outcome, test::longRun() || which % 4 == 1);
     // Refused, or had at a second try.
-    QVERIFY2(outcome.status == 0 || outcome.status == 1, qPrintable(outcome.complaint));
+    QVERIFY2(outcome.status == 0 || saysMemory(outcome), qPrintable(outcome.complaint));
 }
 
 void MemoryFailureGlTest::anyOnes_data()
@@ -272,6 +275,7 @@ void MemoryFailureGlTest::anyOnes_data()
 void MemoryFailureGlTest::anyOnes()
 {
     QFETCH(qlonglong, which);
+    // A library that is refused may give another reason than memory.
     checkWhole(carryOut(refusing(which, 1, false)), test::longRun());
 }
 
@@ -285,7 +289,7 @@ void MemoryFailureGlTest::noneFromThenOn()
     QFETCH(qlonglong, which);
     const Outcome outcome = carryOut(refusing(which, large, true, true));
     checkWhole(outcome, test::longRun());
-    QCOMPARE(outcome.status, 1);
+    QVERIFY2(saysMemory(outcome), qPrintable(outcome.complaint));
 }
 
 void MemoryFailureGlTest::littleAddressSpace_data()
