@@ -59,8 +59,9 @@ unset QT_SCALE_FACTOR QT_STYLE_OVERRIDE DISPLAY WAYLAND_DISPLAY XAUTHORITY
 
 say "testing"
 status=0
+# One more than there are processors: some wait, for a server or a window.
 timed "running" ctest --test-dir "$burinBuild" --label-regex "$labels" --output-on-failure \
-    --no-tests=error --parallel "$(buildJobs)" --output-junit "$burinBuild/tests.xml" \
+    --no-tests=error --parallel $(($(buildJobs) + 1)) --output-junit "$burinBuild/tests.xml" \
     > >(tee "$burinBuild/tests.log") 2>&1 || status=$?
 wait $! 2> /dev/null || true
 summarize "$burinBuild/tests.log"

@@ -2,6 +2,7 @@
 #include "tests/reference/MaskPlane.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <utility>
 
@@ -29,9 +30,10 @@ std::int64_t floorDivide(std::int64_t value, std::int64_t divisor)
 
 std::int64_t squareRoot(std::int64_t value)
 {
-    // One bit of the root after the other.
+    // One bit of the root after the other; it has half as many as its square.
     std::int64_t root = 0;
-    for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1) {
+    for (std::int64_t bit = std::int64_t(1) << (std::bit_width(std::uint64_t(value)) / 2); bit > 0;
+         bit >>= 1) {
         if ((root + bit) <= value / (root + bit))
             root += bit;
     }
