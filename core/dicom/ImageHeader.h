@@ -47,6 +47,7 @@ struct ImageHeader {
     QString sopClassUid;
     QString transferSyntaxUid; ///< as the file says; the guess where it does not
     QStringList imageType;
+    QString quantity; ///< what the values measure: "magnitude", "field map"; empty: nothing says
 
     bool hasPixels = false;
     bool pixelsCut = false; ///< the file ends before its pixel data do

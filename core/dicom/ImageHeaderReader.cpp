@@ -4,6 +4,7 @@
 #include "core/dicom/DicomFile.h"
 #include "core/dicom/DicomText.h"
 #include "core/dicom/ImageMacros.h"
+#include "core/dicom/ImageQuantity.h"
 #include "core/dicom/ModalityLut.h"
 #include "core/dicom/MultiframeHeader.h"
 #include "core/dicom/PhaseAttributes.h"
@@ -120,6 +121,8 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     header.sopClassUid = from.text(DCM_SOPClassUID);
     header.transferSyntaxUid = file->transferSyntaxUid();
     header.imageType = from.text(DCM_ImageType).split(QLatin1Char('\\'));
+    header.quantity =
+        imageQuantity(from.text(DCM_ImageType), from.text(DCM_ComplexImageComponent));
     header.hasPixels = file->hasPixels();
     header.pixelsCut = file->pixelsCut();
     header.isEnhanced = from.has(DCM_SharedFunctionalGroupsSequence)

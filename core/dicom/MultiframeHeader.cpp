@@ -3,6 +3,7 @@
 
 #include "core/dicom/FunctionalGroups.h"
 #include "core/dicom/ImageMacros.h"
+#include "core/dicom/ImageQuantity.h"
 #include "core/dicom/PhaseAttributes.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -69,6 +70,11 @@ std::vector<ImageHeader> framesOf(
             readRescale(about(DCM_PixelValueTransformationSequence, frame), header);
         readWindow(about(DCM_FrameVOILUTSequence, frame), header);
         header.stackId = about(DCM_FrameContentSequence, frame).text(DCM_StackID);
+        const HeaderAttributes kind = about(DCM_MRImageFrameTypeSequence, frame);
+        const QString quantity =
+            imageQuantity(kind.text(DCM_FrameType), kind.text(DCM_ComplexImageComponent));
+        if (!quantity.isEmpty())
+            header.quantity = quantity;
         header.phases = readFramePhases(groups, frame, characterSet, whole.phases, slices);
     }
     return frames;

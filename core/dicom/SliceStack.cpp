@@ -2,6 +2,7 @@
 #include "core/dicom/SliceStack.h"
 
 #include "core/dicom/ApartImage.h"
+#include "core/dicom/QuantitySplit.h"
 #include "core/dicom/SeriesSplit.h"
 #include "core/dicom/StackGeometry.h"
 #include "core/dicom/TimePoints.h"
@@ -117,6 +118,32 @@ void stackCandidates(TimeAxis axis, const std::vector<SliceSpan>& places, const 
     }
 }
 
+void stackGroup(Images group, StackSorting& sorting);
+
+/// Volumes beside each other, each perhaps in time.
+void stackQuantities(std::vector<QuantityImages> quantities,
+    const std::vector<VolumeProblem>& problems, StackSorting& sorting)
+{
+    QStringList names;
+    for (const QuantityImages& each : quantities)
+        names.append(each.quantity);
+    for (QuantityImages& each : quantities) {
+        StackSorting own;
+        stackGroup(std::move(each.images), own);
+        for (SliceStack& stack : own.stacks) {
+            stack.part = stack.part.isEmpty()
+                ? each.quantity
+                : QStringLiteral("%1, %2").arg(each.quantity, stack.part);
+            putFirst(stack, problems);
+            stack.problems.push_back({.kind = VolumeProblem::Kind::MixedSlices,
+                .text = QStringLiteral("Images of %1 lie at every position; this is the volume of "
+                                       "%2.")
+                            .arg(names.join(QStringLiteral(" and of ")), each.quantity)});
+            sorting.stacks.push_back(std::move(stack));
+        }
+    }
+}
+
 void stackGroup(Images group, StackSorting& sorting)
 {
     std::vector<VolumeProblem> problems = dropCut(group);
@@ -138,6 +165,9 @@ void stackGroup(Images group, StackSorting& sorting)
     const bool single = std::all_of(places.begin(), places.end(),
         [](const SlicePlace& place) { return place.images.size() == 1; });
     if (!single) {
+        if (std::vector<QuantityImages> quantities = takeApartByQuantity(places);
+            !quantities.empty())
+            return stackQuantities(std::move(quantities), problems, sorting);
         const std::vector<SliceSpan> severalAt = doubledPlaces(places);
         TimeAxis axis = findTimeAxis(std::move(places));
         if (axis.complete)

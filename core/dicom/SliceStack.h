@@ -30,7 +30,7 @@ struct StackSorting {
 
 /// Sorts the images of one series into stacks by what they show, never by file name, instance
 /// number or slice location (DICOM.md 1.2 to 1.4): whyApart() first, then splitSeries(),
-/// sortIntoPlaces(), dropDuplicates(), findTimeAxis(), placeSlices(). Frames of a multi-frame file
+/// sortIntoPlaces(), dropDuplicates(), takeApartByQuantity(), findTimeAxis(), placeSlices(). Frames of a multi-frame file
 /// are images like those of single files.
 [[nodiscard]] StackSorting sortIntoStacks(std::vector<ImageHeader> images);
 

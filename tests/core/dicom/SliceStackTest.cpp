@@ -43,6 +43,8 @@ private Q_SLOTS:
     void contradictingDuplicateIsNamed();
     void singleImageSaysThatItsDepthIsAssumed();
     void phasesAreTimes();
+    void quantitiesLieBesideEachOther_data();
+    void quantitiesLieBesideEachOther();
     void unevenPhasesAreDoubtful();
     void planesAreCandidates();
 
@@ -212,6 +214,69 @@ void SliceStackTest::phasesAreTimes()
     QCOMPARE(test::worstError(two, second), 0.0);
     const QString text = test::problemText(two.volume.problems, VolumeProblem::Kind::MixedSlices);
     QVERIFY2(text.contains(QLatin1String("trigger time 160")), qPrintable(text));
+}
+
+void SliceStackTest::quantitiesLieBesideEachOther_data()
+{
+    QTest::addColumn<QStringList>("imageTypes");
+    QTest::addColumn<QStringList>("echoTimes");
+    QTest::addColumn<QStringList>("parts");
+    QTest::addColumn<QList<int>>("times");
+    using Texts = QStringList;
+    const QString magnitude = QStringLiteral("ORIGINAL\\PRIMARY\\M_FFE\\M\\FFE");
+    const QString fieldMap = QStringLiteral("ORIGINAL\\PRIMARY\\B0 MAP\\B0\\UNSPECIFIED");
+    const QString phase = QStringLiteral("ORIGINAL\\PRIMARY\\P\\ND");
+    const QString first = QStringLiteral("4.6");
+    const QString second = QStringLiteral("6.9");
+    const QString none = QStringLiteral("0");
+    const Texts mapParts{QStringLiteral("magnitude"), QStringLiteral("field map")};
+    QTest::newRow("field map with its magnitude")
+        << Texts{magnitude, fieldMap} << Texts{first, none} << mapParts << QList<int>{0, 0};
+    QTest::newRow("field map with the magnitude of two echoes")
+        << Texts{magnitude, magnitude, fieldMap} << Texts{first, second, none} << mapParts
+        << QList<int>{2, 0};
+    QTest::newRow("magnitude and phase of two echoes")
+        << Texts{magnitude, magnitude, phase, phase} << Texts{first, second, first, second}
+        << Texts{QStringLiteral("magnitude"), QStringLiteral("phase")} << QList<int>{2, 2};
+    QTest::newRow("a kind of image that says nothing of its quantity")
+        << Texts{magnitude, QStringLiteral("ORIGINAL\\PRIMARY\\OTHER")} << Texts{first, second}
+        << Texts{QString()} << QList<int>{2};
+}
+
+/// A field map is no later point in time than its magnitude, nor a phase.
+void SliceStackTest::quantitiesLieBesideEachOther()
+{
+    QFETCH(QStringList, imageTypes);
+    QFETCH(QStringList, echoTimes);
+    QFETCH(QStringList, parts);
+    QFETCH(QList<int>, times);
+    SyntheticSeries series;
+    series.modality = QStringLiteral("MR");
+    for (qsizetype i = 0; i < imageTypes.size(); ++i) {
+        series.fileName = [i](int k) { return QStringLiteral("%1-%2").arg(i).arg(k); };
+        series.stored = [i](const glm::ivec3& index) { return index.z + int(i); };
+        series.adjust = [&, i](DcmDataset& set, int k) {
+            set.putAndInsertString(DCM_ImageType, imageTypes[i].toLatin1().constData());
+            set.putAndInsertString(DCM_EchoTime, echoTimes[i].toLatin1().constData());
+            set.putAndInsertString(
+                DCM_InstanceNumber, QByteArray::number(100 * int(i) + k).constData());
+            set.putAndInsertString(
+                DCM_SOPInstanceUID, QByteArray::number(900 + 100 * int(i) + k).constData());
+        };
+        test::writeSeries(series, path());
+    }
+    const core::Result<core::StudyListing> listing = core::scanStudies(path());
+    QVERIFY(listing);
+    QStringList named;
+    QList<int> points;
+    for (const core::SeriesEntry* entry : listing->candidates()) {
+        named.append(entry->part);
+        points.append(int(entry->times.size()));
+        QCOMPARE(entry->slices(), series.size.z);
+        QVERIFY(core::loadVolume(path(), entry->key));
+    }
+    QCOMPARE(named, parts);
+    QCOMPARE(points, times);
 }
 
 void SliceStackTest::unevenPhasesAreDoubtful()
