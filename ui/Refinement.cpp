@@ -117,7 +117,7 @@ QString Refinement::caution() const
     const auto known = surface();
     const core::Segment* segment =
         known ? m_workspace.session()->document().segment(known->segment) : nullptr;
-    if (!segment || !known->differs)
+    if (!segment || !known->isApart())
         return {};
     return tr("%1 differs from its surface").arg(segment->name);
 }

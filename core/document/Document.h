@@ -68,6 +68,12 @@ struct RefinedSurface {
     /// It was changed since it was laid or written back, or an edit wrote to its segment since: the
     /// two have parted. By how much they were apart from the beginning says the row that laid it.
     bool differs = false;
+    /// An edit that is not about its segment, a growth mostly, changed the segment's voxels since.
+    /// Rows say so (EditStatistics::surfaceMaskChanged), not edits; no part of the state hash.
+    bool maskChanged = false;
+
+    /// Whether surface and segment may have parted.
+    [[nodiscard]] bool isApart() const { return differs || maskChanged; }
     bool operator==(const RefinedSurface&) const = default;
 };
 

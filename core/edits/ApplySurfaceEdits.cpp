@@ -74,6 +74,7 @@ Result<bool> apply(const WriteBack&, Document& document)
     if (segment->locked)
         return failure(ErrorCode::SegmentLocked, segment->name);
     document.surface->differs = false;
+    document.surface->maskChanged = false;
     return true;
 }
 

@@ -280,6 +280,9 @@ struct EditStatistics {
     /// Of a cut that starts from the surface: how deep the surface was looked for, in mm16 of its
     /// plane (searchEnd() in core/sculpt/MaskFrame.h); none: no ray was cast, or nobody noted it.
     std::optional<std::int32_t> searchedTo{};
+    /// Voxels of the segment that a surface lies around were changed; no engine's. Sessions before
+    /// 2026-11-25 do not say so.
+    bool surfaceMaskChanged = false;
 };
 
 struct ProbedVoxel {

@@ -19,7 +19,7 @@ std::vector<ExportChoice> exportChoices(const Document& document, const std::bit
             choice.remarks += QStringLiteral("hidden");
         if (growing.test(segment.label))
             choice.remarks += QStringLiteral("growth not finished");
-        if (document.surface && document.surface->differs
+        if (document.surface && document.surface->isApart()
             && document.surface->segment == segment.label)
             choice.remarks += QStringLiteral("surface not written back");
         if (!segment.code.isSet())

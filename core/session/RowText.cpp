@@ -33,6 +33,8 @@ QString toText(const EditStatistics& statistics)
         json[QStringLiteral("verticesChanged")] = qint64(statistics.verticesChanged);
     if (statistics.searchedTo)
         json[QStringLiteral("searchedTo")] = *statistics.searchedTo;
+    if (statistics.surfaceMaskChanged)
+        json[QStringLiteral("surfaceMaskChanged")] = true;
     return compact(json);
 }
 
@@ -44,7 +46,8 @@ EditStatistics statisticsFrom(const QString& text)
         .verticesChanged = json.value(QStringLiteral("verticesChanged")).toInteger(),
         .bricks = json.value(QStringLiteral("bricks")).toInt(),
         .generations = json.value(QStringLiteral("generations")).toInt(),
-        .milliseconds = json.value(QStringLiteral("milliseconds")).toDouble()};
+        .milliseconds = json.value(QStringLiteral("milliseconds")).toDouble(),
+        .surfaceMaskChanged = json.value(QStringLiteral("surfaceMaskChanged")).toBool()};
     if (const QJsonValue depth = json.value(QStringLiteral("searchedTo")); depth.isDouble())
         statistics.searchedTo = std::int32_t(depth.toInteger());
     return statistics;

@@ -6,6 +6,7 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <utility>
 
 namespace core {
@@ -17,6 +18,28 @@ void count(const std::vector<std::uint8_t>& labels, std::int64_t sign,
 {
     for (const std::uint8_t label : labels)
         voxels[label] += sign;
+}
+
+/// Whether voxels came to a segment or went from it.
+bool changesSegment(const std::vector<BrickChange>& changes, const Segment& segment)
+{
+    const auto label = std::uint8_t(segment.label);
+    return std::any_of(changes.begin(), changes.end(), [&](const BrickChange& change) {
+        return change.key.field == Field::Labels && change.key.plane == segment.plane
+            && !std::equal(change.before.begin(), change.before.end(), change.after.begin(),
+                change.after.end(), [label](std::uint8_t before, std::uint8_t after) {
+                    return (before == label) == (after == label);
+                });
+    });
+}
+
+/// What a row made of a document.
+void applyRow(const Edit& edit, const EditStatistics& statistics, Document& document)
+{
+    // An edit that is in the history was carried out once, so it cannot fail on the way.
+    static_cast<void>(applyToDocument(edit, document));
+    if (document.surface && statistics.surfaceMaskChanged)
+        document.surface->maskChanged = true;
 }
 
 } // namespace
@@ -42,13 +65,16 @@ RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& cha
     if (generation)
         document.growths.front().generation = *generation;
     const std::optional<RefinedSurface> surfaceBefore = document.surface;
-    // What carries an edit out has made sure that it can be.
-    static_cast<void>(applyToDocument(edit, document));
+    row.statistics = statistics;
+    if (const Segment* refined =
+            surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
+        row.statistics.surfaceMaskChanged =
+            !std::holds_alternative<WriteBack>(edit) && changesSegment(changes, *refined);
+    applyRow(edit, row.statistics, document);
     placeSegments();
     muteLayers();
     showSurface();
     row.edit = edit;
-    row.statistics = statistics;
     row.origin = origin();
     row.growthGeneration = document.growths.front().generation;
     const RowId id = history.append(std::move(row));
@@ -209,8 +235,7 @@ Document SessionState::documentAt(RowId at) const
     Document placed = initialDocument({});
     for (const RowId id : history.pathTo(at)) {
         const HistoryRow& row = history.row(id);
-        // An edit that is in the history was carried out once, so it cannot fail on the way.
-        static_cast<void>(applyToDocument(row.edit, placed));
+        applyRow(row.edit, row.statistics, placed);
         placed.growths.front().generation = row.growthGeneration;
     }
     return placed;

@@ -69,7 +69,7 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
         if (m_again != 0)
             state.complete(m_again, std::move(result.changes));
         else if (!result.changes.empty()
-            || (std::holds_alternative<WriteBack>(m_edit) && state.document.surface->differs))
+            || (std::holds_alternative<WriteBack>(m_edit) && state.document.surface->isApart()))
             state.commit(m_edit, std::move(result.changes), result.statistics, {});
     } else if (result.error) {
         giveUp(state, *result.error);

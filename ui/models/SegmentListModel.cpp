@@ -126,7 +126,7 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
         return segment->code.isSet() ? segment->code.meaning : tr("not coded yet");
     case UnwrittenRole: {
         const auto& surface = m_workspace.session()->document().surface;
-        return surface && surface->differs && surface->segment == segment->label;
+        return surface && surface->isApart() && surface->segment == segment->label;
     }
     case ActiveRole:
         return segment->label == m_workspace.activeSegment();

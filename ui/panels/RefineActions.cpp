@@ -35,7 +35,7 @@ QStringList addRefineActions(Actions& actions, Workspace& workspace)
             [&refinement] { refinement.writeBack(); },
             [&refinement] {
                 const auto surface = refinement.surface();
-                return surface && surface->differs;
+                return surface && surface->isApart();
             }),
         add(
             "refine.follow", Actions::tr("Follow mask"), {},

@@ -221,7 +221,7 @@ QString RefinePanel::summary() const
     const std::optional<core::RefinedSurface> surface = refinement.surface();
     if (!surface)
         return {};
-    return surface->differs
+    return surface->isApart()
         ? tr("differs from the segment")
         : tr("%1 vertices").arg(QLocale().toString(qulonglong(refinement.mirror().vertexCount())));
 }
@@ -255,14 +255,14 @@ void RefinePanel::show()
             : tr("Choose the segment to repair in the list of segments."));
     if (surface) {
         const QString name = segment ? segment->name : QString();
-        m_state->setText(surface->differs
+        m_state->setText(surface->isApart()
                 ? tr("%1: the segment does not hold what the surface encloses").arg(name)
                 : asLaidText());
         m_state->setProperty(
-            "role", surface->differs ? QStringLiteral("caution") : QStringLiteral("plain"));
+            "role", surface->isApart() ? QStringLiteral("caution") : QStringLiteral("plain"));
         m_state->setStyleSheet(
-            surface->differs ? QStringLiteral("color: %1").arg(theme::caution.name()) : QString());
-        m_write->setEnabled(surface->differs);
+            surface->isApart() ? QStringLiteral("color: %1").arg(theme::caution.name()) : QString());
+        m_write->setEnabled(surface->isApart());
         const Refinement::Look& look = refinement.look();
         const QSignalBlocker style(m_style);
         const QSignalBlocker opacity(m_opacity);
