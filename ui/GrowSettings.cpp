@@ -19,6 +19,7 @@ using Limit = GrowSettings::Limit;
 using displayJson::read;
 
 constexpr QLatin1String guardName("guard");
+constexpr QLatin1String guardAreaName("guardAreaMm2");
 
 /// Every limit that has a value, by its name in JSON.
 template <class Settings> auto limitsOf(Settings& settings)
@@ -118,7 +119,8 @@ void takeCriteria(const core::GrowCriteria& criteria, GrowSettings& settings)
 
 core::GrowSteps growthOf(const GrowSettings& settings)
 {
-    return {.criteria = criteriaOf(settings), .guard = {.factor = asked(settings.guard)}};
+    return {.criteria = criteriaOf(settings),
+        .guard = {.factor = asked(settings.guard), .areaMm2 = settings.guardAreaMm2}};
 }
 
 int limitsOn(const GrowSettings& settings)
@@ -175,6 +177,7 @@ QJsonObject growSettingsJson(const GrowSettings& settings)
     for (const auto& [name, limit] : limitsOf(settings))
         json[QLatin1String(name)] = toJson(*limit);
     json[guardName] = toJson(settings.guard);
+    json[guardAreaName] = settings.guardAreaMm2;
     if (settings.box)
         json[QStringLiteral("box")] =
             QJsonArray{toJson(settings.box->fromLps), toJson(settings.box->toLps)};
@@ -197,6 +200,9 @@ void readGrowSettings(const QJsonObject& json, GrowSettings& settings)
         read(json[QLatin1String(name)], *limit);
     read(json[guardName], known.guard);
     known.guard.value = std::clamp(known.guard.value, leastGuard, greatestGuard);
+    read(json[guardAreaName], known.guardAreaMm2);
+    known.guardAreaMm2 =
+        std::clamp(known.guardAreaMm2, leastGuardAreaMm2, greatestGuardAreaMm2);
     known.sigmas.value = std::clamp(known.sigmas.value, 1.0 / 256.0, 100.0);
     known.majority.value = std::clamp(known.majority.value, 1.0, 27.0);
     const QJsonArray box = json[QLatin1String("box")].toArray();

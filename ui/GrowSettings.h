@@ -32,6 +32,7 @@ struct GrowSettings {
     Limit passage{}; ///< mm
     /// Stops at leaks: the value is how many times as wide as a narrow place a front may get.
     Limit guard{.on = true, .value = 2.0};
+    double guardAreaMm2 = 60.0; ///< and how much wider
     bool onlyVisible = false;
     bool boxed = false;
     std::optional<core::GrowBox> box{}; ///< none was ever chosen
@@ -59,9 +60,11 @@ void chooseLimits(GrowSettings& settings, const core::Volume& volume);
 [[nodiscard]] core::GrowBox growBoxFrom(
     const core::ClipRegion::Box& box, const core::VolumeGeometry& geometry);
 
-/// Between which the guard's value lies.
+/// Between which the guard's value and its area lie.
 inline constexpr double leastGuard = 1.2;
 inline constexpr double greatestGuard = 10.0;
+inline constexpr double leastGuardAreaMm2 = 0.1;
+inline constexpr double greatestGuardAreaMm2 = 10000.0;
 
 [[nodiscard]] QJsonObject growSettingsJson(const GrowSettings& settings);
 /// Fields that are missing or make no sense are passed over.

@@ -39,6 +39,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_guard(new QCheckBox(tr("stop at leaks"), this))
     , m_factor(new QDoubleSpinBox(this))
+    , m_area(new QDoubleSpinBox(this))
     , m_barriers(new QCheckBox(tr("show barriers"), this))
     , m_offer(new QWidget(this))
     , m_text(new QLabel(m_offer))
@@ -48,14 +49,23 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
         tr("Growth stops where a front that came out of a narrow place gets wide quickly"));
     m_factor->setObjectName(QStringLiteral("growGuardFactor"));
     m_factor->setToolTip(
-        tr("How many times as wide as the narrow place a front may get, and 60 mm² wider: less "
-           "stops sooner, and more often without need"));
+        tr("How many times as wide as the narrow place a front may get: less stops sooner, and more "
+           "often without need"));
     m_factor->setFixedHeight(theme::controlHeight);
     m_factor->setRange(leastGuard, greatestGuard);
     m_factor->setDecimals(1);
     m_factor->setSingleStep(0.1);
     m_factor->setPrefix(tr("at "));
     m_factor->setSuffix(tr(" × wider"));
+    m_area->setObjectName(QStringLiteral("growGuardArea"));
+    m_area->setToolTip(
+        tr("How much wider besides: small vessels need less, else their leaks pass unseen"));
+    m_area->setFixedHeight(theme::controlHeight);
+    m_area->setRange(leastGuardAreaMm2, greatestGuardAreaMm2);
+    m_area->setDecimals(1);
+    m_area->setSingleStep(5.0);
+    m_area->setPrefix(tr("and by "));
+    m_area->setSuffix(tr(" mm²"));
     m_barriers->setObjectName(QStringLiteral("growBarriers"));
     m_barriers->setToolTip(
         tr("What is shut to growth: stripes in slices, translucent in the 3D view"));
@@ -96,11 +106,16 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     guard->addWidget(m_guard, 1);
     guard->addWidget(m_factor);
     layout->addLayout(guard);
-    layout->addWidget(m_barriers);
+    auto* more = new QHBoxLayout;
+    more->setSpacing(theme::smallPadding);
+    more->addWidget(m_barriers, 1);
+    more->addWidget(m_area);
+    layout->addLayout(more);
     layout->addWidget(m_offer);
     m_offer->hide();
     connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);
     connect(m_factor, &QDoubleSpinBox::valueChanged, this, &LeakSection::takeSettings);
+    connect(m_area, &QDoubleSpinBox::valueChanged, this, &LeakSection::takeSettings);
     connect(m_barriers, &QCheckBox::toggled, this, [this](bool shown) {
         Workspace::ViewOptions options = m_workspace.viewOptions();
         options.showBarriers = shown;
@@ -125,18 +140,23 @@ void LeakSection::showBarriers()
 
 void LeakSection::showSettings()
 {
-    const GrowSettings::Limit& guard = m_workspace.growSettings().guard;
+    const GrowSettings& settings = m_workspace.growSettings();
+    const GrowSettings::Limit& guard = settings.guard;
     const QSignalBlocker quietGuard(m_guard);
     const QSignalBlocker quietFactor(m_factor);
+    const QSignalBlocker quietArea(m_area);
     m_guard->setChecked(guard.on);
     m_factor->setValue(guard.value);
     m_factor->setEnabled(guard.on);
+    m_area->setValue(settings.guardAreaMm2);
+    m_area->setEnabled(guard.on);
 }
 
 void LeakSection::takeSettings()
 {
     GrowSettings settings = m_workspace.growSettings();
     settings.guard = {.on = m_guard->isChecked(), .value = m_factor->value()};
+    settings.guardAreaMm2 = m_area->value();
     m_workspace.setGrowSettings(settings);
 }
 

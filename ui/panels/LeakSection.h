@@ -48,6 +48,7 @@ private:
     Workspace& m_workspace;
     QCheckBox* m_guard = nullptr;
     QDoubleSpinBox* m_factor = nullptr;
+    QDoubleSpinBox* m_area = nullptr;
     QCheckBox* m_barriers = nullptr;
     QWidget* m_offer = nullptr;
     QLabel* m_text = nullptr;

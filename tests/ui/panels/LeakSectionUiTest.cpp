@@ -117,15 +117,19 @@ private Q_SLOTS:
         ui::LeakSection section(fixture.workspace);
         auto& guard = *section.findChild<QCheckBox*>(QStringLiteral("growGuard"));
         auto& factor = *section.findChild<QDoubleSpinBox*>(QStringLiteral("growGuardFactor"));
+        auto& area = *section.findChild<QDoubleSpinBox*>(QStringLiteral("growGuardArea"));
         // A growth is watched unless the user says that it is not to be.
         QVERIFY(guard.isChecked() && factor.isEnabled());
         QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 2.0);
         guard.click();
-        QVERIFY(!factor.isEnabled());
+        QVERIFY(!factor.isEnabled() && !area.isEnabled());
         QVERIFY(!ui::growthOf(fixture.workspace.growSettings()).guard.factor);
         guard.click();
         factor.setValue(3.5);
         QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 3.5);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.areaMm2, 60.0);
+        area.setValue(7.5);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.areaMm2, 7.5);
 
         // The session keeps it, and what another window kept is shown.
         const QByteArray kept =
@@ -135,10 +139,12 @@ private Q_SLOTS:
         fixture.workspace.setGrowSettings(settings);
         QVERIFY(!guard.isChecked());
         QCOMPARE(factor.value(), 2.0);
+        QCOMPARE(area.value(), 60.0);
         ui::readGrowSettings(QJsonDocument::fromJson(kept).object(), settings);
         fixture.workspace.setGrowSettings(settings);
         QVERIFY(guard.isChecked());
         QCOMPARE(factor.value(), 3.5);
+        QCOMPARE(area.value(), 7.5);
         // A factor that would alarm at everything is none.
         const QJsonObject odd{{QStringLiteral("guard"),
             QJsonObject{{QStringLiteral("on"), true}, {QStringLiteral("value"), 0.5}}}};
