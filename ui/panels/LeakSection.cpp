@@ -64,7 +64,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     m_area->setRange(leastGuardAreaMm2, greatestGuardAreaMm2);
     m_area->setDecimals(1);
     m_area->setSingleStep(5.0);
-    m_area->setPrefix(tr("and by "));
+    m_area->setPrefix(tr("by "));
     m_area->setSuffix(tr(" mm²"));
     m_barriers->setObjectName(QStringLiteral("growBarriers"));
     m_barriers->setToolTip(
