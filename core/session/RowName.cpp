@@ -131,58 +131,6 @@ QString seedName(const SeedStroke& stroke, const std::vector<BrickChange>& chang
         .arg(segment, sketched ? sketchedText(*sketched, document) : voxels);
 }
 
-/// What changes pieces; empty for other edits.
-QString pieceRowName(const Edit& edit, const Document& document)
-{
-    if (const auto* cut = std::get_if<CutPiece>(&edit))
-        return QStringLiteral("Lift %1 off layer %2")
-            .arg(quoted(cut->name), layerName(cut->layer, document));
-    if (const auto* paste = std::get_if<PastePiece>(&edit))
-        return QStringLiteral("Paste segment %1 as piece %2")
-            .arg(quoted(segmentName(paste->segment, document)), quoted(paste->name));
-    if (const auto* change = std::get_if<ChangePiece>(&edit))
-        return changeName(*change, document);
-    if (std::holds_alternative<SendPiecesHome>(edit))
-        return QStringLiteral("Send all pieces home");
-    if (const auto* remove = std::get_if<RemovePiece>(&edit))
-        return QStringLiteral("Remove piece ") + pieceName(remove->piece, document);
-    return {};
-}
-
-/// What changes layers, measurements or bookmarks; empty for other edits.
-QString listName(const Edit& edit, const Document& document)
-{
-    if (const auto* add = std::get_if<AddLayer>(&edit))
-        return QStringLiteral("Add layer ") + quoted(add->name);
-    if (const auto* change = std::get_if<ChangeLayer>(&edit))
-        return changeName(*change, document);
-    if (const auto* move = std::get_if<MoveLayer>(&edit))
-        return QStringLiteral("Move layer %1 to place %2")
-            .arg(layerName(move->layer, document))
-            .arg(move->place);
-    if (const auto* remove = std::get_if<RemoveLayer>(&edit))
-        return QStringLiteral("Delete layer ") + layerName(remove->layer, document);
-    if (const auto* merge = std::get_if<MergeLayers>(&edit))
-        return QStringLiteral("Merge layer %1 into %2")
-            .arg(layerName(merge->from, document), layerName(merge->into, document));
-    if (const auto* add = std::get_if<AddMeasurement>(&edit))
-        return QStringLiteral("Measure ") + millimetres(glm::distance(add->fromLps, add->toLps));
-    if (const auto* remove = std::get_if<RemoveMeasurement>(&edit)) {
-        const Measurement* measurement = document.measurement(remove->measurement);
-        return QStringLiteral("Remove measurement ")
-            + (measurement ? millimetres(measurement->lengthMm())
-                           : QString::number(remove->measurement));
-    }
-    if (const auto* add = std::get_if<AddBookmark>(&edit))
-        return QStringLiteral("Bookmark ") + quoted(add->name);
-    if (const auto* remove = std::get_if<RemoveBookmark>(&edit)) {
-        const CameraBookmark* bookmark = document.bookmark(remove->bookmark);
-        return QStringLiteral("Remove bookmark ")
-            + quoted(bookmark ? bookmark->name : QString::number(remove->bookmark));
-    }
-    return {};
-}
-
 QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,
     const std::vector<BrickChange>& changes, const Document& document)
 {
@@ -292,25 +240,6 @@ QString importName(
     return what + QStringLiteral(", %1 mL").arg(ml, 0, 'f', ml < 1.0 ? 3 : 1);
 }
 
-/// What passes between layers and segments; empty for other edits.
-QString passageName(const Edit& edit, const EditStatistics& statistics, const Document& document)
-{
-    const QString count = counted(statistics.voxelsChanged, "voxel");
-    if (const auto* mask = std::get_if<ImportMask>(&edit))
-        return importName(*mask, statistics, document);
-    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
-        return QStringLiteral("Layer %1 to segment %2, +%3")
-            .arg(layerName(carved->layer, document), targetName(carved->target, document), count);
-    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
-        return QStringLiteral("Segment what is seen as %1, +%2")
-            .arg(targetName(seen->target, document), count);
-    if (const auto* segment = std::get_if<SegmentToLayer>(&edit))
-        return QStringLiteral("Segment %1 to layer %2, %3")
-            .arg(quoted(segmentName(segment->segment, document)),
-                layerName(segment->layer, document), count);
-    return {};
-}
-
 /// A row without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2 mm".
 QString titleOf(const HistoryRow& row)
 {
@@ -373,80 +302,220 @@ QString revisionName(
     return what + QStringLiteral(", ") + counted(statistics.voxelsChanged, "voxel");
 }
 
+/// The name of each kind of edit: one that has none does not compile.
+class RowNames {
+public:
+    const EditStatistics& statistics;
+    const std::vector<BrickChange>& changes;
+    const Document& document;
+    const History& history;
+    const std::optional<SketchedSeeds>& sketched;
+
+    QString operator()(const AddSegment& add) const
+    {
+        return QStringLiteral("Add segment '%1'").arg(add.name);
+    }
+    QString operator()(const ChangeSegment& change) const { return changeName(change, document); }
+    QString operator()(const MoveSegment& move) const
+    {
+        return QStringLiteral("Move segment '%1' to place %2")
+            .arg(segmentName(move.segment, document))
+            .arg(move.place);
+    }
+    QString operator()(const RemoveSegment& remove) const
+    {
+        return removeName(remove, statistics, changes, document);
+    }
+    QString operator()(const AddLayer& add) const
+    {
+        return QStringLiteral("Add layer ") + quoted(add.name);
+    }
+    QString operator()(const ChangeLayer& change) const { return changeName(change, document); }
+    QString operator()(const MoveLayer& move) const
+    {
+        return QStringLiteral("Move layer %1 to place %2")
+            .arg(layerName(move.layer, document))
+            .arg(move.place);
+    }
+    QString operator()(const RemoveLayer& remove) const
+    {
+        return QStringLiteral("Delete layer ") + layerName(remove.layer, document);
+    }
+    QString operator()(const MergeLayers& merge) const
+    {
+        return QStringLiteral("Merge layer %1 into %2")
+            .arg(layerName(merge.from, document), layerName(merge.into, document));
+    }
+    QString operator()(const AddMeasurement& add) const
+    {
+        return QStringLiteral("Measure ") + millimetres(glm::distance(add.fromLps, add.toLps));
+    }
+    QString operator()(const RemoveMeasurement& remove) const
+    {
+        const Measurement* measurement = document.measurement(remove.measurement);
+        return QStringLiteral("Remove measurement ")
+            + (measurement ? millimetres(measurement->lengthMm())
+                           : QString::number(remove.measurement));
+    }
+    QString operator()(const AddBookmark& add) const
+    {
+        return QStringLiteral("Bookmark ") + quoted(add.name);
+    }
+    QString operator()(const RemoveBookmark& remove) const
+    {
+        const CameraBookmark* bookmark = document.bookmark(remove.bookmark);
+        return QStringLiteral("Remove bookmark ")
+            + quoted(bookmark ? bookmark->name : QString::number(remove.bookmark));
+    }
+
+    QString operator()(const CutPiece& cut) const
+    {
+        return QStringLiteral("Lift %1 off layer %2")
+            .arg(quoted(cut.name), layerName(cut.layer, document));
+    }
+    QString operator()(const PastePiece& paste) const
+    {
+        return QStringLiteral("Paste segment %1 as piece %2")
+            .arg(quoted(segmentName(paste.segment, document)), quoted(paste.name));
+    }
+    QString operator()(const ChangePiece& change) const { return changeName(change, document); }
+    QString operator()(const SendPiecesHome&) const
+    {
+        return QStringLiteral("Send all pieces home");
+    }
+    QString operator()(const RemovePiece& remove) const
+    {
+        return QStringLiteral("Remove piece ") + pieceName(remove.piece, document);
+    }
+
+    QString operator()(const SeedStroke& seed) const
+    {
+        return seedName(seed, changes, document, sketched);
+    }
+    QString operator()(const GrowSteps& grow) const
+    {
+        return growName(grow, statistics, changes, document);
+    }
+    /// It is kept as the growth that it was.
+    QString operator()(const ResumeGrowth& resume) const
+    {
+        return growName({.steps = resume.steps}, statistics, changes, document);
+    }
+    QString operator()(const ChangeInterval& change) const
+    {
+        return intervalName(change, changes, document);
+    }
+    QString operator()(const GrowFromSeeds&) const
+    {
+        return QStringLiteral("Grow %1from seeds, +%2")
+            .arg(whatGrew(changes, document), counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const ShrinkSteps& shrink) const
+    {
+        return QStringLiteral("Shrink %1, −%2")
+            .arg(shrink.steps ? counted(statistics.generations, "step")
+                              : QStringLiteral("to the seeds"),
+                counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const ShrinkAt& shrink) const
+    {
+        return QStringLiteral("Shrink %1, −%2")
+            .arg(shrink.onlyHere ? QStringLiteral("only here") : QStringLiteral("here"),
+                counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const PlugLeak&) const
+    {
+        return QStringLiteral("Plug leak, −%1").arg(counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const BarrierStroke& barrier) const
+    {
+        return QStringLiteral("%1 %2, %3")
+            .arg(barrier.erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
+                millimetres(barrier.path.radiusMm), counted(seedWordsChanged(changes), "voxel"));
+    }
+    QString operator()(const SurfaceBarrier& barrier) const
+    {
+        return QStringLiteral("%1, %2").arg(barrier.erase
+                ? QStringLiteral("Open barrier around surface")
+                : QStringLiteral("Barrier around surface"),
+            counted(seedWordsChanged(changes), "voxel"));
+    }
+
+    QString operator()(const RevertRows& revert) const
+    {
+        return revertName(revert, statistics, changes, history);
+    }
+    QString operator()(const ReviseStroke& revise) const
+    {
+        return revisionName(revise, statistics, history);
+    }
+
+    QString operator()(const PaintStroke& paint) const
+    {
+        return paintName(paint, statistics, changes, document);
+    }
+    QString operator()(const BrushStroke& brush) const
+    {
+        return QStringLiteral("%1 %2, %3")
+            .arg(brush.restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
+                millimetres(brush.path.radiusMm), counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const DrillStroke& drill) const
+    {
+        return pressedName(drill, {"Drill ", "Restore "}, statistics);
+    }
+    QString operator()(const LaserStroke& laser) const
+    {
+        return pressedName(laser, {"Laser ", "Restore laser "}, statistics);
+    }
+    QString operator()(const PeelCut& peel) const { return peelName(peel, statistics); }
+    QString operator()(const ScissorsCut& cut) const { return scissorsName(cut, statistics); }
+
+    QString operator()(const ImportMask& mask) const
+    {
+        return importName(mask, statistics, document);
+    }
+    QString operator()(const LayerToSegment& carved) const
+    {
+        return QStringLiteral("Layer %1 to segment %2, +%3")
+            .arg(layerName(carved.layer, document), targetName(carved.target, document),
+                counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const SegmentSeen& seen) const
+    {
+        return QStringLiteral("Segment what is seen as %1, +%2")
+            .arg(targetName(seen.target, document), counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const SegmentToLayer& segment) const
+    {
+        return QStringLiteral("Segment %1 to layer %2, %3")
+            .arg(quoted(segmentName(segment.segment, document)), layerName(segment.layer, document),
+                counted(statistics.voxelsChanged, "voxel"));
+    }
+    QString operator()(const Chunks& chunks) const { return chunksName(chunks, document); }
+    QString operator()(const ChunkToggle& toggle) const
+    {
+        return chunksName(toggle, changes, document);
+    }
+    template <class E>
+    requires isSurfaceEdit<E> QString operator()(const E& edit) const
+    {
+        return surfaceName(edit, statistics, document);
+    }
+};
+
 } // namespace
 
 QString rowName(const Edit& edit, const EditStatistics& statistics,
     const std::vector<BrickChange>& changes, const Document& document, const History& history,
     const std::optional<SketchedSeeds>& sketched)
 {
-    if (const auto* add = std::get_if<AddSegment>(&edit))
-        return QStringLiteral("Add segment '%1'").arg(add->name);
-    if (const auto* change = std::get_if<ChangeSegment>(&edit))
-        return changeName(*change, document);
-    if (const auto* move = std::get_if<MoveSegment>(&edit))
-        return QStringLiteral("Move segment '%1' to place %2")
-            .arg(segmentName(move->segment, document))
-            .arg(move->place);
-    if (const auto* remove = std::get_if<RemoveSegment>(&edit))
-        return removeName(*remove, statistics, changes, document);
-    if (const QString name = listName(edit, document); !name.isEmpty())
-        return name;
-    if (const QString name = pieceRowName(edit, document); !name.isEmpty())
-        return name;
-    if (const QString name = surfaceRowName(edit, statistics, document); !name.isEmpty())
-        return name;
-    if (const auto* seed = std::get_if<SeedStroke>(&edit))
-        return seedName(*seed, changes, document, sketched);
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
-        return growName(*grow, statistics, changes, document);
-    if (const auto* change = std::get_if<ChangeInterval>(&edit))
-        return intervalName(*change, changes, document);
-    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
-        return QStringLiteral("%1 %2, %3")
-            .arg(barrier->erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
-                millimetres(barrier->path.radiusMm), counted(seedWordsChanged(changes), "voxel"));
-    if (const auto* barrier = std::get_if<SurfaceBarrier>(&edit))
-        return QStringLiteral("%1, %2").arg(barrier->erase
-                ? QStringLiteral("Open barrier around surface")
-                : QStringLiteral("Barrier around surface"),
-            counted(seedWordsChanged(changes), "voxel"));
-    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
-        return QStringLiteral("Shrink %1, −%2")
-            .arg(shrink->steps ? counted(statistics.generations, "step")
-                               : QStringLiteral("to the seeds"),
-                counted(statistics.voxelsChanged, "voxel"));
-    if (const auto* shrink = std::get_if<ShrinkAt>(&edit))
-        return QStringLiteral("Shrink %1, −%2")
-            .arg(shrink->onlyHere ? QStringLiteral("only here") : QStringLiteral("here"),
-                counted(statistics.voxelsChanged, "voxel"));
-    if (std::holds_alternative<PlugLeak>(edit))
-        return QStringLiteral("Plug leak, −%1").arg(counted(statistics.voxelsChanged, "voxel"));
-    if (std::holds_alternative<GrowFromSeeds>(edit))
-        return QStringLiteral("Grow %1from seeds, +%2")
-            .arg(whatGrew(changes, document), counted(statistics.voxelsChanged, "voxel"));
-    if (const auto* revert = std::get_if<RevertRows>(&edit))
-        return revertName(*revert, statistics, changes, history);
-    if (const auto* revise = std::get_if<ReviseStroke>(&edit))
-        return revisionName(*revise, statistics, history);
-    if (const auto* paint = std::get_if<PaintStroke>(&edit))
-        return paintName(*paint, statistics, changes, document);
-    if (const auto* brush = std::get_if<BrushStroke>(&edit))
-        return QStringLiteral("%1 %2, %3")
-            .arg(brush->restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
-                millimetres(brush->path.radiusMm), counted(statistics.voxelsChanged, "voxel"));
-    if (const auto* peel = std::get_if<PeelCut>(&edit))
-        return peelName(*peel, statistics);
-    if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
-        return scissorsName(*scissors, statistics);
-    if (const QString name = passageName(edit, statistics, document); !name.isEmpty())
-        return name;
-    if (const auto* chunks = std::get_if<Chunks>(&edit))
-        return chunksName(*chunks, document);
-    if (const auto* toggle = std::get_if<ChunkToggle>(&edit))
-        return chunksName(*toggle, changes, document);
-    if (const auto* laser = std::get_if<LaserStroke>(&edit))
-        return pressedName(*laser, {"Laser ", "Restore laser "}, statistics);
-    return pressedName(std::get<DrillStroke>(edit), {"Drill ", "Restore "}, statistics);
+    return std::visit(RowNames{.statistics = statistics,
+                          .changes = changes,
+                          .document = document,
+                          .history = history,
+                          .sketched = sketched},
+        edit);
 }
 
 } // namespace core

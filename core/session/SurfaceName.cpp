@@ -41,52 +41,93 @@ QString marksName(const ChangeMarks& change)
     return QStringLiteral("Clear %1 %2").arg(word, what);
 }
 
-/// What it does, without the figures at its end.
-QString titleOf(const Edit& edit, const Document& document)
+/// What it did, and to how much of the surface.
+QString withVertices(const QString& title, const EditStatistics& statistics)
 {
-    if (const auto* lay = std::get_if<LaySurface>(&edit))
-        return QStringLiteral("Surface of %1").arg(quoted(segmentName(lay->segment, document)));
-    if (std::holds_alternative<FollowMask>(edit))
-        return QStringLiteral("Surface follows the mask");
-    if (const auto* mark = std::get_if<MarkSurface>(&edit))
-        return QStringLiteral("Mark %1, brush %2")
-            .arg(markWord(mark->mark), millimetres(mark->path.radiusMm));
-    if (const auto* change = std::get_if<ChangeMarks>(&edit))
-        return marksName(*change);
-    if (const auto* push = std::get_if<SpherePush>(&edit))
-        return QStringLiteral("Sphere push %1").arg(millimetres(push->path.radiusMm));
-    if (const auto* scrape = std::get_if<PlaneScrape>(&edit))
-        return QStringLiteral("Scrape %1").arg(millimetres(scrape->path.radiusMm));
-    if (const auto* drag = std::get_if<PointDrag>(&edit))
-        return QStringLiteral("Drag point %1").arg(millimetres(drag->path.radiusMm));
-    if (const auto* shape = std::get_if<ApplyTemplate>(&edit))
-        return QStringLiteral("Template of %1")
-            .arg(counted(std::int64_t(shape->contoursLps.size()), "contour"));
-    if (const auto* smooth = std::get_if<SmoothSurface>(&edit))
-        return QStringLiteral("Smooth surface %1").arg(millimetres(smooth->path.radiusMm));
-    if (const auto* attract = std::get_if<AttractSurface>(&edit))
-        return QStringLiteral("Attract to edge %1").arg(millimetres(attract->path.radiusMm));
-    return {};
-}
-
-} // namespace
-
-QString surfaceRowName(const Edit& edit, const EditStatistics& statistics, const Document& document)
-{
-    if (std::holds_alternative<DropSurface>(edit))
-        return QStringLiteral("Remove surface");
-    if (std::holds_alternative<WriteBack>(edit))
-        return QStringLiteral("Write surface back to %1, %2")
-            .arg(quoted(document.surface ? segmentName(document.surface->segment, document)
-                                         : QString()),
-                counted(statistics.voxelsChanged, "voxel"));
-    const QString title = titleOf(edit, document);
-    if (title.isEmpty())
-        return title;
     return title + QStringLiteral(", ")
         + (statistics.verticesChanged == 1
                 ? QStringLiteral("1 vertex")
                 : QStringLiteral("%1 vertices").arg(grouped(statistics.verticesChanged)));
+}
+
+/// "Sphere push 4.0 mm, 214 vertices"
+QString strokeName(const char* verb, const SurfacePath& path, const EditStatistics& statistics)
+{
+    return withVertices(
+        QLatin1String(verb) + QLatin1Char(' ') + millimetres(path.radiusMm), statistics);
+}
+
+} // namespace
+
+QString surfaceName(
+    const LaySurface& lay, const EditStatistics& statistics, const Document& document)
+{
+    return withVertices(
+        QStringLiteral("Surface of %1").arg(quoted(segmentName(lay.segment, document))),
+        statistics);
+}
+
+QString surfaceName(const DropSurface&, const EditStatistics&, const Document&)
+{
+    return QStringLiteral("Remove surface");
+}
+
+QString surfaceName(const FollowMask&, const EditStatistics& statistics, const Document&)
+{
+    return withVertices(QStringLiteral("Surface follows the mask"), statistics);
+}
+
+QString surfaceName(const MarkSurface& mark, const EditStatistics& statistics, const Document&)
+{
+    return withVertices(QStringLiteral("Mark %1, brush %2")
+                            .arg(markWord(mark.mark), millimetres(mark.path.radiusMm)),
+        statistics);
+}
+
+QString surfaceName(const ChangeMarks& change, const EditStatistics& statistics, const Document&)
+{
+    return withVertices(marksName(change), statistics);
+}
+
+QString surfaceName(const SpherePush& push, const EditStatistics& statistics, const Document&)
+{
+    return strokeName("Sphere push", push.path, statistics);
+}
+
+QString surfaceName(const PlaneScrape& scrape, const EditStatistics& statistics, const Document&)
+{
+    return strokeName("Scrape", scrape.path, statistics);
+}
+
+QString surfaceName(const PointDrag& drag, const EditStatistics& statistics, const Document&)
+{
+    return strokeName("Drag point", drag.path, statistics);
+}
+
+QString surfaceName(const ApplyTemplate& shape, const EditStatistics& statistics, const Document&)
+{
+    return withVertices(QStringLiteral("Template of %1")
+                            .arg(counted(std::int64_t(shape.contoursLps.size()), "contour")),
+        statistics);
+}
+
+QString surfaceName(const SmoothSurface& smooth, const EditStatistics& statistics, const Document&)
+{
+    return strokeName("Smooth surface", smooth.path, statistics);
+}
+
+QString surfaceName(
+    const AttractSurface& attract, const EditStatistics& statistics, const Document&)
+{
+    return strokeName("Attract to edge", attract.path, statistics);
+}
+
+QString surfaceName(const WriteBack&, const EditStatistics& statistics, const Document& document)
+{
+    return QStringLiteral("Write surface back to %1, %2")
+        .arg(
+            quoted(document.surface ? segmentName(document.surface->segment, document) : QString()),
+            counted(statistics.voxelsChanged, "voxel"));
 }
 
 } // namespace core
